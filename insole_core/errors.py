@@ -1,0 +1,29 @@
+"""The errors a user can act on.
+
+Every message is one sentence that says what is wrong, where, and what to do; the command line and
+the window show it as it stands.
+"""
+
+
+class InsoleError(Exception):
+    """Something the user can put right; the text is written for a clinician."""
+
+
+class UsageError(InsoleError):
+    """The call itself contradicts its input (command line: exit code 2)."""
+
+
+class InputError(InsoleError):
+    """A file or folder that was handed in cannot be used as it is."""
+
+
+class ReconstructionError(InsoleError):
+    """The recording is readable, but no foot can be made from it."""
+
+
+class DesignError(InsoleError):
+    """A prescription or one of its values cannot be built."""
+
+
+class OutputError(InsoleError):
+    """A result could not be written; what stood there before is untouched."""

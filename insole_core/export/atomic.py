@@ -1,0 +1,97 @@
+"""Results appear as a whole or not at all: written beside their place, then renamed."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from insole_core.errors import OutputError
+
+
+@contextmanager
+def replacing_file(path: Path) -> Iterator[Path]:
+    """Give a path beside `path` to write to; on success it takes the place of `path`.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written (no such folder, no permission, no space). Whatever stood
+        there before is untouched, and nothing else remains.
+    """
+    beside: Path | None = None
+    try:
+        if path.is_dir():
+            raise IsADirectoryError
+        handle, name = tempfile.mkstemp(
+            dir=path.parent, prefix=f".{path.name}.", suffix=path.suffix
+        )
+        os.close(handle)
+        beside = Path(name)
+        yield beside
+        beside.chmod(0o666 & ~_umask())
+        beside.replace(path)
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
+    finally:
+        if beside is not None:
+            beside.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_folder(path: Path) -> Iterator[Path]:
+    """Like `replacing_file`, for a folder with everything in it."""
+    beside: Path | None = None
+    try:
+        if path.exists() and not path.is_dir():
+            raise NotADirectoryError
+        beside = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
+        yield beside
+        beside.chmod(0o777 & ~_umask())
+        _swap(beside, path)
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
+    finally:
+        if beside is not None and beside.exists():
+            shutil.rmtree(beside)
+
+
+def _swap(beside: Path, path: Path) -> None:
+    """Put `beside` where `path` is; the old folder goes only once the new one stands."""
+    if not path.exists():
+        beside.rename(path)
+        return
+    old = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
+    path.rename(old / "old")
+    try:
+        beside.rename(path)
+    except OSError:
+        (old / "old").rename(path)
+        raise
+    finally:
+        shutil.rmtree(old)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def describe(path: Path, error: OSError) -> str:
+    """Say in one sentence why a place cannot be written."""
+    reasons: list[tuple[type[OSError], str]] = [
+        (FileNotFoundError, "its folder does not exist; create the folder or choose another place"),
+        (PermissionError, "you may not write there; choose another place or ask for permission"),
+        (IsADirectoryError, "a folder of that name is there; choose another name"),
+        (NotADirectoryError, "a file is there where a folder is needed; choose another name"),
+    ]
+    for kind, reason in reasons:
+        if isinstance(error, kind):
+            return f"{path} cannot be written: {reason}."
+    if error.errno in (28, 122):
+        return f"{path} cannot be written: the disk is full; free some space and try again."
+    return f"{path} cannot be written: {error.strerror or error}; choose another place."

@@ -1,0 +1,87 @@
+"""A triangle mesh as a value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray
+from insole_core.geometry.transforms import transform
+
+
+@dataclass(frozen=True, eq=False)
+class TriangleMesh:
+    """Vertices, triangles, and optionally a colour for every vertex.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float64, mm
+    triangles : (m, 3) int32
+        Corner indices, counter-clockwise seen from outside.
+    colors : (n, 3) uint8, optional
+    """
+
+    vertices: FloatArray
+    triangles: IndexArray
+    colors: ByteArray | None = None
+
+    @cached_property
+    def triangle_normals(self) -> FloatArray:
+        """(m, 3) unit normals; zero for a triangle without area."""
+        cross = self._triangle_cross
+        length = np.linalg.norm(cross, axis=1, keepdims=True)
+        return np.divide(cross, length, out=np.zeros_like(cross), where=length > 0)
+
+    @cached_property
+    def vertex_normals(self) -> FloatArray:
+        """(n, 3) unit normals, area-weighted over the triangles of each vertex."""
+        cross = self._triangle_cross
+        count = len(self.vertices)
+        total = np.stack(
+            [
+                sum(
+                    np.bincount(self.triangles[:, corner], cross[:, axis], minlength=count)
+                    for corner in range(3)
+                )
+                for axis in range(3)
+            ],
+            axis=1,
+        )
+        length = np.linalg.norm(total, axis=1, keepdims=True)
+        return np.divide(total, length, out=np.zeros_like(total), where=length > 0)
+
+    @cached_property
+    def area_mm2(self) -> float:
+        """Area of all triangles."""
+        return float(np.linalg.norm(self._triangle_cross, axis=1).sum() / 2)
+
+    @cached_property
+    def volume_mm3(self) -> float:
+        """Signed volume of a closed mesh; positive when the triangles face outwards."""
+        a, b, c = (self.vertices[self.triangles[:, corner]] for corner in range(3))
+        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+    @cached_property
+    def is_closed(self) -> bool:
+        """Whether every edge has exactly two triangles that run through it in opposite ways."""
+        if len(self.triangles) == 0:
+            return False
+        edges = np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+        key = edges.astype(np.int64) @ np.array([len(self.vertices), 1])
+        back = edges[:, ::-1].astype(np.int64) @ np.array([len(self.vertices), 1])
+        return len(np.unique(key)) == len(key) and np.array_equal(np.sort(key), np.sort(back))
+
+    def transformed(self, a2b: FloatArray) -> TriangleMesh:
+        """Bring the mesh from frame a to frame b."""
+        return replace(self, vertices=transform(a2b, self.vertices))
+
+    def flipped(self) -> TriangleMesh:
+        """Turn the mesh inside out."""
+        return replace(self, triangles=np.ascontiguousarray(self.triangles[:, ::-1]))
+
+    @cached_property
+    def _triangle_cross(self) -> FloatArray:
+        a, b, c = (self.vertices[self.triangles[:, corner]] for corner in range(3))
+        return np.cross(b - a, c - a)

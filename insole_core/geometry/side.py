@@ -1,0 +1,22 @@
+"""Left and right, and what they mean for signs."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class Side(StrEnum):
+    """Which foot. In the reference and insole frames +x points to the patient's right."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+    @property
+    def medial_sign(self) -> int:
+        """Sign of x on the medial side (the side of the big toe): +1 left, -1 right."""
+        return 1 if self is Side.LEFT else -1
+
+    @property
+    def other(self) -> Side:
+        """The other foot."""
+        return Side.RIGHT if self is Side.LEFT else Side.LEFT

@@ -1,0 +1,52 @@
+"""Rigid transforms as 4x4 matrices named ``a2b``, applied to column vectors."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+
+
+def rigid(rotation: FloatArray, translation_mm: FloatArray) -> FloatArray:
+    """Put a rotation (3, 3) and a translation (3,) together to one (4, 4) transform."""
+    a2b = np.eye(4)
+    a2b[:3, :3] = rotation
+    a2b[:3, 3] = translation_mm
+    return a2b
+
+
+def inverse(a2b: FloatArray) -> FloatArray:
+    """Invert a rigid transform: gives ``b2a``."""
+    rotation = a2b[:3, :3].T
+    return rigid(rotation, -rotation @ a2b[:3, 3])
+
+
+def transform(a2b: FloatArray, points: FloatArray) -> FloatArray:
+    """Bring points (..., 3) from frame a to frame b."""
+    return np.asarray(points @ a2b[:3, :3].T + a2b[:3, 3])
+
+
+def rotation_about(axis: FloatArray, angle_deg: float) -> FloatArray:
+    """Rotation matrix (3, 3), counter-clockwise about `axis` (Rodrigues)."""
+    x, y, z = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    angle = np.radians(angle_deg)
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
+
+
+def rotation_angle_deg(rotation: FloatArray) -> float:
+    """Angle of a rotation matrix (3, 3)."""
+    # The sine form stays exact for small angles, where the trace alone loses half the digits.
+    sine = np.linalg.norm(rotation - rotation.T) / np.sqrt(8)
+    return float(np.degrees(np.arctan2(sine, (np.trace(rotation) - 1) / 2)))
+
+
+def is_rotation(matrix: FloatArray, tolerance: float = 1e-3) -> bool:
+    """Tell whether a matrix is a proper rotation: finite, orthonormal, not mirrored."""
+    matrix = np.asarray(matrix, dtype=float)
+    return (
+        matrix.shape == (3, 3)
+        and bool(np.isfinite(matrix).all())
+        and bool(np.abs(matrix @ matrix.T - np.eye(3)).max() < tolerance)
+        and bool(np.linalg.det(matrix) > 0)
+    )

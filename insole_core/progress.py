@@ -1,0 +1,61 @@
+"""Progress and cancellation that know nothing of a window and travel into every long computation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+class Cancelled(Exception):
+    """The user asked for the running work to stop; nothing half-done remains."""
+
+
+def _ignore(_fraction: float, _text: str) -> None:
+    """Report to nobody."""
+
+
+def _never() -> bool:
+    return False
+
+
+@dataclass(frozen=True)
+class Progress:
+    """Where a computation reports to, and asks whether it should go on.
+
+    Parameters
+    ----------
+    report
+        Called with the overall fraction done (0 to 1) and a short text.
+    is_cancelled
+        Asked at every step; when it answers true, the step raises `Cancelled`.
+    start, end
+        The part of the whole that this computation covers.
+    """
+
+    report: Callable[[float, str], None] = _ignore
+    is_cancelled: Callable[[], bool] = _never
+    start: float = 0.0
+    end: float = 1.0
+
+    def step(self, fraction: float, text: str) -> None:
+        """Report that `fraction` of this computation is done and that `text` comes next.
+
+        Raises
+        ------
+        Cancelled
+            When the user has asked to stop.
+        """
+        if self.is_cancelled():
+            raise Cancelled(text)
+        self.report(self.start + fraction * (self.end - self.start), text)
+
+    def part(self, start: float, end: float) -> Progress:
+        """Give the progress of a sub-computation that covers `start` to `end` of this one."""
+        width = self.end - self.start
+        return Progress(
+            self.report, self.is_cancelled, self.start + start * width, self.start + end * width
+        )
+
+
+SILENT = Progress()
+"""For callers that neither show progress nor cancel."""

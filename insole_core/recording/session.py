@@ -1,0 +1,104 @@
+"""A recorded capture of one foot, as a value (see docs/formats/session.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.side import Side
+from insole_core.sensing.sensor import Sensor
+
+
+@dataclass(frozen=True)
+class Marker:
+    """One marker of the reference system: the centre of its visible face, mm, reference frame."""
+
+    id: str
+    position_mm: tuple[float, float, float]
+    face: str
+
+
+@dataclass(frozen=True)
+class ReferenceSystem:
+    """The rigid frame of markers around the foot; it defines the reference frame."""
+
+    name: str
+    markers: tuple[Marker, ...]
+
+    def facing(self, faces: tuple[str, ...]) -> tuple[Marker, ...]:
+        """Give the markers of the named groups, in order."""
+        return tuple(marker for marker in self.markers if marker.face in faces)
+
+
+@dataclass(frozen=True)
+class Box:
+    """An axis-aligned volume in the reference frame, mm."""
+
+    min_mm: tuple[float, float, float]
+    max_mm: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class CaptureCondition:
+    """How the foot was held while it was captured."""
+
+    weight_bearing: str = "none"
+    held: bool = False
+    notes: str = ""
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What is known of the whole capture."""
+
+    recorded_at: str
+    side: Side
+    reference_system: ReferenceSystem
+    views: tuple[str, ...]
+    volume_of_interest: Box | None = None
+    capture_condition: CaptureCondition | None = None
+    extra: dict[str, Any] = field(default_factory=dict)
+    """Keys this version does not know; kept when the session is copied."""
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """What one sensor recorded. Frames are read when asked for, one at a time.
+
+    Parameters
+    ----------
+    name
+    sensor
+    depth_count, color_count
+        How many frames there are.
+    read_depth
+        Gives depth frame i, (480, 640) uint16 raw numbers, 2047 = no reading.
+    read_color
+        Gives colour frame i, (height, width, 3) uint8, RGB.
+    """
+
+    name: str
+    sensor: Sensor
+    depth_count: int
+    color_count: int
+    read_depth: Callable[[int], RawArray]
+    read_color: Callable[[int], ByteArray]
+
+
+@dataclass(frozen=True, eq=False)
+class SessionTruth:
+    """What a simulated session knows of itself."""
+
+    sensor2reference: dict[str, FloatArray]
+
+
+@dataclass(frozen=True, eq=False)
+class Session:
+    """A manifest and its views, in the manifest's order."""
+
+    manifest: Manifest
+    views: tuple[View, ...]
+    source: str
+    """Where it was read from, for messages."""
