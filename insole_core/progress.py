@@ -1,4 +1,4 @@
-"""Progress and cancellation that know nothing of a window and travel into every long computation."""
+"""Progress and cancellation, without a window: they travel into every long computation."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 
-class Cancelled(Exception):
+class Cancelled(Exception):  # noqa: N818 - not an error
     """The user asked for the running work to stop; nothing half-done remains."""
 
 

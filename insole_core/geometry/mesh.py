@@ -32,7 +32,7 @@ class TriangleMesh:
         """(m, 3) unit normals; zero for a triangle without area."""
         cross = self._triangle_cross
         length = np.linalg.norm(cross, axis=1, keepdims=True)
-        return np.divide(cross, length, out=np.zeros_like(cross), where=length > 0)
+        return np.asarray(np.divide(cross, length, out=np.zeros_like(cross), where=length > 0))
 
     @cached_property
     def vertex_normals(self) -> FloatArray:
@@ -50,7 +50,7 @@ class TriangleMesh:
             axis=1,
         )
         length = np.linalg.norm(total, axis=1, keepdims=True)
-        return np.divide(total, length, out=np.zeros_like(total), where=length > 0)
+        return np.asarray(np.divide(total, length, out=np.zeros_like(total), where=length > 0))
 
     @cached_property
     def area_mm2(self) -> float:

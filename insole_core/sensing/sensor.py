@@ -60,5 +60,5 @@ class Sensor:
         return np.concatenate([rays * depth_mm[..., None], depth_mm[..., None]], axis=-1)
 
     def color_pixels(self, points: FloatArray) -> FloatArray:
-        """Where points (..., 3) of the depth camera's frame lie in the colour image, (13) - (15)."""
+        """Colour pixels (..., 2) of points (..., 3) in the depth camera frame, (13) - (15)."""
         return self.color_camera.project(transform(self.depth2color, points))

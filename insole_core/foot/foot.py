@@ -1,0 +1,33 @@
+"""A foot that stands ready for design: its surface in the insole frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+
+
+@dataclass(frozen=True, eq=False)
+class Foot:
+    """One foot surface, sole towards -z, toes towards +y, x = 0 on the foot axis.
+
+    Parameters
+    ----------
+    side
+    mesh : mm, insole frame
+        y = 0 at the rearmost point of the heel, z = 0 at the lowest point of the sole.
+    source2insole : (4, 4) float64, mm
+        From the frame the surface came in (for a session the reference frame) to the insole frame.
+    length_mm
+        Heel to the tip of the longest toe, along the foot axis.
+    notes
+        How pose and side were decided, a sentence each.
+    """
+
+    side: Side
+    mesh: TriangleMesh
+    source2insole: FloatArray
+    length_mm: float
+    notes: tuple[str, ...] = ()
