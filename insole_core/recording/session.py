@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import Side
 from insole_core.sensing.sensor import Sensor
 
@@ -85,13 +85,6 @@ class View:
     color_count: int
     read_depth: Callable[[int], RawArray]
     read_color: Callable[[int], ByteArray]
-
-
-@dataclass(frozen=True, eq=False)
-class SessionTruth:
-    """What a simulated session knows of itself."""
-
-    sensor2reference: dict[str, FloatArray]
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,97 @@
+"""The image files of a session, checked before they are decoded and after."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.sensing.disparity import NO_READING
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_KINDS = {0: "grey", 2: "RGB", 3: "palette", 4: "grey with alpha", 6: "RGB with alpha"}
+
+
+@dataclass(frozen=True)
+class PngKind:
+    """What an image file must be."""
+
+    width: int
+    height: int
+    bits: int
+    color_type: int
+
+    def __str__(self) -> str:
+        kind = _KINDS.get(self.color_type, f"kind {self.color_type}")
+        return f"{self.width}×{self.height} {self.bits}-bit {kind}"
+
+
+def check_png(name: str, content: bytes, expected: PngKind) -> None:
+    """Check that a PNG is whole and of the expected kind, without decoding it.
+
+    OpenCV fills the missing part of a truncated image with black and says nothing, so the chunks
+    and their check sums are walked here.
+
+    Raises
+    ------
+    InputError
+    """
+    if not content.startswith(_SIGNATURE):
+        raise InputError(f"{name} is not a PNG image; restore it from the recording.")
+    damaged = InputError(f"{name} is truncated or damaged; restore it from the recording.")
+    position, kind = len(_SIGNATURE), b""
+    while kind != b"IEND":
+        if position + 12 > len(content):
+            raise damaged
+        length, kind = struct.unpack_from(">I4s", content, position)
+        end = position + 12 + length
+        if end > len(content):
+            raise damaged
+        body = memoryview(content)[position + 4 : end - 4]
+        if zlib.crc32(body) != struct.unpack_from(">I", content, end - 4)[0]:
+            raise damaged
+        if kind == b"IHDR":
+            found = PngKind(*struct.unpack_from(">IIBB", content, position + 8))
+            if found != expected:
+                raise InputError(f"{name} is {found}, but must be {expected}.")
+        position = end
+
+
+def decode_depth(name: str, content: bytes) -> RawArray:
+    """Decode a raw depth frame to (height, width) uint16.
+
+    Raises
+    ------
+    InputError
+        When it cannot be decoded, or holds numbers that the sensor cannot send.
+    """
+    image = _decode(name, content, cv2.IMREAD_UNCHANGED)
+    if image.max() > NO_READING:
+        raise InputError(
+            f"{name} holds the number {image.max()}, but the sensor's raw numbers end at "
+            f"{NO_READING}; it is no raw depth frame."
+        )
+    return image.astype(np.uint16, copy=False)
+
+
+def decode_color(name: str, content: bytes) -> ByteArray:
+    """Decode a colour frame to (height, width, 3) uint8, RGB."""
+    return np.ascontiguousarray(_decode(name, content, cv2.IMREAD_COLOR)[..., ::-1])
+
+
+def encode_png(image: RawArray | ByteArray) -> bytes:
+    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB."""
+    stored = image if image.ndim == 2 else image[..., ::-1]
+    return bytes(cv2.imencode(".png", stored, [cv2.IMWRITE_PNG_COMPRESSION, 6])[1])
+
+
+def _decode(name: str, content: bytes, flags: int) -> RawArray | ByteArray:
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), flags)
+    if image is None:
+        raise InputError(f"{name} cannot be decoded; restore it from the recording.")
+    return np.asarray(image)

@@ -1,0 +1,146 @@
+"""manifest.json: between the file and the value."""
+
+from __future__ import annotations
+
+import re
+from datetime import datetime
+from typing import Any
+
+from insole_core.errors import InputError
+from insole_core.geometry.side import Side
+from insole_core.json_object import JsonObject
+from insole_core.recording.session import (
+    Box,
+    CaptureCondition,
+    Manifest,
+    Marker,
+    ReferenceSystem,
+)
+
+FORMAT = "insole-session"
+VERSION = 1
+WEIGHT_BEARING = ("none", "semi", "full")
+_KNOWN = {
+    "format", "version", "recorded_at", "side", "reference_frame", "views",
+    "volume_of_interest_mm", "capture_condition",
+}  # fmt: skip
+_VIEW_NAME = re.compile(r"[a-z0-9_]{1,32}")
+
+
+def parse_manifest(file: str, text: bytes) -> Manifest:
+    """Read a manifest.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
+    root = JsonObject.parse(file, text)
+    _check_version(root)
+    return Manifest(
+        recorded_at=_date(root),
+        side=Side(root.choice("side", [side.value for side in Side])),
+        reference_system=_reference_system(root.object("reference_frame")),
+        views=_view_names(root),
+        volume_of_interest=_box(root) if root.has("volume_of_interest_mm") else None,
+        capture_condition=_condition(root) if root.has("capture_condition") else None,
+        extra={key: value for key, value in root.values.items() if key not in _KNOWN},
+    )
+
+
+def manifest_json(manifest: Manifest) -> dict[str, Any]:
+    """Give the JSON form of a manifest."""
+    system = manifest.reference_system
+    values: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "recorded_at": manifest.recorded_at,
+        "side": manifest.side.value,
+        "reference_frame": {
+            "name": system.name,
+            "markers": [
+                {"id": m.id, "position_mm": list(m.position_mm), "face": m.face}
+                for m in system.markers
+            ],
+        },
+        "views": list(manifest.views),
+    }
+    if (box := manifest.volume_of_interest) is not None:
+        values["volume_of_interest_mm"] = {"min": list(box.min_mm), "max": list(box.max_mm)}
+    if (condition := manifest.capture_condition) is not None:
+        values["capture_condition"] = {
+            "weight_bearing": condition.weight_bearing,
+            "held": condition.held,
+            "notes": condition.notes,
+        }
+    return {**values, **manifest.extra}
+
+
+def _check_version(root: JsonObject) -> None:
+    if root.value("format") != FORMAT:
+        raise root.fail("format", f'is {root.value("format")!r}, but must be "{FORMAT}"')
+    version = root.value("version")
+    if isinstance(version, int) and version > VERSION:
+        raise InputError(
+            f"{root.file} is of version {version}, which is newer than this program (it reads "
+            f"version {VERSION}); update the program."
+        )
+    root.integer("version", VERSION, VERSION)
+
+
+def _date(root: JsonObject) -> str:
+    text = root.text("recorded_at")
+    try:
+        datetime.fromisoformat(text)
+    except ValueError:
+        raise root.fail(
+            "recorded_at", f'is "{text}", but must be a date such as 2026-11-20T10:00:00Z'
+        ) from None
+    return text
+
+
+def _reference_system(frame: JsonObject) -> ReferenceSystem:
+    markers = tuple(
+        Marker(item.text("id"), _xyz(item, "position_mm"), item.text("face"))
+        for item in frame.objects("markers")
+    )
+    if len({marker.id for marker in markers}) < len(markers):
+        raise frame.fail("markers", "names the same marker id twice")
+    if not markers:
+        raise frame.fail("markers", "is empty, but a reference system has at least 4 markers")
+    return ReferenceSystem(frame.text("name"), markers)
+
+
+def _view_names(root: JsonObject) -> tuple[str, ...]:
+    names = root.items("views")
+    for name in names:
+        if not isinstance(name, str) or not _VIEW_NAME.fullmatch(name):
+            raise root.fail(
+                "views", f"names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _"
+            )
+    if not names or len(set(names)) < len(names):
+        raise root.fail("views", "must name at least one view, and none twice")
+    return tuple(names)
+
+
+def _box(root: JsonObject) -> Box:
+    box = root.object("volume_of_interest_mm")
+    low, high = _xyz(box, "min"), _xyz(box, "max")
+    if not all(a < b for a, b in zip(low, high, strict=True)):
+        raise root.fail("volume_of_interest_mm", "must have min below max in x, y and z")
+    return Box(low, high)
+
+
+def _condition(root: JsonObject) -> CaptureCondition:
+    condition = root.object("capture_condition")
+    notes = condition.value("notes") if condition.has("notes") else ""
+    return CaptureCondition(
+        condition.choice("weight_bearing", WEIGHT_BEARING),
+        condition.flag("held") if condition.has("held") else False,
+        str(notes),
+    )
+
+
+def _xyz(item: JsonObject, key: str) -> tuple[float, float, float]:
+    x, y, z = item.numbers(key, 3)
+    return x, y, z

@@ -1,0 +1,132 @@
+"""Reading a session, strictly: a violation is one sentence that names the file and the key."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import ByteArray, Float32Array, RawArray
+from insole_core.json_object import JsonObject
+from insole_core.recording.images import PngKind, check_png, decode_color, decode_depth
+from insole_core.recording.manifest_json import parse_manifest
+from insole_core.recording.sensor_json import DEPTH_SIZE, correction_name, parse_sensor
+from insole_core.recording.session import Manifest, Session, View
+from insole_core.recording.store import FolderStore, Store, ZipStore
+
+_GREY, _RGB = 0, 2
+
+
+def read_session(path: Path) -> Session:
+    """Open a recorded session, a folder or a zip archive.
+
+    Everything but the pixels is checked here; frames are decoded one at a time when asked for.
+
+    Raises
+    ------
+    InputError
+        When anything in it breaks the format (docs/formats/session.md).
+    """
+    store = _store(path)
+    if "manifest.json" not in store.names():
+        raise InputError(
+            f"{path} holds no manifest.json, so it is not a recorded session; choose the folder "
+            "or zip archive of a session."
+        )
+    manifest = parse_manifest("manifest.json", store.read("manifest.json"))
+    views = tuple(_view(store, name, manifest) for name in manifest.views)
+    return Session(manifest, views, str(path))
+
+
+def is_session(path: Path) -> bool:
+    """Whether a path looks like a session rather than a mesh, without opening it."""
+    return path.is_dir() or path.suffix.lower() == ".zip"
+
+
+def _store(path: Path) -> Store:
+    if path.is_dir():
+        return FolderStore(path)
+    if not path.exists():
+        raise InputError(f"{path} does not exist; check the name.")
+    return ZipStore(path)
+
+
+def _view(store: Store, name: str, manifest: Manifest) -> View:
+    folder = f"views/{name}"
+    file = f"{folder}/sensor.json"
+    if file not in store.names():
+        raise InputError(f"{file} is missing, but manifest.json names the view {name}.")
+    root = JsonObject.parse(file, store.read(file))
+    named = correction_name(root)
+    correction = None if named is None else _correction(store, f"{folder}/{named}")
+    sensor = parse_sensor(root, correction)
+    _check_faces(root, sensor.faces, manifest)
+    depth = PngKind(*DEPTH_SIZE, 16, _GREY)
+    color = PngKind(sensor.color_camera.width, sensor.color_camera.height, 8, _RGB)
+    depth_names = _frames(store, folder, "depth", depth)
+    color_names = _frames(store, folder, "color", color)
+    return View(
+        name=name,
+        sensor=sensor,
+        depth_count=len(depth_names),
+        color_count=len(color_names),
+        read_depth=partial(_read_depth, store, depth_names),
+        read_color=partial(_read_color, store, color_names),
+    )
+
+
+def _check_faces(root: JsonObject, faces: tuple[str, ...], manifest: Manifest) -> None:
+    known = {marker.face for marker in manifest.reference_system.markers}
+    unknown = [face for face in faces if face not in known]
+    if unknown:
+        raise root.fail("faces", f'names "{unknown[0]}", which no marker in manifest.json has')
+
+
+def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str]:
+    """Give the names of a view's frames in order, each checked to be whole and of its kind."""
+    pattern = re.compile(rf"{re.escape(folder)}/{kind}_(\d{{3,}})\.png")
+    numbers = sorted(
+        int(match[1]) for match in map(pattern.fullmatch, store.names()) if match is not None
+    )
+    if not numbers:
+        raise InputError(f"{folder} holds no {kind}_000.png, but a view has at least one.")
+    names = [f"{folder}/{kind}_{number:03d}.png" for number in range(len(numbers))]
+    gap = next(
+        (name for name, n in zip(names, numbers, strict=True) if n != int(name[-7:-4])), None
+    )
+    if gap is not None:
+        raise InputError(f"{gap} is missing, but later frames are there; restore it or renumber.")
+    for name in names:
+        check_png(name, store.read(name), expected)
+    return names
+
+
+def _read_depth(store: Store, names: list[str], index: int) -> RawArray:
+    return decode_depth(names[index], store.read(names[index]))
+
+
+def _read_color(store: Store, names: list[str], index: int) -> ByteArray:
+    return decode_color(names[index], store.read(names[index]))
+
+
+def _correction(store: Store, name: str) -> Float32Array:
+    if name not in store.names():
+        raise InputError(f"{name} is missing, but sensor.json names it as disparity_correction.")
+    try:
+        with np.load(io.BytesIO(store.read(name)), allow_pickle=False) as arrays:
+            offset = arrays["offset"]
+    except (ValueError, OSError, KeyError, zipfile.BadZipFile, EOFError) as error:
+        raise InputError(
+            f'{name} holds no readable array "offset"; calibrate the sensor again.'
+        ) from error
+    if offset.shape != DEPTH_SIZE[::-1] or not np.isfinite(offset).all():
+        raise InputError(
+            f'{name}: the array "offset" must hold 480×640 finite numbers; '
+            "calibrate the sensor again."
+        )
+    return np.asarray(offset, np.float32)

@@ -1,0 +1,147 @@
+"""sensor.json: between the file and the value."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from insole_core.geometry.arrays import Float32Array, FloatArray
+from insole_core.geometry.transforms import is_rotation, rigid
+from insole_core.json_object import JsonObject
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import (
+    DisparityModel,
+    FactoryDisparity,
+    LinearInverseDisparity,
+    TangentDisparity,
+)
+from insole_core.sensing.sensor import Sensor
+
+DEPTH_SIZE = (640, 480)
+COLOR_SIZES = ((1280, 1024), (1280, 960), (640, 480))
+_TINY = 1e-9
+
+
+def parse_sensor(root: JsonObject, correction_raw: Float32Array | None) -> Sensor:
+    """Read one sensor's calibration.
+
+    Parameters
+    ----------
+    root
+        The whole of sensor.json.
+    correction_raw : (480, 640) float32, raw units, optional
+        What ``disparity_correction`` names, already loaded.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
+    faces = root.items("faces")
+    if not faces or not all(isinstance(face, str) for face in faces):
+        raise root.fail("faces", "must name at least one marker group")
+    return Sensor(
+        model=root.text("model"),
+        serial=root.text("serial"),
+        depth_camera=_camera(root.object("depth_camera"), (DEPTH_SIZE,)),
+        color_camera=_camera(root.object("color_camera"), COLOR_SIZES),
+        depth2color=_depth2color(root.object("depth2color")),
+        disparity=_disparity(root.object("disparity")),
+        correction_raw=correction_raw,
+        faces=tuple(faces),
+    )
+
+
+def correction_name(root: JsonObject) -> str | None:
+    """Give the name of the correction file beside sensor.json, if it has one."""
+    if root.values.get("disparity_correction") is None:
+        return None
+    name = root.text("disparity_correction")
+    if "/" in name or "\\" in name or ".." in name:
+        raise root.fail("disparity_correction", "must name a file beside sensor.json")
+    return name
+
+
+def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
+    """Give the JSON form of a sensor whose correction is stored under the given name."""
+    values: dict[str, Any] = {
+        "model": sensor.model,
+        "serial": sensor.serial,
+        "depth_camera": _camera_json(sensor.depth_camera),
+        "color_camera": _camera_json(sensor.color_camera),
+        "depth2color": {
+            "rotation": sensor.depth2color[:3, :3].tolist(),
+            "translation_mm": sensor.depth2color[:3, 3].tolist(),
+        },
+        "disparity": _disparity_json(sensor.disparity),
+        "faces": list(sensor.faces),
+    }
+    if correction is not None:
+        values["disparity_correction"] = correction
+    return values
+
+
+def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> Camera:
+    width, height = item.integer("width", 1, 10_000), item.integer("height", 1, 10_000)
+    if (width, height) not in sizes:
+        allowed = " or ".join(f"{w}×{h}" for w, h in sizes)
+        raise item.fail("width", f"and height are {width}×{height}, but must be {allowed}")
+    k1, k2, p1, p2, k3 = item.numbers("distortion", 5)
+    return Camera(
+        width=width,
+        height=height,
+        fx=item.number("fx", 1, 1e5),
+        fy=item.number("fy", 1, 1e5),
+        cx=item.number("cx"),
+        cy=item.number("cy"),
+        distortion=(k1, k2, p1, p2, k3),
+        skew=item.number("skew") if item.has("skew") else 0.0,
+    )
+
+
+def _camera_json(camera: Camera) -> dict[str, Any]:
+    values: dict[str, Any] = {
+        "width": camera.width, "height": camera.height, "fx": camera.fx, "fy": camera.fy,
+        "cx": camera.cx, "cy": camera.cy, "distortion": list(camera.distortion),
+    }  # fmt: skip
+    return {**values, "skew": camera.skew} if camera.skew else values
+
+
+def _depth2color(item: JsonObject) -> FloatArray:
+    rows = item.items("rotation")
+    if len(rows) != 3:
+        raise item.fail("rotation", "must be a 3×3 matrix")
+    named = {f"rotation[{i}]": row for i, row in enumerate(rows)}
+    reader = JsonObject(item.file, named, item.place)
+    rotation = np.array([reader.numbers(key, 3) for key in named])
+    if not is_rotation(rotation):
+        kind = "mirrored" if np.linalg.det(rotation) < 0 else "no rotation"
+        raise item.fail("rotation", f"is {kind}; its rows must be right-handed unit vectors")
+    return rigid(rotation, np.array(item.numbers("translation_mm", 3)))
+
+
+def _disparity(item: JsonObject) -> DisparityModel:
+    model = item.choice("model", ["kinect-v1-factory", "linear-inverse", "tangent"])
+    if model == "kinect-v1-factory":
+        return FactoryDisparity(
+            item.number("reference_distance_mm", _TINY),
+            item.number("reference_pixel_size_mm", _TINY),
+            item.number("baseline_mm", _TINY),
+            item.number("constant_shift"),
+        )
+    if model == "linear-inverse":
+        return LinearInverseDisparity(item.number("a"), item.number("b", -math.inf, -_TINY))
+    return TangentDisparity(
+        item.number("k1_mm", _TINY), item.number("k2", _TINY), item.number("k3")
+    )
+
+
+def _disparity_json(model: DisparityModel) -> dict[str, Any]:
+    names: dict[type, str] = {
+        FactoryDisparity: "kinect-v1-factory",
+        LinearInverseDisparity: "linear-inverse",
+        TangentDisparity: "tangent",
+    }
+    return {"model": names[type(model)], **vars(model)}

@@ -1,0 +1,123 @@
+"""Where a session's files lie: a folder, or the same inside a zip archive."""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from pathlib import Path, PurePosixPath
+from typing import Protocol
+
+from insole_core.errors import InputError
+
+MAX_FILE_BYTES = 64 * 2**20
+"""No file of a session is larger: a 1280×1024 colour image has 4 MB before compression."""
+
+MAX_ARCHIVE_BYTES = 8 * 2**30
+MAX_ARCHIVE_FILES = 100_000
+
+
+class Store(Protocol):
+    """Named files, whatever they are kept in."""
+
+    def names(self) -> list[str]:
+        """Give the names of all files, with forward slashes."""
+        ...
+
+    def read(self, name: str) -> bytes:
+        """Give the content of a file."""
+        ...
+
+
+class FolderStore:
+    """The files below a folder."""
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+
+    def names(self) -> list[str]:
+        """Give the names of all files, with forward slashes."""
+        paths = self._root.rglob("*")
+        return sorted(p.relative_to(self._root).as_posix() for p in paths if p.is_file())
+
+    def read(self, name: str) -> bytes:
+        """Give the content of a file."""
+        path = self._root / name
+        try:
+            if path.stat().st_size > MAX_FILE_BYTES:
+                raise InputError(_too_large(name))
+            return path.read_bytes()
+        except OSError as error:
+            raise InputError(
+                f"{name} cannot be read ({error.strerror}); check the disk and the permissions."
+            ) from error
+
+
+class ZipStore:
+    """The files of a zip archive, below the folder that holds the manifest."""
+
+    def __init__(self, archive: Path) -> None:
+        self._archive = archive
+        try:
+            with zipfile.ZipFile(archive) as opened:
+                entries = [entry for entry in opened.infolist() if not entry.is_dir()]
+        except (zipfile.BadZipFile, OSError, NotImplementedError) as error:
+            raise InputError(
+                f"{archive} is not a readable zip archive; copy it again from its source."
+            ) from error
+        _check_entries(archive, entries)
+        self._prefix = _prefix([entry.filename for entry in entries])
+        self._names = sorted(
+            entry.filename.removeprefix(self._prefix)
+            for entry in entries
+            if entry.filename.startswith(self._prefix)
+        )
+
+    def names(self) -> list[str]:
+        """Give the names of all files, with forward slashes."""
+        return self._names
+
+    def read(self, name: str) -> bytes:
+        """Give the content of a file."""
+        try:
+            # The archive's own word on sizes is not trusted: never inflate past the limit.
+            with zipfile.ZipFile(self._archive) as opened, opened.open(self._prefix + name) as file:
+                content = file.read(MAX_FILE_BYTES + 1)
+        except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, zlib.error) as error:
+            raise InputError(
+                f"{name} inside {self._archive} is damaged; copy the archive again from its source."
+            ) from error
+        if len(content) > MAX_FILE_BYTES:
+            raise InputError(_too_large(name))
+        return content
+
+
+def _too_large(name: str) -> str:
+    return (
+        f"{name} is larger than {MAX_FILE_BYTES // 2**20} MB, which no file of a session is; "
+        "check what was put there."
+    )
+
+
+def _check_entries(archive: Path, entries: list[zipfile.ZipInfo]) -> None:
+    for entry in entries:
+        path = PurePosixPath(entry.filename.replace("\\", "/"))
+        if path.is_absolute() or ".." in path.parts or ":" in entry.filename:
+            raise InputError(
+                f'{archive} holds the path "{entry.filename}", which leads out of the archive; '
+                "do not use this file."
+            )
+    total = sum(entry.file_size for entry in entries)
+    if total > MAX_ARCHIVE_BYTES or len(entries) > MAX_ARCHIVE_FILES:
+        raise InputError(
+            f"{archive} would unpack to {total / 2**30:.1f} GB in {len(entries)} files, "
+            "far more than a session has; do not use this file."
+        )
+
+
+def _prefix(names: list[str]) -> str:
+    """Give the one top folder that holds the manifest, or nothing where the root does."""
+    if "manifest.json" in names:
+        return ""
+    tops = {name.split("/", 1)[0] for name in names if "/" in name}
+    top = next(iter(tops)) if len(tops) == 1 else ""
+    return f"{top}/" if f"{top}/manifest.json" in names else ""

@@ -1,0 +1,99 @@
+"""Writing a session: as a whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from insole_core.export.atomic import replacing_file, replacing_folder
+from insole_core.export.ply import write_ply
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.progress import SILENT, Progress
+from insole_core.recording.images import encode_png
+from insole_core.recording.manifest_json import manifest_json
+from insole_core.recording.sensor_json import sensor_json
+from insole_core.recording.session import Session, View
+
+_CORRECTION = "correction.npz"
+
+
+def write_session(
+    session: Session,
+    path: Path,
+    truth: TriangleMesh | None = None,
+    sensor2reference: dict[str, FloatArray] | None = None,
+    progress: Progress = SILENT,
+) -> None:
+    """Write a session as a folder, or as a zip archive where `path` ends in ``.zip``.
+
+    Parameters
+    ----------
+    session
+    path
+    truth : mm, reference frame, optional
+        The true surface of a simulated session.
+    sensor2reference
+        The true poses of a simulated session, (4, 4) for every view.
+    progress
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; what stood there before is untouched.
+    """
+    if path.suffix.lower() == ".zip":
+        with replacing_file(path) as beside, TemporaryDirectory(dir=path.parent) as parts:
+            _write_parts(session, Path(parts), truth, sensor2reference, progress)
+            _zip(Path(parts), beside)
+    else:
+        with replacing_folder(path) as folder:
+            _write_parts(session, folder, truth, sensor2reference, progress)
+
+
+def _write_parts(
+    session: Session,
+    folder: Path,
+    truth: TriangleMesh | None,
+    sensor2reference: dict[str, FloatArray] | None,
+    progress: Progress,
+) -> None:
+    _write_json(folder / "manifest.json", manifest_json(session.manifest))
+    for index, view in enumerate(session.views):
+        progress.step(index / len(session.views), f"Writing view {view.name}")
+        _write_view(view, folder / "views" / view.name)
+    if truth is not None:
+        write_ply(truth, folder / "truth.ply")
+    if sensor2reference is not None:
+        poses = {name: pose.tolist() for name, pose in sensor2reference.items()}
+        _write_json(folder / "truth_poses.json", {"sensor2reference": poses})
+
+
+def _write_view(view: View, folder: Path) -> None:
+    folder.mkdir(parents=True)
+    correction = view.sensor.correction_raw
+    if correction is not None:
+        np.savez_compressed(folder / _CORRECTION, offset=correction)
+    name = None if correction is None else _CORRECTION
+    _write_json(folder / "sensor.json", sensor_json(view.sensor, name))
+    for index in range(view.depth_count):
+        (folder / f"depth_{index:03d}.png").write_bytes(encode_png(view.read_depth(index)))
+    for index in range(view.color_count):
+        (folder / f"color_{index:03d}.png").write_bytes(encode_png(view.read_color(index)))
+
+
+def _write_json(path: Path, values: dict[str, Any]) -> None:
+    path.write_text(json.dumps(values, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _zip(folder: Path, archive: Path) -> None:
+    # PNG and npz are compressed already.
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file():
+                opened.write(path, path.relative_to(folder).as_posix())
