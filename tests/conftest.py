@@ -11,7 +11,7 @@ SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
-    """The independent reference data beside the checkout; the test is skipped where it is absent."""
+    """The reference data beside the checkout; the test is skipped where it is absent."""
     if not SHARED_DATA.is_dir():
         pytest.skip("the reference data ../shared/data is absent")
     return SHARED_DATA

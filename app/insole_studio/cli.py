@@ -1,0 +1,81 @@
+"""The command line: the window without arguments, and commands that need no display.
+
+Progress goes to stderr; on failure the last line there says what is wrong, where, and what to do.
+Exit codes: 0 success, 2 a wrong call, 1 anything else.
+"""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+import traceback
+from importlib.metadata import version
+from typing import NoReturn, Protocol
+
+from insole_core.errors import InsoleError, UsageError
+from insole_core.progress import Progress
+from insole_studio.commands import design, reconstruct, simulate, window
+
+
+class Command(Protocol):
+    """What each module of `insole_studio.commands` offers."""
+
+    NAME: str
+    HELP: str
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        """Declare the arguments."""
+        ...
+
+    def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
+        """Do the work; errors are raised."""
+        ...
+
+
+COMMANDS: tuple[Command, ...] = (window, reconstruct, design, simulate)
+
+
+def run(arguments: list[str]) -> int:
+    """Run one call and give its exit code."""
+    signal.signal(signal.SIGTERM, _interrupt)
+    try:
+        parsed = _parser().parse_args(arguments or [window.NAME])
+        parsed.command.run(parsed, Progress(_print_progress))
+    except InsoleError as error:
+        print(error, file=sys.stderr)
+        return 2 if isinstance(error, UsageError) else 1
+    except KeyboardInterrupt:
+        print("Stopped on request; nothing was written.", file=sys.stderr)
+        return 1
+    except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
+        traceback.print_exc()
+        print(
+            f"An error in the program itself ({error}); please report it with the lines above.",
+            file=sys.stderr,
+        )
+        return 1
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="insole-studio",
+        description="Custom insoles from scans of the foot. Without a command the window opens.",
+    )
+    parser.add_argument("--version", action="version", version=version("insole-studio"))
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    for command in COMMANDS:
+        sub = commands.add_parser(command.NAME, help=command.HELP, description=command.HELP)
+        command.add_arguments(sub)
+        sub.set_defaults(command=command)
+    return parser
+
+
+def _print_progress(fraction: float, text: str) -> None:
+    print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)
+
+
+def _interrupt(_signal: int, _frame: object) -> NoReturn:
+    """End like Ctrl-C does, so that half-written files are taken away."""
+    raise KeyboardInterrupt

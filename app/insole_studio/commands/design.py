@@ -1,0 +1,129 @@
+"""``insole-studio design``: a foot becomes an insole, without a window."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+
+if TYPE_CHECKING:
+    from insole_core.foot.foot import Foot
+    from insole_core.insole.design import InsoleDesign
+
+NAME = "design"
+HELP = "make the insole of a session or a scanned foot, as STL"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument(
+        "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="insole.stl")
+    parser.add_argument("--prescription", type=Path, metavar="design.json")
+    parser.add_argument("--kind", choices=["insole", "block", "positive"], default="block")
+    parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
+    parser.add_argument(
+        "--force", action="store_true", help="go on although the shape looks like the other foot"
+    )
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read the foot, build the insole, write it."""
+    _check_call(arguments)
+    from insole_core.export.atomic import replacing_file
+    from insole_core.export.stl import write_stl
+    from insole_core.insole.block import block_solid
+    from insole_core.insole.build import build_insole
+
+    design = _read_prescription(arguments.prescription)
+    side = _agreed_side(arguments.side, design)
+    with replacing_file(arguments.out) as beside:
+        foot = _read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.7))
+        for note in foot.notes:
+            print(note, file=sys.stderr)
+        insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
+        progress.step(0.9, "Writing the insole")
+        write_stl(block_solid(insole), beside)
+    progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _check_call(arguments: argparse.Namespace) -> None:
+    if arguments.out.suffix.lower() != ".stl":
+        raise UsageError(f"--out is {arguments.out}, but the insole is written as .stl.")
+    if arguments.kind != "block":
+        raise UsageError(
+            f"--kind {arguments.kind} cannot be made yet; call it with --kind block, "
+            "the contact surface in a block for the CNC shop."
+        )
+
+
+def _read_prescription(path: Path | None) -> InsoleDesign | None:
+    from insole_core.insole.design_json import read_design
+
+    return None if path is None else read_design(path)
+
+
+def _agreed_side(named: str | None, design: InsoleDesign | None) -> Side | None:
+    """Give the side that the call and the prescription name, if they name one."""
+    side = None if named is None else Side(named)
+    if design is None:
+        return side
+    if side not in (None, design.side):
+        raise UsageError(
+            f"--side is {side}, but the prescription is for the {design.side} foot; "
+            "correct one of the two."
+        )
+    return design.side
+
+
+def _read_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
+    from insole_core.recording.reader import is_session
+
+    read = _foot_of_session if is_session(path) else _foot_of_mesh
+    return read(path, side, force, progress)
+
+
+def _foot_of_session(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
+    from insole_core.foot.placing import place_foot
+    from insole_core.reconstruct import reconstruct
+    from insole_core.recording.reader import read_session
+
+    progress.step(0.0, "Reading the session")
+    session = read_session(path)
+    recorded = session.manifest.side
+    if side not in (None, recorded):
+        raise UsageError(
+            f"The {side} side is asked for, but {path} was recorded as the {recorded} foot; "
+            "correct the call or the manifest."
+        )
+    result = reconstruct(session, "fused", progress.part(0.1, 0.9))
+    for warning in result.warnings:
+        print(f"Warning: {warning}", file=sys.stderr)
+    progress.step(0.9, "Finding heel and toes")
+    return place_foot(result.mesh, recorded, frame="reference", force=force)
+
+
+def _foot_of_mesh(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
+    from insole_core.foot.mesh_file import read_mesh
+    from insole_core.foot.placing import place_foot
+
+    if side is None:
+        raise UsageError(f"{path} is a mesh, which does not say which foot it is; add --side.")
+    progress.step(0.0, "Reading the scan")
+    read = read_mesh(path)
+    for note in read.notes:
+        print(note, file=sys.stderr)
+    progress.step(0.3, "Finding the pose of the foot")
+    return place_foot(read.mesh, side, frame="unknown", force=force)
+
+
+def _plain(side: Side) -> InsoleDesign:
+    from insole_core.insole.design import InsoleDesign
+
+    return InsoleDesign(side)

@@ -1,0 +1,51 @@
+"""``insole-studio simulate``: write a recorded session of a foot that was never there."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+
+NAME = "simulate"
+HELP = "write a simulated session with its true surface and poses"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("out", type=Path, metavar="OUT", help="folder or .zip to write")
+    parser.add_argument("--seed", type=int, default=0, help="same seed, same session (default 0)")
+    parser.add_argument("--side", choices=[side.value for side in Side], default="left")
+    parser.add_argument(
+        "--distance", type=float, default=800.0, metavar="MM", help="sensors to foot (default 800)"
+    )
+    parser.add_argument(
+        "--bursts",
+        type=int,
+        default=1,
+        metavar="N",
+        help="places each sensor stands in (default 1)",
+    )
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Simulate and write."""
+    from insole_core.recording.writer import write_session
+    from insole_core.simulate import SimulationOptions, simulate_session
+
+    options = SimulationOptions(
+        seed=arguments.seed,
+        side=Side(arguments.side),
+        distance_mm=arguments.distance,
+        bursts=arguments.bursts,
+    )
+    simulated = simulate_session(options, progress.part(0.0, 0.8))
+    write_session(
+        simulated.session,
+        arguments.out,
+        simulated.truth,
+        simulated.sensor2reference,
+        progress.part(0.8, 1.0),
+    )
+    progress.step(1.0, f"Done: {arguments.out}")

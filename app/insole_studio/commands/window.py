@@ -1,0 +1,24 @@
+"""``insole-studio open``: the window."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from insole_core.progress import Progress
+
+NAME = "open"
+HELP = "open the window, on a case, a session or a scan where one is named (the default)"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("path", nargs="?", type=Path, help="a case, a session, or a mesh")
+
+
+def run(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Open the window and stay until it is closed."""
+    from insole_studio.bootstrap import run_application
+
+    sys.exit(run_application([arguments.path] if arguments.path else []))
