@@ -53,6 +53,15 @@ class TriangleMesh:
         return np.asarray(np.divide(total, length, out=np.zeros_like(total), where=length > 0))
 
     @cached_property
+    def vertex_areas(self) -> FloatArray:
+        """(n,) a third of the area of the triangles round each vertex."""
+        third = np.linalg.norm(self._triangle_cross, axis=1) / 6
+        count = len(self.vertices)
+        return np.asarray(
+            sum(np.bincount(self.triangles[:, i], third, minlength=count) for i in range(3))
+        )
+
+    @cached_property
     def area_mm2(self) -> float:
         """Area of all triangles."""
         return float(np.linalg.norm(self._triangle_cross, axis=1).sum() / 2)

@@ -95,12 +95,18 @@ class InsoleDesign:
         Least material between the contact surface and the bottom plane.
     grid_mm
         Pitch of the rectangular grid of thesis 3.3; its nodes lie at whole multiples of it.
+    max_height_mm
+        How far up the foot's flanks the contact surface reaches, from the sole's lowest point.
+    margin_mm
+        How far the surface goes on beyond the foot's outline, on all four sides.
     """
 
     side: Side
     corrections: tuple[Correction, ...] = ()
     thickness_mm: float = 3.0
     grid_mm: float = 1.0
+    max_height_mm: float = 30.0
+    margin_mm: float = 10.0
 
     def correction(self, correction_id: str) -> Correction | None:
         """Find a correction, or None."""

@@ -1,0 +1,156 @@
+"""The last degrees of a foot's pose: sole level, axis along y, origin at heel and ground.
+
+The pose is known to some ten degrees; heel, heads and toe are looked for where they lie in any
+foot, and the frame is laid through them, again and again until it rests.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.signal import find_peaks
+
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
+
+OUTLINE_HEIGHT_MM = 45.0
+"""Everything higher over the sole is leg and does not belong to the outline."""
+
+# Shares of the foot's length, and of the ball's width from the medial border.
+_HEEL_BANDS = (0.10, 0.13, 0.16, 0.19, 0.22)
+_FIRST_HEAD, _FIFTH_HEAD = 0.73, 0.63
+_HEAD_INSET = 0.075
+_SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.1
+_BALL_BAND = 0.68
+_TOES_START = 0.75
+_BAND = 0.02
+_PATCH = 0.03
+_PROFILE_STEP = 0.0125
+_TOE_DEPTH = 0.008
+_ROUNDS, _AT_REST_DEG = 40, 0.002
+
+
+@dataclass(frozen=True, eq=False)
+class LevelFoot:
+    """A foot in its own frame.
+
+    Parameters
+    ----------
+    source2insole : (4, 4) float64
+    length_mm
+        Heel to the tip of the longest toe.
+    toes_told_apart
+        Whether the tip of the 2nd toe was seen; otherwise its usual place was taken.
+    """
+
+    source2insole: FloatArray
+    length_mm: float
+    toes_told_apart: bool
+
+
+def level(mesh: TriangleMesh, side: Side, source2rough: FloatArray) -> LevelFoot:
+    """Bring a foot of roughly known pose to the insole frame.
+
+    Parameters
+    ----------
+    mesh : mm, source frame
+    side
+    source2rough : (4, 4)
+        To a frame with the toes towards +y and the sole towards -z, right to some 15 degrees.
+    """
+    pose = source2rough
+    for _ in range(_ROUNDS):
+        marks = _Marks(mesh, side, pose)
+        step = marks.frame()
+        pose = step @ pose
+        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+            break
+    marks = _Marks(mesh, side, pose)
+    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.vertices[:, 2].min()]))
+    return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
+
+
+class _Marks:
+    """Where heel, heads and toe lie, in the present pose."""
+
+    def __init__(self, mesh: TriangleMesh, side: Side, pose: FloatArray) -> None:
+        self.side = side
+        self.vertices = transform(pose, mesh.vertices)
+        low = self.vertices[:, 2] < self.vertices[:, 2].min() + OUTLINE_HEIGHT_MM
+        self.outline = self.vertices[low]
+        normal_z = mesh.vertex_normals @ pose[2, :3]
+        self.sole: BoolArray = low & (normal_z < -0.5)
+        self.weights = mesh.vertex_areas[self.sole]
+        self.back = float(self.outline[:, 1].min())
+        self.length = float(np.ptp(self.outline[:, 1]))
+
+    def borders(self, share: float) -> tuple[float, float]:
+        """Medial and lateral x of the outline at a share of the length."""
+        y = (self.outline[:, 1] - self.back) / self.length
+        x = self.outline[np.abs(y - share) < _BAND, 0] * self.side.medial_sign
+        if len(x) == 0:
+            x = self.outline[[np.abs(y - share).argmin()], 0] * self.side.medial_sign
+        return float(x.max()) * self.side.medial_sign, float(x.min()) * self.side.medial_sign
+
+    @cached_property
+    def heel(self) -> FloatArray:
+        """(2,) centre of the heel."""
+        x = np.mean([self.borders(share) for share in _HEEL_BANDS])
+        return np.array([x, self._y(float(np.mean(_HEEL_BANDS)))])
+
+    @cached_property
+    def heads(self) -> tuple[FloatArray, FloatArray]:
+        """(2,) each: below the 1st and the 5th metatarsal head."""
+        inset = _HEAD_INSET * self.length * self.side.medial_sign
+        first = np.array([self.borders(_FIRST_HEAD)[0] - inset, self._y(_FIRST_HEAD)])
+        fifth = np.array([self.borders(_FIFTH_HEAD)[1] + inset, self._y(_FIFTH_HEAD)])
+        return first, fifth
+
+    @cached_property
+    def second_toe(self) -> tuple[FloatArray, bool]:
+        """(2,) tip of the 2nd toe, and whether it was seen as a tip of its own."""
+        medial, lateral = self.borders(_BALL_BAND)
+        x, y = self._front_profile()
+        across = (x - medial) / (lateral - medial)
+        peaks, _ = find_peaks(y, prominence=_TOE_DEPTH * self.length)
+        near = peaks[np.abs(across[peaks] - _SECOND_TOE_ACROSS) < _SECOND_TOE_REACH]
+        if len(near) == 0:
+            x2 = medial + _SECOND_TOE_ACROSS * (lateral - medial)
+            return np.array([x2, self.back + self.length]), False
+        best = near[np.abs(across[near] - _SECOND_TOE_ACROSS).argmin()]
+        return np.array([x[best], y[best]]), True
+
+    def _front_profile(self) -> tuple[FloatArray, FloatArray]:
+        """The foremost point of every strip along the foot, medial to lateral or back."""
+        front = self.outline[self.outline[:, 1] > self._y(_TOES_START)]
+        strip = np.floor(front[:, 0] / (_PROFILE_STEP * self.length)).astype(int)
+        order = np.lexsort((front[:, 1], strip))
+        last = np.append(np.flatnonzero(np.diff(strip[order])), len(order) - 1)
+        foremost = front[order[last]]
+        return foremost[:, 0], foremost[:, 1]
+
+    def height(self, xy: FloatArray) -> float:
+        """Height of the sole about a place."""
+        points = self.vertices[self.sole]
+        far2 = ((points[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
+        weights = self.weights * np.exp(-0.5 * (far2 - far2.min()))
+        return float(weights @ points[:, 2] / weights.sum())
+
+    def frame(self) -> FloatArray:
+        """(4, 4) from the present pose to the frame through the marks; heel centre on x = 0."""
+        heel, first, fifth = (np.array([*xy, self.height(xy)]) for xy in (self.heel, *self.heads))
+        up = np.cross(first - heel, fifth - heel) * self.side.medial_sign
+        up /= np.linalg.norm(up)
+        toe = np.array([*self.second_toe[0], 0.0])
+        ahead = toe - heel
+        ahead -= (ahead @ up) * up
+        ahead /= np.linalg.norm(ahead)
+        rotation = np.stack([np.cross(ahead, up), ahead, up])
+        return rigid(rotation, -rotation @ heel)
+
+    def _y(self, share: float) -> float:
+        return self.back + share * self.length

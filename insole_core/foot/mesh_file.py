@@ -1,0 +1,173 @@
+"""Surfaces from files of other programs: .ply, .stl and .obj, in mm, metres or inches."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import trimesh
+
+from insole_core.errors import InputError
+from insole_core.geometry.mesh import TriangleMesh
+
+Unit = Literal["mm", "m", "inch"]
+
+_SUFFIXES = (".ply", ".stl", ".obj")
+_MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
+_UNIT_NAMES: dict[Unit, str] = {"mm": "millimetres", "m": "metres", "inch": "inches"}
+_LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
+_LEAST_EXTENT_MM = 4.0  # anything flatter has no shape to design on
+_MOST_BYTES = 600_000_000
+_MOST_TRIANGLES = 4_000_000
+_UNREADABLE = (
+    ValueError, LookupError, TypeError, AttributeError, struct.error, EOFError, OSError,
+    NotImplementedError, MemoryError, trimesh.exchange.stl.HeaderError,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class ReadMesh:
+    """A surface as it came, brought to mm.
+
+    Parameters
+    ----------
+    mesh : mm, the file's own frame
+    unit
+        Guessed from the size.
+    notes
+        What was assumed or put right, a sentence each.
+    """
+
+    mesh: TriangleMesh
+    unit: Unit
+    notes: tuple[str, ...]
+
+
+def read_mesh(path: Path) -> ReadMesh:
+    """Read the surface of a foot from a file.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, holds no surface, or nothing of a foot's size.
+    """
+    mesh = _without_waste(_load(path), path)
+    unit = _guess_unit(mesh, path)
+    mesh = replace(mesh, vertices=mesh.vertices * _MM_PER_UNIT[unit])
+    extent = np.ptp(mesh.vertices, axis=0).max()
+    notes = [f"Read in {_UNIT_NAMES[unit]}: the surface is {extent:.0f} mm long."]
+    if not mesh.is_closed:
+        notes.append("The surface is open; where nothing was measured it is continued smoothly.")
+    if _outward_flux(mesh) < 0:
+        mesh = mesh.flipped()
+        notes.append("The surface was inside out and has been turned.")
+    return ReadMesh(mesh, unit, tuple(notes))
+
+
+def _load(path: Path) -> TriangleMesh:
+    if path.suffix.lower() not in _SUFFIXES:
+        raise InputError(
+            f"{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file."
+        )
+    if not path.is_file():
+        raise InputError(f"{path} does not exist; check the name of the file.")
+    if path.stat().st_size > _MOST_BYTES:
+        raise InputError(_too_large(path))
+    try:
+        loaded = trimesh.load_mesh(path, process=False, skip_materials=True)
+        vertices = np.array(loaded.vertices, dtype=float)
+        triangles = np.array(loaded.faces, dtype=np.int32)
+        colors = _vertex_colors(loaded)
+    except _UNREADABLE as error:
+        raise InputError(
+            f"{path} cannot be read as a {path.suffix.lower()[1:].upper()} mesh"
+            f" ({_first_line(error)}); it may be damaged or cut off, so export it again."
+        ) from error
+    if len(triangles) > _MOST_TRIANGLES:
+        raise InputError(_too_large(path))
+    return _checked(TriangleMesh(vertices, triangles, colors), path)
+
+
+def _too_large(path: Path) -> str:
+    return (
+        f"{path} is too large for a foot (more than {_MOST_TRIANGLES // 1_000_000} million"
+        " triangles or 600 MB); reduce it in the program that made it."
+    )
+
+
+def _first_line(error: BaseException) -> str:
+    return (str(error).strip().splitlines() or [type(error).__name__])[0].rstrip(".")[:120]
+
+
+def _vertex_colors(loaded: trimesh.Trimesh) -> np.ndarray | None:
+    if loaded.visual.kind != "vertex":
+        return None
+    return np.array(loaded.visual.vertex_colors[:, :3], dtype=np.uint8)
+
+
+def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
+    """Refuse what is no triangle mesh at all."""
+    if len(mesh.triangles) == 0:
+        raise InputError(f"{path} holds no surface; export the scan as a triangle mesh.")
+    if mesh.triangles.min() < 0 or mesh.triangles.max() >= len(mesh.vertices):
+        raise InputError(
+            f"{path} names corners that it does not hold; it is damaged, so export it again."
+        )
+    if not np.isfinite(mesh.vertices[mesh.triangles]).all():
+        raise InputError(
+            f"{path} holds coordinates that are not numbers; it is damaged, so export it again."
+        )
+    return mesh
+
+
+def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
+    """Merge equal vertices; drop triangles without area and vertices without triangle."""
+    keys = [mesh.vertices] if mesh.colors is None else [mesh.vertices, mesh.colors]
+    _, first, merged = np.unique(
+        np.concatenate(keys, axis=1), axis=0, return_index=True, return_inverse=True
+    )
+    mesh = TriangleMesh(
+        mesh.vertices[first],
+        merged.astype(np.int32)[mesh.triangles],
+        None if mesh.colors is None else mesh.colors[first],
+    )
+    triangles = mesh.triangles[mesh.triangle_normals.any(axis=1)]
+    if len(triangles) == 0:
+        raise InputError(f"{path} holds only triangles without area; export the scan again.")
+    used, index = np.unique(triangles, return_inverse=True)
+    return TriangleMesh(
+        mesh.vertices[used],
+        index.reshape(-1, 3).astype(np.int32),
+        None if mesh.colors is None else mesh.colors[used],
+    )
+
+
+def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
+    extent = np.ptp(mesh.vertices, axis=0)
+    for unit, factor in _MM_PER_UNIT.items():
+        if _LENGTH_MM[0] <= extent.max() * factor <= _LENGTH_MM[1]:
+            if np.linalg.svd(mesh.vertices - mesh.vertices.mean(axis=0), compute_uv=False)[
+                -1
+            ] * factor < _LEAST_EXTENT_MM / 4 * np.sqrt(len(mesh.vertices)):
+                raise InputError(f"{path} is flat and not the surface of a foot.")
+            return unit
+    raise InputError(
+        f"{path} measures {extent.max():g} in its longest direction, which is no foot in"
+        " millimetres, metres or inches; check the unit of the export."
+    )
+
+
+def _outward_flux(mesh: TriangleMesh) -> float:
+    """Positive where the triangles face away from the middle: for open bowls, too.
+
+    For a closed surface this is three times its volume, wherever the middle lies.
+    """
+    centres = mesh.vertices[mesh.triangles].mean(axis=1)
+    a, b, c = (mesh.vertices[mesh.triangles[:, corner]] for corner in range(3))
+    cross = np.cross(b - a, c - a) / 2
+    area = np.linalg.norm(cross, axis=1)
+    middle = area @ centres / area.sum()
+    return float(np.einsum("ij,ij->", cross, centres - middle))

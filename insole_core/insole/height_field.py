@@ -1,0 +1,74 @@
+"""A surface over the (x, y)-plane, one height at every node of a rectangular grid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.geometry.mesh import TriangleMesh
+
+
+@dataclass(frozen=True, eq=False)
+class HeightField:
+    """Heights over a rectangular grid whose nodes lie at whole multiples of its step.
+
+    Parameters
+    ----------
+    x0_mm, y0_mm
+        Place of the node with row 0 and column 0.
+    step_mm
+        Distance of neighbouring nodes, in x and in y.
+    heights_mm : (ny, nx) float64
+        Row i, column j lies at (x0 + j step, y0 + i step).
+    """
+
+    x0_mm: float
+    y0_mm: float
+    step_mm: float
+    heights_mm: FloatArray
+
+    @cached_property
+    def x_mm(self) -> FloatArray:
+        """(nx,) x of the columns."""
+        return np.asarray(self.x0_mm + self.step_mm * np.arange(self.heights_mm.shape[1]))
+
+    @cached_property
+    def y_mm(self) -> FloatArray:
+        """(ny,) y of the rows."""
+        return np.asarray(self.y0_mm + self.step_mm * np.arange(self.heights_mm.shape[0]))
+
+    @cached_property
+    def nodes(self) -> FloatArray:
+        """(ny * nx, 3) nodes with their heights, row by row."""
+        x, y = np.meshgrid(self.x_mm, self.y_mm)
+        return np.stack([x.ravel(), y.ravel(), self.heights_mm.ravel()], axis=1)
+
+    def height_at(self, xy: FloatArray) -> FloatArray:
+        """Heights at places (..., 2), bilinear between nodes; NaN beyond the field."""
+        xy = np.asarray(xy, dtype=float)
+        rows, columns = self.heights_mm.shape
+        column = (xy[..., 0] - self.x0_mm) / self.step_mm
+        row = (xy[..., 1] - self.y0_mm) / self.step_mm
+        j = np.clip(np.floor(column).astype(int), 0, columns - 2)
+        i = np.clip(np.floor(row).astype(int), 0, rows - 2)
+        u, v = column - j, row - i
+        h = self.heights_mm
+        below = h[i, j] * (1 - u) + h[i, j + 1] * u
+        above = h[i + 1, j] * (1 - u) + h[i + 1, j + 1] * u
+        inside = (column >= 0) & (column <= columns - 1) & (row >= 0) & (row <= rows - 1)
+        return np.asarray(np.where(inside, below * (1 - v) + above * v, np.nan))
+
+    def triangles(self) -> IndexArray:
+        """(m, 3) corner indices into `nodes`, counter-clockwise seen from above."""
+        rows, columns = self.heights_mm.shape
+        index = np.arange(rows * columns, dtype=np.int32).reshape(rows, columns)
+        a, b = index[:-1, :-1].ravel(), index[:-1, 1:].ravel()
+        c, d = index[1:, 1:].ravel(), index[1:, :-1].ravel()
+        return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+
+    def mesh(self) -> TriangleMesh:
+        """Give the surface as triangles that face upwards."""
+        return TriangleMesh(self.nodes, self.triangles())
