@@ -1,0 +1,118 @@
+"""What stands in the simulated room: the foot, the reference system, the bed, and blue clutter."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_about
+from insole_core.recording.session import Marker, ReferenceSystem
+from insole_core.resources import resource_path
+
+BLOCK_SIZE_MM = 15.8
+_BLOCK_DEPTH_MM = 11.2
+_MARKER_BLUE = (22, 52, 168)
+_BRICK_GREY = (140, 140, 142)
+_CLOTH_BLUE = (34, 66, 138)
+_BED = (176, 178, 168)
+
+_OUTWARD = {"sole": (0.0, 0.0, -1.0), "achilles": (0.0, -1.0, 0.0)}
+"""Where the markers of a group look, reference frame."""
+
+
+def load_reference_system(name: str = "lego-20") -> ReferenceSystem:
+    """Read a reference system that comes with the product."""
+    path = resource_path(f"reference_systems/{name}.json")
+    data = json.loads(path.read_text(encoding="utf-8"))
+    markers = (
+        Marker(marker["id"], tuple(marker["position_mm"]), marker["face"])
+        for marker in data["markers"]
+    )
+    return ReferenceSystem(data["name"], tuple(markers))
+
+
+def build_scene(
+    foot: TriangleMesh, reference_system: ReferenceSystem, rng: np.random.Generator
+) -> TriangleMesh:
+    """Put the room together: one coloured mesh, mm, reference frame."""
+    bricks = (_brick(marker) for marker in reference_system.markers)
+    return join_meshes([foot, *bricks, _bed(rng), *_clutter(rng)])
+
+
+def join_meshes(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
+    """Make one mesh of several coloured ones."""
+    parts = list(meshes)
+    starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
+    return TriangleMesh(
+        np.concatenate([part.vertices for part in parts]),
+        np.concatenate(
+            [part.triangles + start for part, start in zip(parts, starts, strict=True)]
+        ).astype(np.int32),
+        np.concatenate([part.colors for part in parts if part.colors is not None]),
+    )
+
+
+def _brick(marker: Marker) -> TriangleMesh:
+    """A grey block whose outward face is blue."""
+    outward = np.array(_OUTWARD[marker.face])
+    size = np.where(outward == 0, BLOCK_SIZE_MM, _BLOCK_DEPTH_MM)
+    centre = np.array(marker.position_mm) - outward * _BLOCK_DEPTH_MM / 2
+    colors = _six_faces(_BRICK_GREY)
+    colors[np.argmax(_BOX_NORMALS @ outward)] = _MARKER_BLUE
+    return _box(centre, size, colors)
+
+
+def _bed(rng: np.random.Generator) -> TriangleMesh:
+    """The end of the bed, on which the lower leg rests."""
+    centre = np.array([rng.uniform(-25, 25), rng.uniform(32, 42), 450.0])
+    return _box(centre, np.array([660.0, 60.0, 480.0]), _six_faces(_BED))
+
+
+def _clutter(rng: np.random.Generator) -> list[TriangleMesh]:
+    """Blue things that are no markers: a cloth, a cable, a dot, and a pen on the bed."""
+    things = [
+        # centre, size, colour
+        ((40, 262, 70), (140, 78, 4), _CLOTH_BLUE),
+        ((0, 194, 40), (110, 3, 3), _MARKER_BLUE),
+        ((-75, 132, 20), (5, 5, 3), _MARKER_BLUE),
+        ((130, -3, 330), (9, 8, 120), _CLOTH_BLUE),
+    ]
+    boxes = []
+    for centre, size, color in things:
+        moved = np.array(centre, dtype=float) + rng.uniform(-6, 6, 3) * [1, 1, 0]
+        turn = rotation_about(np.array([0.0, 0.0, 1.0]), rng.uniform(-8, 8))
+        box_size = np.array(size, dtype=float)
+        boxes.append(_box(moved, box_size, _six_faces(color), turn))
+    return boxes
+
+
+def _six_faces(color: tuple[int, int, int]) -> ByteArray:
+    return np.full((6, 3), color, dtype=np.uint8)
+
+
+def _box(
+    centre: FloatArray, size: FloatArray, colors: ByteArray, turn: FloatArray | None = None
+) -> TriangleMesh:
+    """A box whose six faces share no vertices, so that they keep their colours and normals."""
+    corners = _BOX_CORNERS * size / 2
+    vertices = centre + (corners if turn is None else corners @ turn.T)
+    triangles = (np.arange(6)[:, None, None] * 4 + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
+    return TriangleMesh(vertices, triangles.astype(np.int32), np.repeat(colors, 4, axis=0))
+
+
+def _box_faces() -> tuple[FloatArray, FloatArray]:
+    """(24, 3) corners of the faces of a box from -1 to 1, and (6, 3) the normals of the faces."""
+    normals = np.concatenate([np.eye(3), -np.eye(3)])
+    corners = []
+    for normal in normals:
+        side = np.roll(normal, 1)
+        up = np.cross(normal, side)
+        corners += [normal - side - up, normal + side - up, normal + side + up, normal - side + up]
+    return np.array(corners), normals
+
+
+_BOX_CORNERS, _BOX_NORMALS = _box_faces()

@@ -1,0 +1,205 @@
+"""A whole simulated capture: a foot in the reference system, seen by three sensors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.errors import UsageError
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.progress import SILENT, Progress
+from insole_core.recording.session import Box, CaptureCondition, Manifest, Session, View
+from insole_core.simulate.color_image import ColorRecording, record_color
+from insole_core.simulate.depth_image import DepthRecording, record_depth
+from insole_core.simulate.device import Device, make_device
+from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
+from insole_core.simulate.foot_shape import FootShape, vary_shape
+from insole_core.simulate.poses import stand_sensor
+from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.scene import build_scene, load_reference_system
+
+_SENSOR_FACES = {"left": "sole", "right": "sole", "top": "achilles"}
+_VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
+_RECORDED_AT = "2026-01-01T00:00:00Z"
+_LIMITS = {
+    "seed": (0, 2**32 - 1),
+    "distance_mm": (500.0, 1500.0),
+    "half_angle_deg": (5.0, 45.0),
+    "bursts": (1, 9),
+    "frames": (1, 999),
+    "color_frames": (1, 999),
+}
+
+
+@dataclass(frozen=True)
+class SimulationOptions:
+    """What is to be simulated.
+
+    Parameters
+    ----------
+    seed
+        The same seed gives the same session, value for value.
+    side
+    distance_mm
+        From the sensors to the foot.
+    bursts
+        In how many slightly different places each sensor stands; views left, left_2, ...
+    frames, color_frames
+        Depth and colour frames of every view.
+    shape
+        The foot; without one it is drawn from the seed.
+    half_angle_deg
+        Of the two sole sensors' axes against the direction of the leg.
+    color_size
+        Width and height of the colour images, px.
+    foot_cell_mm
+        Resolution of the foot's surface.
+
+    Raises
+    ------
+    UsageError
+        When a number is out of its range, or the shape is of the other side.
+    """
+
+    seed: int = 1
+    side: Side = Side.LEFT
+    distance_mm: float = 800.0
+    bursts: int = 1
+    frames: int = 10
+    color_frames: int = 1
+    shape: FootShape | None = None
+    half_angle_deg: float = 27.0
+    color_size: tuple[int, int] = (1280, 1024)
+    foot_cell_mm: float = DEFAULT_CELL_MM
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in _LIMITS.items():
+            value = getattr(self, name)
+            if not low <= value <= high:
+                raise UsageError(
+                    f"A session with {name} = {value:g} cannot be simulated; "
+                    f"choose a value from {low:g} to {high:g}."
+                )
+        if self.shape is not None and self.shape.side is not self.side:
+            raise UsageError(
+                f"The foot's shape is a {self.shape.side} one, but a {self.side} foot is to be "
+                "simulated; give both the same side."
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedSession:
+    """A session and everything that is true of it.
+
+    Parameters
+    ----------
+    session
+        Its frames are drawn when they are read, always the same ones.
+    foot
+        The true surface with its shape and landmarks, reference frame.
+    sensor2reference : view name -> (4, 4) float64, mm
+        True poses of the depth cameras.
+    """
+
+    session: Session
+    foot: FootModel
+    sensor2reference: dict[str, FloatArray]
+
+    @property
+    def truth(self) -> TriangleMesh:
+        """The true surface with its colours, reference frame."""
+        return self.foot.mesh
+
+
+def simulate_session(options: SimulationOptions, progress: Progress = SILENT) -> SimulatedSession:
+    """Simulate one capture."""
+    progress.step(0.0, "Shaping the foot")
+    rng = np.random.default_rng([options.seed, 0])
+    shape = options.shape or vary_shape(rng, options.side)
+    foot = build_foot(shape, rng, options.foot_cell_mm)
+    reference_system = load_reference_system()
+    caster = RayCaster(build_scene(foot.mesh, reference_system, rng))
+
+    plan = _plan(options.bursts)
+    devices = {
+        sensor: _device(options, number, sensor) for number, sensor in enumerate(_SENSOR_FACES)
+    }
+    views, poses = [], {}
+    for number, (name, sensor) in enumerate(plan):
+        progress.step(0.1 + 0.9 * number / len(plan), f"Simulating view {name}")
+        seed = [options.seed, 2, number]
+        poses[name] = stand_sensor(
+            sensor, options.distance_mm, options.half_angle_deg, np.random.default_rng(seed)
+        )
+        recorder = _record(caster, devices[sensor], poses[name], seed)
+        views.append(_view(name, devices[sensor], recorder, options))
+    manifest = Manifest(
+        recorded_at=_RECORDED_AT,
+        side=options.side,
+        reference_system=reference_system,
+        views=tuple(name for name, _ in plan),
+        volume_of_interest=_VOLUME,
+        capture_condition=CaptureCondition(notes=f"Simulated, seed {options.seed}"),
+    )
+    session = Session(manifest, tuple(views), f"the simulation with seed {options.seed}")
+    return SimulatedSession(session, foot, poses)
+
+
+def _plan(bursts: int) -> list[tuple[str, str]]:
+    """(view, sensor) of all views: left, left_2, ... right, ..."""
+    return [
+        (sensor if burst == 1 else f"{sensor}_{burst}", sensor)
+        for sensor in _SENSOR_FACES
+        for burst in range(1, bursts + 1)
+    ]
+
+
+def _device(options: SimulationOptions, number: int, sensor: str) -> Device:
+    rng = np.random.default_rng([options.seed, 1, number])
+    return make_device(
+        f"SIM{options.seed:05d}{number}",
+        (_SENSOR_FACES[sensor],),
+        options.distance_mm,
+        options.color_size,
+        rng,
+    )
+
+
+def _view(name: str, device: Device, recorder: _Recorder, options: SimulationOptions) -> View:
+    return View(
+        name,
+        device.sensor,
+        options.frames,
+        options.color_frames,
+        recorder.read_depth,
+        recorder.read_color,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Recorder:
+    """What one sensor recorded; every frame has its own random stream, so any order will do."""
+
+    depth: DepthRecording
+    color: ColorRecording
+    seed: list[int]
+
+    def read_depth(self, frame: int) -> RawArray:
+        return self.depth.frame(np.random.default_rng([*self.seed, 1, frame]))
+
+    def read_color(self, frame: int) -> ByteArray:
+        return self.color.frame(np.random.default_rng([*self.seed, 2, frame]))
+
+
+def _record(
+    caster: RayCaster, device: Device, sensor2reference: FloatArray, seed: list[int]
+) -> _Recorder:
+    rng = np.random.default_rng([*seed, 0])
+    return _Recorder(
+        record_depth(caster, device, sensor2reference, rng),
+        record_color(caster, device.sensor, sensor2reference),
+        seed,
+    )
