@@ -1,0 +1,147 @@
+"""The factory calibration that a sensor carries: its values, and the bytes they come in."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import asdict, astuple, dataclass
+from typing import Any
+
+RGB_DISTANCE_CM = 2.4
+"""Used in place of the 2.3 that devices report; libfreenect does the same, and it fits better."""
+
+_ZERO_PLANE = struct.Struct("<4f")
+_ZERO_PLANE_OFFSET = 92
+"""In the data after the error word; 94 in the payload."""
+_REGISTRATION = struct.Struct("<29i")
+_PADDING = struct.Struct("<3H")
+_SHIFT = struct.Struct("<H")
+
+
+@dataclass(frozen=True)
+class ZeroPlane:
+    """The geometry of the depth camera, in cm as the device gives it.
+
+    Parameters
+    ----------
+    emitter_distance_cm
+        Baseline from the infrared camera to its projector.
+    rgb_distance_cm
+        From the infrared to the colour camera.
+    reference_distance_cm
+        Distance of the plane that the reference pattern was recorded on.
+    reference_pixel_cm
+        Size of one pixel of a 1280 px wide image on that plane.
+    """
+
+    emitter_distance_cm: float
+    rgb_distance_cm: float
+    reference_distance_cm: float
+    reference_pixel_cm: float
+
+
+@dataclass(frozen=True)
+class RegistrationInfo:
+    """Coefficients of the two cubic polynomials from depth to colour pixels, as transmitted."""
+
+    dx_center: int
+    ax: int
+    bx: int
+    cx: int
+    dx: int
+    dx_start: int
+    ay: int
+    by: int
+    cy: int
+    dy: int
+    dy_start: int
+    dx_beta_start: int
+    dy_beta_start: int
+    rollout_blank: int
+    rollout_size: int
+    dx_beta_inc: int
+    dy_beta_inc: int
+    dxdx_start: int
+    dxdy_start: int
+    dydx_start: int
+    dydy_start: int
+    dxdxdx_start: int
+    dydxdx_start: int
+    dxdxdy_start: int
+    dydxdy_start: int
+    back_comp1: int
+    dydydx_start: int
+    back_comp2: int
+    dydydy_start: int
+
+
+@dataclass(frozen=True)
+class Padding:
+    """Lines that the colour image is shifted by."""
+
+    start_lines: int
+    end_lines: int
+    cropping_lines: int
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """All that the factory measured on one device."""
+
+    zero_plane: ZeroPlane
+    registration: RegistrationInfo
+    padding: Padding
+    constant_shift: int
+
+    @property
+    def focal_length_px(self) -> float:
+        """Of the 640 px wide depth image."""
+        plane = self.zero_plane
+        return plane.reference_distance_cm / (2 * plane.reference_pixel_cm)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain numbers, for JSON."""
+        return asdict(self)
+
+
+def decode_zero_plane(data: bytes) -> ZeroPlane:
+    """Read the reply to the command for fixed parameters, without its error word."""
+    emitter, _rgb, distance, pixel = _ZERO_PLANE.unpack_from(data, _ZERO_PLANE_OFFSET)
+    return ZeroPlane(emitter, RGB_DISTANCE_CM, distance, pixel)
+
+
+def decode_registration(data: bytes) -> RegistrationInfo:
+    """Read the 29 numbers of the registration."""
+    return RegistrationInfo(*_REGISTRATION.unpack_from(data))
+
+
+def decode_padding(data: bytes) -> Padding:
+    """Read the three line counts."""
+    return Padding(*_PADDING.unpack_from(data))
+
+
+def decode_constant_shift(data: bytes) -> int:
+    """Read the constant shift, in quarter pixels of the wide image."""
+    (shift,) = _SHIFT.unpack_from(data)
+    return int(shift)
+
+
+def encode_zero_plane(plane: ZeroPlane, total_bytes: int) -> bytes:
+    """Build what `decode_zero_plane` reads; `total_bytes` counts the error word too."""
+    data = bytearray(total_bytes - 2)
+    _ZERO_PLANE.pack_into(data, _ZERO_PLANE_OFFSET, *astuple(plane))
+    return bytes(data)
+
+
+def encode_registration(info: RegistrationInfo) -> bytes:
+    """Build what `decode_registration` reads."""
+    return _REGISTRATION.pack(*astuple(info))
+
+
+def encode_padding(padding: Padding) -> bytes:
+    """Build what `decode_padding` reads."""
+    return _PADDING.pack(*astuple(padding))
+
+
+def encode_constant_shift(shift: int) -> bytes:
+    """Build what `decode_constant_shift` reads."""
+    return _SHIFT.pack(shift)

@@ -1,0 +1,63 @@
+"""USB descriptors of a Kinect's functions, as bytes."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+
+from kinect_v1.models import VENDOR
+
+ISOCHRONOUS, BULK = 0x01, 0x02
+ISO_PACKET_SIZE = 0x0BC0
+"""2 transactions of 960 bytes a microframe."""
+MANUFACTURER = "Microsoft"
+
+
+@dataclass(frozen=True)
+class Endpoint:
+    """An endpoint: address, transfer type, wMaxPacketSize."""
+
+    address: int
+    attributes: int
+    packet_size: int
+
+    def encode(self) -> bytes:
+        """Give its descriptor."""
+        return struct.pack("<BBBBHB", 7, 5, self.address, self.attributes, self.packet_size, 1)
+
+
+Interface = tuple[tuple[Endpoint, ...], ...]
+"""The endpoints of each alternate setting."""
+
+CAMERA_ENDPOINTS = (
+    Endpoint(0x81, ISOCHRONOUS, ISO_PACKET_SIZE),
+    Endpoint(0x82, ISOCHRONOUS, ISO_PACKET_SIZE),
+)
+AUDIO_ENDPOINTS = (Endpoint(0x01, BULK, 512), Endpoint(0x81, BULK, 512))
+
+
+def device_descriptor(product: int, release: int, *, has_serial: bool = True) -> bytes:
+    """Give a device descriptor; strings 1 to 3 are product, manufacturer and serial number."""
+    return struct.pack(
+        "<BBHBBBBHHHBBBB",
+        *(18, 1, 0x0200, 0, 0, 0, 64, VENDOR, product, release, 2, 1, 3 if has_serial else 0, 1),
+    )
+
+
+def configuration_descriptor(interfaces: tuple[Interface, ...], power_ma: int) -> bytes:
+    """Give the one configuration with all its interfaces and endpoints."""
+    body = b""
+    for number, alternates in enumerate(interfaces):
+        for alternate, endpoints in enumerate(alternates):
+            head = (9, 4, number, alternate, len(endpoints), 0xFF, 0xFF, 0xFF, 0)
+            body += struct.pack("9B", *head) + b"".join(e.encode() for e in endpoints)
+    head = (9, 2, 9 + len(body), len(interfaces), 1, 0, 0xC0, power_ma // 2)
+    return struct.pack("<BBHBBBBB", *head) + body
+
+
+def string_descriptor(strings: tuple[str, ...], index: int) -> bytes | None:
+    """Give string `index`, counted from 1; 0 lists the languages; None = there is none."""
+    if index > len(strings):
+        return None
+    text = struct.pack("<H", 0x0409) if index == 0 else strings[index - 1].encode("utf-16-le")
+    return bytes((len(text) + 2, 3)) + text

@@ -1,0 +1,174 @@
+"""Isochronous packets: from transfers to whole frames, or none (PROTOCOL.md, section 3).
+
+A frame is delivered only when every one of its packets came, in order, with the right magic, flag,
+length and sequence number. Anything else discards the whole frame: for measurement, a frame with
+stripes of another frame is worse than none.
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinect_v1.errors import KinectError
+from kinect_v1.modes import StreamMode
+from kinect_v1.packet_header import HEADER_BYTES, MAGIC, packet_flag
+
+ByteArray = NDArray[np.uint8]
+
+_TIMESTAMP = struct.Struct("<I")
+_TIMESTAMP_OFFSET = 8
+
+
+class PacketBlock(NamedTuple):
+    """The packets of one transfer.
+
+    Parameters
+    ----------
+    buffer : (n, stride) uint8
+        Packet i lies in row i.
+    lengths : (n,) uint32
+        How many bytes of it are valid; 0 = an idle microframe.
+    good : (n,) bool
+        False where the host controller reports an error.
+    """
+
+    buffer: ByteArray
+    lengths: NDArray[np.uint32]
+    good: NDArray[np.bool_]
+
+
+class PacketReceiver(Protocol):
+    """Who gets the packets of a stream; called in the event thread, so it has to be quick."""
+
+    def receive(self, block: PacketBlock) -> None:
+        """Take the packets of one transfer; they are overwritten afterwards."""
+        ...
+
+    def end(self, reason: KinectError) -> None:
+        """Hear that the stream ended by itself."""
+        ...
+
+
+class PackedFrame(NamedTuple):
+    """One undamaged frame, still packed."""
+
+    data: ByteArray
+    device_time: int
+
+
+class FrameAssembler:
+    """Puts the frames of one stream together.
+
+    Parameters
+    ----------
+    mode
+        What the stream was started with.
+
+    Attributes
+    ----------
+    discarded
+        Frames that had begun and were found damaged.
+    lost_packets
+        Packets missing by the sequence numbers.
+    """
+
+    def __init__(self, mode: StreamMode) -> None:
+        self.discarded = 0
+        self.lost_packets = 0
+        self._mode = mode
+        self._flags = np.array([packet_flag(mode, k) for k in range(mode.packets)], np.uint8)
+        self._lengths = np.full(mode.packets, HEADER_BYTES + mode.kind.payload_bytes, np.uint32)
+        self._lengths[-1] = HEADER_BYTES + mode.last_payload_bytes
+        self._frame = self._new_frame()
+        self._index = 0
+        self._sequence: int | None = None
+
+    def feed(self, block: PacketBlock) -> list[PackedFrame]:
+        """Take the packets of one transfer; give the frames that they complete."""
+        rows = np.flatnonzero(block.good & (block.lengths >= HEADER_BYTES))
+        headers = block.buffer[rows, :HEADER_BYTES]
+        genuine = (headers[:, 0] == MAGIC[0]) & (headers[:, 1] == MAGIC[1])
+        lengths = block.lengths[rows]
+        frames: list[PackedFrame] = []
+        at = 0
+        while at < len(rows):
+            if self._sequence is None:
+                at = self._find_start(headers, lengths, genuine, at)
+                continue
+            run = self._count_expected(headers[at:], lengths[at:], genuine[at:])
+            self._take(block.buffer, rows[at : at + run], frames)
+            at += run
+            if at < len(rows):
+                self._lose_track(int(headers[at, 5]))
+        return frames
+
+    def interrupt(self) -> None:
+        """Forget the frame in progress: packets may have been lost without a trace."""
+        if self._sequence is not None and self._index:
+            self.discarded += 1
+        self._sequence = None
+
+    def _new_frame(self) -> ByteArray:
+        return np.empty((self._mode.packets, self._mode.kind.payload_bytes), np.uint8)
+
+    def _find_start(
+        self,
+        headers: ByteArray,
+        lengths: NDArray[np.uint32],
+        genuine: NDArray[np.bool_],
+        at: int,
+    ) -> int:
+        """Look for a frame's first packet from `at` on; give its place, or the end."""
+        first = genuine[at:] & (headers[at:, 3] == self._flags[0])
+        first &= lengths[at:] == self._lengths[0]
+        if not first.any():
+            return len(headers)
+        at += int(first.argmax())
+        self._index = 0
+        self._sequence = int(headers[at, 5])
+        return at
+
+    def _count_expected(
+        self, headers: ByteArray, lengths: NDArray[np.uint32], genuine: NDArray[np.bool_]
+    ) -> int:
+        """Count the packets that follow on each other exactly as they should."""
+        assert self._sequence is not None
+        steps = np.arange(len(headers))
+        places = (self._index + steps) % self._mode.packets
+        expected = (
+            genuine
+            & (headers[:, 5] == (self._sequence + steps) & 0xFF)
+            & (headers[:, 3] == self._flags[places])
+            & (lengths == self._lengths[places])
+        )
+        return len(headers) if expected.all() else int(expected.argmin())
+
+    def _take(self, buffer: ByteArray, rows: NDArray[np.intp], frames: list[PackedFrame]) -> None:
+        """Copy packets that are known to be right; finish the frames that they complete."""
+        assert self._sequence is not None
+        payload = slice(HEADER_BYTES, HEADER_BYTES + self._mode.kind.payload_bytes)
+        self._sequence = (self._sequence + len(rows)) & 0xFF
+        while len(rows):
+            part = rows[: self._mode.packets - self._index]
+            self._frame[self._index : self._index + len(part)] = buffer[part, payload]
+            self._index += len(part)
+            rows = rows[len(part) :]
+            if self._index == self._mode.packets:
+                (time,) = _TIMESTAMP.unpack_from(buffer[part[-1]], _TIMESTAMP_OFFSET)
+                data = self._frame.reshape(-1)[: self._mode.frame_bytes]
+                frames.append(PackedFrame(data, time))
+                self._frame = self._new_frame()
+                self._index = 0
+
+    def _lose_track(self, sequence: int) -> None:
+        """Discard what the anomaly before the packet numbered `sequence` has damaged."""
+        assert self._sequence is not None
+        gap = (sequence - self._sequence) & 0xFF
+        lost = gap if gap < 0x80 else 0  # more is a repeated or late packet, not a loss
+        self.lost_packets += lost
+        self.discarded += max(1, -(-(self._index + lost) // self._mode.packets))
+        self._sequence = None

@@ -1,0 +1,296 @@
+"""The USB side of the driver: the only file that knows pyusb.
+
+A `UsbBus` finds the functions of sensors; a `UsbFunction` is one of them, opened and claimed. Both
+stand on a pyusb backend that can also run isochronous streams: libusb's, or the emulated bus.
+"""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
+
+import usb.backend
+import usb.backend.libusb1
+import usb.core
+import usb.util
+
+from kinect_v1.errors import (
+    InUseError,
+    KinectError,
+    LibusbMissingError,
+    NoPermissionError,
+    TransferError,
+    UnsupportedError,
+)
+from kinect_v1.isochronous import (
+    EventLoop,
+    IsochronousStream,
+    StreamTarget,
+    bandwidth_full,
+    load_library,
+    unplugged,
+)
+from kinect_v1.models import PRODUCTS, VENDOR
+from kinect_v1.packets import PacketReceiver
+
+UsbError = usb.core.USBError
+"""What backends raise; the emulated bus too."""
+
+_DEFAULT_PACKET_BYTES = 1920
+_TIMEOUT_MS = 1000
+_INTERFACE = 0
+
+
+class RunningStream(Protocol):
+    """An isochronous stream that can be stopped."""
+
+    def stop(self) -> None:
+        """End it; when this returns, no packet comes any more."""
+        ...
+
+
+class StreamingBackend(usb.backend.IBackend):  # type: ignore[misc] # pyusb is untyped
+    """A pyusb backend that also runs isochronous streams."""
+
+    def start_stream(
+        self,
+        place: tuple[int, int],
+        endpoint: int,
+        packet_bytes: int,
+        receiver: PacketReceiver,
+    ) -> RunningStream:
+        """Start to read an endpoint of the open device at `place` = (bus, address)."""
+        raise NotImplementedError
+
+
+class LibusbBackend:
+    """pyusb's libusb backend, which remembers open handles so that streams can use them."""
+
+    def __init__(self, backend: Any) -> None:
+        self._backend = backend
+        self._loop = EventLoop(load_library(backend.lib._name), backend.ctx)
+        self._handles: dict[tuple[int, int], Any] = {}
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._backend, name)
+
+    def open_device(self, device: Any) -> Any:
+        """Open a device (pyusb's signature)."""
+        handle = self._backend.open_device(device)
+        descriptor = self._backend.get_device_descriptor(device)
+        self._handles[descriptor.bus, descriptor.address] = handle
+        return handle
+
+    def close_device(self, handle: Any) -> None:
+        """Close it again (pyusb's signature)."""
+        self._handles = {place: kept for place, kept in self._handles.items() if kept is not handle}
+        self._backend.close_device(handle)
+
+    def start_stream(
+        self,
+        place: tuple[int, int],
+        endpoint: int,
+        packet_bytes: int,
+        receiver: PacketReceiver,
+    ) -> RunningStream:
+        """Queue overlapped transfers."""
+        handle = self._handles[place].handle
+        target = StreamTarget(handle, endpoint, packet_bytes, bus=place[0])
+        return IsochronousStream(self._loop, target, receiver)
+
+
+def _load_libusb() -> Any:
+    """Load the system's libusb-1.0, else the one of the package libusb-package."""
+    backend = usb.backend.libusb1.get_backend()
+    if backend is not None:
+        return backend
+    try:
+        import libusb_package  # noqa: PLC0415 - only where the system has none
+    except ImportError:
+        return None
+    return libusb_package.get_libusb1_backend()
+
+
+class UsbBus:
+    """All the Kinect functions that a backend can see.
+
+    Parameters
+    ----------
+    backend
+        `LibusbBackend`, or the emulated bus.
+    """
+
+    def __init__(self, backend: LibusbBackend | StreamingBackend) -> None:
+        self._backend = backend
+
+    def functions(self) -> list[UsbFunction]:
+        """Give the cameras, motors and audio functions that are plugged in now."""
+        found = usb.core.find(find_all=True, backend=self._backend, idVendor=VENDOR)
+        return [UsbFunction(d, self._backend) for d in found if d.idProduct in PRODUCTS]
+
+
+def system_bus() -> UsbBus:
+    """Give the real bus of this computer.
+
+    Raises
+    ------
+    LibusbMissingError
+        When there is no libusb-1.0.
+    """
+    backend = _load_libusb()
+    if backend is None:
+        raise LibusbMissingError(
+            "libusb is missing on this computer; install libusb-1.0 or: pip install libusb-package"
+        )
+    return UsbBus(LibusbBackend(backend))
+
+
+class UsbFunction:
+    """One USB function of a sensor: its camera, its motor, or its audio part.
+
+    Attributes
+    ----------
+    product, release
+        idProduct and bcdDevice.
+    bus, address
+        Where it is now; both change when it is plugged in again.
+    ports : tuple of int
+        The way from the root hub.
+    """
+
+    def __init__(self, device: Any, backend: LibusbBackend | StreamingBackend) -> None:
+        self._device = device
+        self._backend = backend
+        self.product: int = device.idProduct
+        self.release: int = device.bcdDevice
+        self.bus: int = device.bus
+        self.address: int = device.address
+        self.ports: tuple[int, ...] = tuple(device.port_numbers or ())
+
+    def serial(self) -> str | None:
+        """Read the serial number; None where the function has none."""
+        index = self._device.iSerialNumber
+        if not index:
+            return None
+        with _translating(self):
+            try:
+                return str(usb.util.get_string(self._device, index))
+            except ValueError as error:  # pyusb: no string could be read at all
+                raise UsbError(str(error), None, errno.EACCES) from error
+
+    @property
+    def place(self) -> str:
+        """Where it is plugged in, as the kernel writes it: bus-port.port."""
+        return f"{self.bus}-{'.'.join(map(str, self.ports)) or '?'}"
+
+    @property
+    def interface_count(self) -> int:
+        """Interfaces of the active configuration; an audio part without firmware has one."""
+        return int(self._device[0].bNumInterfaces)
+
+    def claim(self) -> None:
+        """Take the function from the kernel's driver and from other programs."""
+        with _translating(self):
+            self._detach_kernel_driver()
+            usb.util.claim_interface(self._device, _INTERFACE)
+
+    def _detach_kernel_driver(self) -> None:
+        try:
+            if self._device.is_kernel_driver_active(_INTERFACE):
+                self._device.detach_kernel_driver(_INTERFACE)
+        except (NotImplementedError, UsbError) as error:
+            if getattr(error, "errno", None) in (errno.ENODEV, errno.EACCES):
+                raise
+            # else a system whose drivers cannot be asked or detached; the claim will tell
+
+    def select_alternate(self, alternate: int) -> None:
+        """Select an alternate setting; setting it again gives reserved bandwidth back."""
+        with _translating(self):
+            self._device.set_interface_altsetting(_INTERFACE, alternate)
+
+    def control_out(self, request: int, value: int = 0, data: bytes = b"") -> None:
+        """Send a vendor request."""
+        with _translating(self):
+            sent = self._device.ctrl_transfer(0x40, request, value, 0, data, _TIMEOUT_MS)
+        if sent != len(data):
+            raise TransferError(f"Only {sent} of {len(data)} bytes reached {self._name}; {_REPLUG}")
+
+    def control_in(self, request: int, length: int) -> bytes:
+        """Ask for at most `length` bytes."""
+        with _translating(self):
+            return bytes(self._device.ctrl_transfer(0xC0, request, 0, 0, length, _TIMEOUT_MS))
+
+    def bulk_out(self, endpoint: int, data: bytes, timeout_ms: int) -> None:
+        """Write to a bulk endpoint."""
+        with _translating(self):
+            self._device.write(endpoint, data, timeout_ms)
+
+    def bulk_in(self, endpoint: int, length: int, timeout_ms: int) -> bytes:
+        """Read from a bulk endpoint."""
+        with _translating(self):
+            return bytes(self._device.read(endpoint, length, timeout_ms))
+
+    def start_stream(
+        self, endpoint: int, alternate: int, receiver: PacketReceiver
+    ) -> RunningStream:
+        """Start to read an isochronous endpoint."""
+        with _translating(self):
+            size = self._packet_bytes(endpoint, alternate)
+            return self._backend.start_stream((self.bus, self.address), endpoint, size, receiver)
+
+    def _packet_bytes(self, endpoint: int, alternate: int) -> int:
+        """Bytes of one microframe: bits 11 and 12 count additional transactions."""
+        interface = self._device[0][(_INTERFACE, alternate)]
+        for candidate in interface:
+            if candidate.bEndpointAddress == endpoint:
+                size = int(candidate.wMaxPacketSize)
+                return (size & 0x7FF) * (1 + (size >> 11 & 3)) or _DEFAULT_PACKET_BYTES
+        raise UnsupportedError(
+            f"{self._name} has no endpoint 0x{endpoint:02x}, so it is no Kinect v1 camera; "
+            "unplug it."
+        )
+
+    def close(self) -> None:
+        """Give the function back; does nothing when it is closed or gone already."""
+        try:
+            usb.util.dispose_resources(self._device)
+        except UsbError as error:
+            if error.errno != errno.ENODEV:
+                raise _translated(error, self) from error
+
+    @property
+    def _name(self) -> str:
+        return f"The device {VENDOR:04x}:{self.product:04x} on USB bus {self.bus}"
+
+
+_REPLUG = "unplug the sensor and plug it in again."
+
+
+@contextmanager
+def _translating(function: UsbFunction) -> Iterator[None]:
+    """Turn pyusb's errors into this driver's."""
+    try:
+        yield
+    except UsbError as error:
+        raise _translated(error, function) from error
+
+
+def _translated(error: Any, function: UsbFunction) -> KinectError:
+    """Say in one sentence what a USB error means and what to do."""
+    name = function._name
+    if error.errno in (errno.EACCES, errno.EPERM):
+        return NoPermissionError(
+            f"{name} may not be opened by this user; install packaging/linux/70-kinect-v1.rules "
+            "in /etc/udev/rules.d and plug the sensor in again."
+        )
+    if error.errno == errno.EBUSY:
+        return InUseError(f"{name} is used by another program; close that program first.")
+    if error.errno == errno.ENODEV:
+        return unplugged(function.bus)
+    if error.errno == errno.ENOSPC:
+        return bandwidth_full(function.bus)
+    if error.errno == errno.ETIMEDOUT:
+        return TransferError(f"{name} does not answer; {_REPLUG}")
+    return TransferError(f"{name} failed ({error.strerror}); {_REPLUG}")
