@@ -5,21 +5,24 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+import numpy.typing as npt
 import trimesh
 
 from insole_core.errors import InputError
+from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
 
 Unit = Literal["mm", "m", "inch"]
+_Indices = npt.NDArray[np.signedinteger[Any]]
 
 _SUFFIXES = (".ply", ".stl", ".obj")
 _MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
 _UNIT_NAMES: dict[Unit, str] = {"mm": "millimetres", "m": "metres", "inch": "inches"}
 _LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
-_LEAST_EXTENT_MM = 4.0  # anything flatter has no shape to design on
+_LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_BYTES = 600_000_000
 _MOST_TRIANGLES = 4_000_000
 _UNREADABLE = (
@@ -102,7 +105,7 @@ def _first_line(error: BaseException) -> str:
     return (str(error).strip().splitlines() or [type(error).__name__])[0].rstrip(".")[:120]
 
 
-def _vertex_colors(loaded: trimesh.Trimesh) -> np.ndarray | None:
+def _vertex_colors(loaded: trimesh.Trimesh) -> ByteArray | None:
     if loaded.visual.kind != "vertex":
         return None
     return np.array(loaded.visual.vertex_colors[:, :3], dtype=np.uint8)
@@ -125,39 +128,46 @@ def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
 
 def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     """Merge equal vertices; drop triangles without area and vertices without triangle."""
-    keys = [mesh.vertices] if mesh.colors is None else [mesh.vertices, mesh.colors]
+    colors = np.zeros((len(mesh.vertices), 0)) if mesh.colors is None else mesh.colors
     _, first, merged = np.unique(
-        np.concatenate(keys, axis=1), axis=0, return_index=True, return_inverse=True
+        np.concatenate([mesh.vertices, colors], axis=1),
+        axis=0,
+        return_index=True,
+        return_inverse=True,
     )
-    mesh = TriangleMesh(
-        mesh.vertices[first],
-        merged.astype(np.int32)[mesh.triangles],
-        None if mesh.colors is None else mesh.colors[first],
-    )
+    mesh = _picked(mesh, first, merged.ravel()[mesh.triangles])
     triangles = mesh.triangles[mesh.triangle_normals.any(axis=1)]
     if len(triangles) == 0:
         raise InputError(f"{path} holds only triangles without area; export the scan again.")
     used, index = np.unique(triangles, return_inverse=True)
-    return TriangleMesh(
-        mesh.vertices[used],
-        index.reshape(-1, 3).astype(np.int32),
-        None if mesh.colors is None else mesh.colors[used],
-    )
+    return _picked(mesh, used, index.reshape(-1, 3))
+
+
+def _picked(mesh: TriangleMesh, vertices: _Indices, triangles: _Indices) -> TriangleMesh:
+    colors = None if mesh.colors is None else mesh.colors[vertices]
+    return TriangleMesh(mesh.vertices[vertices], triangles.astype(np.int32), colors)
 
 
 def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
-    extent = np.ptp(mesh.vertices, axis=0)
+    extent = float(np.ptp(mesh.vertices, axis=0).max())
     for unit, factor in _MM_PER_UNIT.items():
-        if _LENGTH_MM[0] <= extent.max() * factor <= _LENGTH_MM[1]:
-            if np.linalg.svd(mesh.vertices - mesh.vertices.mean(axis=0), compute_uv=False)[
-                -1
-            ] * factor < _LEAST_EXTENT_MM / 4 * np.sqrt(len(mesh.vertices)):
-                raise InputError(f"{path} is flat and not the surface of a foot.")
+        if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
+            if _depth(mesh) * factor < _LEAST_DEPTH_MM:
+                raise InputError(
+                    f"{path} is flat, which is no surface of a foot; export the scan again."
+                )
             return unit
     raise InputError(
-        f"{path} measures {extent.max():g} in its longest direction, which is no foot in"
-        " millimetres, metres or inches; check the unit of the export."
+        f"{path} measures {extent:g} in its longest direction, which is no foot in millimetres,"
+        " metres or inches; check the unit of the export."
     )
+
+
+def _depth(mesh: TriangleMesh) -> float:
+    """Extent across the flattest direction."""
+    centred = mesh.vertices - mesh.vertices.mean(axis=0)
+    flattest = np.linalg.eigh(centred.T @ centred)[1][:, 0]
+    return float(np.ptp(centred @ flattest))
 
 
 def _outward_flux(mesh: TriangleMesh) -> float:

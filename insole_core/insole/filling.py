@@ -73,8 +73,8 @@ def _prolong(coarse: FloatArray) -> FloatArray:
 
 def _relax(heights: FloatArray, free: BoolArray, first: tuple[int, int]) -> FloatArray:
     """Red-black Gauss-Seidel on the free nodes; the outer edge has no slope across it."""
-    i, j = np.indices(heights.shape, sparse=True)
-    even = (i + j + sum(first)) % 2 == 0
+    rows, columns = heights.shape
+    even = (np.arange(rows)[:, None] + np.arange(columns) + sum(first)) % 2 == 0
     colors = (free & even, free & ~even)
     for _ in range(_SWEEPS):
         for color in colors:

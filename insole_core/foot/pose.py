@@ -1,0 +1,119 @@
+"""How an unknown surface lies: which way are the ground and the toes, and which foot is it.
+
+Nothing is taken for granted. The surface is laid on every face it could stand on (of its convex
+hull, and by its main directions), turned both ways round, and each time held against the usual foot
+of either side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.likeness import lower_side, unlikeness
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import sample_triangles
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+
+_SAMPLES = 6000
+_FACES = 12
+_SAME_FACE_DEG = 10.0
+_YAWS_DEG = (-10.0, -5.0, 0.0, 5.0, 10.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """A way a surface may lie.
+
+    Parameters
+    ----------
+    source2rough : (4, 4) float64
+        To toes +y, dorsal +z; right to some ten degrees.
+    side
+    unlikeness
+        Against the usual foot of `side`.
+    """
+
+    source2rough: FloatArray
+    side: Side
+    unlikeness: float
+
+
+def find_poses(mesh: TriangleMesh) -> list[Pose]:
+    """All ways the surface may lie, the likeliest first."""
+    points = surface_points(mesh)
+    poses = [
+        pose
+        for up in _up_directions(mesh)
+        for rotation in _both_ways(points, up)
+        for pose in _turned(points, rotation)
+    ]
+    return sorted(poses, key=lambda pose: pose.unlikeness)
+
+
+def surface_points(mesh: TriangleMesh) -> FloatArray:
+    """(n, 3) some thousand points, evenly spread over the surface."""
+    samples = sample_triangles(mesh, float(np.sqrt(mesh.area_mm2 / _SAMPLES)))
+    # Small triangles have a point each, which is more than needed: every n-th mm2 will do.
+    area = np.cumsum(samples.area_mm2)
+    picks = np.searchsorted(area, (np.arange(_SAMPLES) + 0.5) * area[-1] / _SAMPLES)
+    return np.asarray(samples.points[np.unique(np.minimum(picks, len(area) - 1))])
+
+
+def _up_directions(mesh: TriangleMesh) -> Iterator[FloatArray]:
+    """Unit vectors that may point to the back of the foot."""
+    yield from _faces(mesh.vertices)
+    centred = mesh.vertices - mesh.vertices.mean(axis=0)
+    main = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
+    yield from main
+    yield from -main
+
+
+def _faces(vertices: FloatArray) -> list[FloatArray]:
+    """Inward normals of the broadest faces of the convex hull, nearly parallel ones as one."""
+    hull = ConvexHull(vertices)
+    a, b, c = (vertices[hull.simplices[:, corner]] for corner in range(3))
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    normals = hull.equations[:, :3]
+    faces: list[tuple[float, FloatArray]] = []
+    free = areas.copy()
+    while len(faces) < _FACES and free.max() > 0:
+        near = normals @ normals[free.argmax()] > np.cos(np.radians(_SAME_FACE_DEG))
+        total = (free * near) @ normals
+        faces.append((float(free[near].sum()), -total / np.linalg.norm(total)))
+        free[near] = 0.0
+    return [normal for _, normal in sorted(faces, key=lambda face: -face[0])]
+
+
+def _both_ways(points: FloatArray, up: FloatArray) -> Iterator[FloatArray]:
+    """Rotations (3, 3) to `up` = z, with the long axis of what lies low along y, both ways."""
+    height = points @ up
+    low = points[height < height.min() + OUTLINE_HEIGHT_MM]
+    flat = (low - low.mean(axis=0)) @ (np.eye(3) - np.outer(up, up))
+    ahead = np.linalg.eigh(flat.T @ flat)[1][:, 2]
+    for toes in (ahead, -ahead):
+        yield np.stack([np.cross(toes, up), toes, up])
+
+
+def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
+    """The best yaw of one way to lie, for either side."""
+    trials = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
+    scores = [unlikenesses(points @ trial.T) for trial in trials]
+    for side in Side:
+        best = min(range(len(trials)), key=lambda n: scores[n][side])
+        yield Pose(rigid(trials[best], np.zeros(3)), side, scores[best][side])
+
+
+def unlikenesses(points: FloatArray) -> dict[Side, float]:
+    """Unlikeness to either side of points (n, 3) with toes +y, dorsal +z, wherever they are."""
+    grounded = points - np.array([0.0, 0.0, points[:, 2].min()])
+    low = grounded[grounded[:, 2] < OUTLINE_HEIGHT_MM]
+    low = low - np.array([low[:, 0].mean(), low[:, 1].min(), 0.0])
+    drawn = lower_side(low, float(np.ptp(low[:, 1])))
+    return {side: unlikeness(drawn, side) for side in Side}
