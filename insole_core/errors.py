@@ -21,6 +21,10 @@ class ReconstructionError(InsoleError):
     """The recording is readable, but no foot can be made from it."""
 
 
+class CalibrationError(InsoleError):
+    """The captures are readable, but no calibration can be made from them."""
+
+
 class DesignError(InsoleError):
     """A prescription or one of its values cannot be built."""
 

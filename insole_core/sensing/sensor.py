@@ -9,6 +9,7 @@ import numpy as np
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
 
 
@@ -27,6 +28,8 @@ class Sensor:
         Raw number, already corrected, to depth.
     correction_raw : (height, width) float32, raw units, optional
         Subtracted from the raw number of every pixel before the conversion, thesis (16).
+    correction : optional
+        The same with what refines it; where it is given it takes the place of `correction_raw`.
     faces
         The marker groups of the reference system that this sensor sees.
     """
@@ -39,9 +42,12 @@ class Sensor:
     disparity: DisparityModel
     correction_raw: Float32Array | None = None
     faces: tuple[str, ...] = field(default_factory=tuple)
+    correction: DisparityCorrection | None = None
 
     def depth_mm(self, raw: FloatArray) -> FloatArray:
         """Correct and convert a raw image (height, width), NaN = no reading, to mm along z."""
+        if self.correction is not None:
+            return self.correction.depth_mm(raw, self.disparity)
         corrected = raw if self.correction_raw is None else raw - self.correction_raw
         return self.disparity.depth_mm(corrected)
 

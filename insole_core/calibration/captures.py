@@ -1,0 +1,160 @@
+"""Captures of flat walls: what the distortion of a depth sensor is measured from."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.errors import CalibrationError, InputError
+from insole_core.geometry.arrays import FloatArray, RawArray
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.disparity import NO_READING
+from insole_core.sensing.frames import mean_raw
+
+_SHAPE = (480, 640)
+_AHEAD = 8
+
+
+@dataclass(frozen=True, eq=False)
+class WallCapture:
+    """One flat wall or board, seen from one distance.
+
+    Parameters
+    ----------
+    name
+        For messages: the file or folder it was read from.
+    raw : (480, 640) float64, raw units, NaN = no reading
+        Mean over the frames.
+    distance_mm
+        Measured at the image centre along the optical axis, where it is known.
+    plane : (3,) float64, 1/mm, optional
+        The true plane in the depth camera frame, where it is known: 1/Z = plane · (x, y, 1) with
+        normalised image coordinates.
+    serial
+        Of the device, where it is known.
+    """
+
+    name: str
+    raw: FloatArray
+    distance_mm: float | None = None
+    plane: FloatArray | None = None
+    serial: str = ""
+
+
+def capture_from_frames(
+    name: str,
+    frames: Iterable[RawArray],
+    distance_mm: float | None = None,
+    plane: FloatArray | None = None,
+    serial: str = "",
+) -> WallCapture:
+    """Average frames as they come; only a few are in memory at a time (thesis 5.2, k frames).
+
+    Raises
+    ------
+    CalibrationError
+        When there are no frames, or when they hold no readings.
+    """
+    try:
+        first, frames = _peek(frames)
+    except StopIteration:
+        raise CalibrationError(f"{name} holds no depth frames; capture it again.") from None
+    if first.shape != _SHAPE:
+        height, width = first.shape[:2]
+        raise InputError(f"{name} is {width}×{height}, but a depth frame must be 640×480.")
+    raw = mean_raw(frames)
+    if not np.isfinite(raw).any():
+        raise CalibrationError(
+            f"{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and "
+            "capture it again."
+        )
+    return WallCapture(name, raw, distance_mm, plane, serial)
+
+
+def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture]:
+    """Read the wall captures of a folder of raw 16-bit PNG images.
+
+    Every sub-folder is one capture and its images are the frames; in a folder without sub-folders
+    every image is a capture of one frame.
+
+    Raises
+    ------
+    InputError
+        When the folder or an image cannot be read.
+    """
+    groups = _groups(folder)
+    captures = []
+    for done, (name, paths) in enumerate(groups):
+        progress.step(done / len(groups), f"Reading {name}")
+        captures.append(capture_from_frames(name, read_frames(paths)))
+    return captures
+
+
+def read_frames(paths: list[Path]) -> Iterator[RawArray]:
+    """Decode depth images one after the other, a few ahead of the reader."""
+    with ThreadPoolExecutor(2) as pool:
+        waiting = iter(paths)
+        running = [pool.submit(read_depth, path) for path in itertools.islice(waiting, _AHEAD)]
+        while running:
+            frame = running.pop(0).result()
+            running += [pool.submit(read_depth, path) for path in itertools.islice(waiting, 1)]
+            yield frame
+
+
+def read_depth(path: Path) -> RawArray:
+    """Read one raw depth image, (height, width) uint16.
+
+    Raises
+    ------
+    InputError
+    """
+    image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    if image is None:
+        raise InputError(f"{path} is no readable image; restore it or take it out of the folder.")
+    if image.dtype != np.uint16 or image.ndim != 2 or image.max() > NO_READING:
+        raise InputError(
+            f"{path} is no raw depth image (16-bit grey, numbers up to 2047); "
+            "record the raw numbers of the sensor."
+        )
+    return np.asarray(image)
+
+
+def check_same_device(captures: Iterable[WallCapture]) -> None:
+    """Refuse captures of more than one device.
+
+    Raises
+    ------
+    CalibrationError
+    """
+    by_serial = {capture.serial: capture.name for capture in captures if capture.serial}
+    if len(by_serial) > 1:
+        named = ", ".join(f"{name} ({serial})" for serial, name in by_serial.items())
+        raise CalibrationError(
+            f"The captures come from different sensors: {named}; calibrate one sensor at a time."
+        )
+
+
+def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
+    if not folder.is_dir():
+        raise InputError(f"There is no folder {folder}; name the folder with the wall captures.")
+    below = [
+        (sub.name, sorted(sub.glob("*.png"))) for sub in sorted(folder.iterdir()) if sub.is_dir()
+    ]
+    groups = [(name, paths) for name, paths in below if paths]
+    if not groups:
+        groups = [(path.name, [path]) for path in sorted(folder.glob("*.png"))]
+    if not groups:
+        raise InputError(f"{folder} holds no PNG images; name the folder with the wall captures.")
+    return groups
+
+
+def _peek(frames: Iterable[RawArray]) -> tuple[RawArray, Iterator[RawArray]]:
+    stream = iter(frames)
+    first = next(stream)
+    return first, itertools.chain([first], stream)

@@ -1,0 +1,253 @@
+"""The default distortion correction: from wall captures to what is stored beside sensor.json."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+
+import numpy as np
+
+from insole_core.calibration.captures import WallCapture, check_same_device
+from insole_core.calibration.map_blocks import BLOCK_PX, Blocks, blocks_of, to_pixels
+from insole_core.calibration.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
+from insole_core.calibration.wall_plane import WallFit, fit_wall, plane_rows
+from insole_core.errors import CalibrationError
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
+from insole_core.sensing.disparity import DisparityModel
+
+
+@dataclass(frozen=True)
+class DistortionOptions:
+    """What can be set.
+
+    Parameters
+    ----------
+    smoothing
+    extrapolate_raw
+        How far beyond the walls' own raw numbers the dependence on disparity is continued.
+    uneven_raw, uneven_share
+        A wall counts as not flat when more than this share of it differs by more than this many
+        raw units from what the other walls say.
+    """
+
+    smoothing: Smoothing = field(default_factory=Smoothing)
+    extrapolate_raw: float = 100.0
+    uneven_raw: float = 1.5
+    uneven_share: float = 0.1
+
+
+_DEFAULTS = DistortionOptions()
+
+
+@dataclass(frozen=True)
+class WallFigures:
+    """How one wall went into the map: errors in raw units over its pixels."""
+
+    name: str
+    distance_mm: float
+    tilt_deg: float
+    filled_share: float
+    rms_before_raw: float
+    rms_after_raw: float
+
+
+@dataclass(frozen=True, eq=False)
+class DistortionCalibration:
+    """The correction and how far it can be trusted.
+
+    Parameters
+    ----------
+    correction
+    walls
+        One per wall used.
+    left_out : name to reason
+    covered_share
+        Share of the image that the walls reached.
+    deviation_raw
+        Median standard deviation of the map where it is covered.
+    advice
+        What would improve it, in sentences; empty when all is well.
+    """
+
+    correction: DisparityCorrection
+    walls: tuple[WallFigures, ...]
+    left_out: dict[str, str]
+    covered_share: float
+    deviation_raw: float
+    advice: tuple[str, ...]
+
+
+def calibrate_distortion(
+    captures: Sequence[WallCapture],
+    camera: Camera,
+    disparity: DisparityModel,
+    options: DistortionOptions = _DEFAULTS,
+    *,
+    serial: str = "",
+    progress: Progress = SILENT,
+) -> DistortionCalibration:
+    """Fit the smooth map that varies with disparity to captures of flat walls.
+
+    The walls need not be perpendicular, nor fill the view. Where no wall's plane is known, one
+    plane (a tilt and a shift of everything) cannot be told from a distortion and is left alone.
+
+    Parameters
+    ----------
+    captures
+    camera
+        The depth camera.
+    disparity
+        Raw number to depth.
+    options
+    serial
+        Of the device; that of the captures when empty.
+
+    Raises
+    ------
+    CalibrationError
+        Mixed devices, no wall, or no wall that is flat.
+    """
+    check_same_device(captures)
+    rows = plane_rows(camera)
+    walls, left_out = _find_walls(captures, camera, disparity, progress.part(0, 0.5))
+    progress.step(0.5, "Solving the distortion map")
+    blocks, solved = _solve(walls, rows, options)
+    uneven = _uneven(blocks, solved, options)
+    if uneven.any():
+        left_out |= {
+            wall.capture.name: "it is not flat, or something stood before it"
+            for wall, bad in zip(walls, uneven, strict=True)
+            if bad
+        }
+        walls = [wall for wall, bad in zip(walls, uneven, strict=True) if not bad]
+        if len(walls) < 2:
+            raise CalibrationError(
+                f"The walls contradict each other ({', '.join(left_out)}); capture a flat, empty "
+                "wall at several distances."
+            )
+        progress.step(0.7, "Solving again without uneven walls")
+        blocks, solved = _solve(walls, rows, options)
+    progress.step(0.9, "Judging the map")
+    correction = _correction(blocks, solved, options, serial or walls[0].capture.serial)
+    return _judged(correction, walls, left_out, disparity)
+
+
+def _find_walls(
+    captures: Sequence[WallCapture], camera: Camera, disparity: DisparityModel, progress: Progress
+) -> tuple[list[WallFit], dict[str, str]]:
+    rows = plane_rows(camera)
+    walls: list[WallFit] = []
+    left_out: dict[str, str] = {}
+    for done, capture in enumerate(captures):
+        progress.step(done / len(captures), f"Finding the wall in {capture.name}")
+        try:
+            walls.append(fit_wall(capture, rows, disparity))
+        except CalibrationError as error:
+            left_out[capture.name] = str(error)
+    if not walls:
+        reason = next(iter(left_out.values()), "There are no captures; capture a flat wall.")
+        raise CalibrationError(reason)
+    return walls, left_out
+
+
+def _solve(
+    walls: Sequence[WallFit], rows: np.ndarray, options: DistortionOptions
+) -> tuple[Blocks, BlockMap]:
+    blocks = blocks_of(walls, rows)
+    return blocks, solve_map(blocks, options.smoothing)
+
+
+def _uneven(blocks: Blocks, solved: BlockMap, options: DistortionOptions) -> np.ndarray:
+    """Tell which walls the map of all does not explain."""
+    seen = blocks.weight > 0.5
+    limit = max(options.uneven_raw, 4 * solved.noise_raw)
+    off = (np.abs(solved.remaining) > limit) & seen
+    return np.asarray(off.sum(1) > options.uneven_share * np.maximum(seen.sum(1), 1))
+
+
+def _correction(
+    blocks: Blocks, solved: BlockMap, options: DistortionOptions, serial: str
+) -> DisparityCorrection:
+    used = blocks.weight > 0.5
+    coverage = used.sum(0).reshape(blocks.shape).astype(np.uint8)
+    low, high = blocks.level[used].min(), blocks.level[used].max()
+    return DisparityCorrection(
+        offset=to_pixels(solved.offset, blocks.shape).astype(np.float32),
+        slope=(to_pixels(solved.slope, blocks.shape) / SPAN_RAW).astype(np.float32),
+        reference_raw=solved.reference_raw,
+        raw_range=(float(low - options.extrapolate_raw), float(high + options.extrapolate_raw)),
+        coverage=np.kron(coverage, np.ones((BLOCK_PX, BLOCK_PX), np.uint8)),
+        deviation=np.maximum(to_pixels(solved.deviation, blocks.shape), 0).astype(np.float32),
+        record=CorrectionRecord(
+            serial=serial,
+            made_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            method="smooth map that varies with disparity",
+        ),
+    )
+
+
+def _judged(
+    correction: DisparityCorrection,
+    walls: Sequence[WallFit],
+    left_out: dict[str, str],
+    disparity: DisparityModel,
+) -> DistortionCalibration:
+    figures = tuple(_figures(wall, correction, disparity) for wall in walls)
+    covered = float(correction.covered.mean())
+    deviation = (
+        float(np.median(correction.deviation[correction.covered]))
+        if correction.deviation is not None and covered > 0
+        else float("inf")
+    )
+    numbers = {
+        "walls": float(len(walls)),
+        "covered_share": covered,
+        "deviation_raw": deviation,
+        "nearest_mm": min(figure.distance_mm for figure in figures),
+        "farthest_mm": max(figure.distance_mm for figure in figures),
+        "rms_before_raw": float(np.sqrt(np.mean([f.rms_before_raw**2 for f in figures]))),
+        "rms_after_raw": float(np.sqrt(np.mean([f.rms_after_raw**2 for f in figures]))),
+    }
+    return DistortionCalibration(
+        correction=replace(correction, record=replace(correction.record, figures=numbers)),
+        walls=figures,
+        left_out=left_out,
+        covered_share=covered,
+        deviation_raw=deviation,
+        advice=_advice(figures, covered),
+    )
+
+
+def _figures(
+    wall: WallFit, correction: DisparityCorrection, disparity: DisparityModel
+) -> WallFigures:
+    after = correction.corrected(wall.capture.raw) - wall.expected_raw
+    normal = wall.plane / np.linalg.norm(wall.plane)
+    return WallFigures(
+        name=wall.capture.name,
+        distance_mm=float(1 / wall.plane[2]),
+        tilt_deg=float(np.degrees(np.arccos(np.clip(normal[2], -1, 1)))),
+        filled_share=float(wall.wall.mean()),
+        rms_before_raw=float(np.sqrt(np.nanmean(wall.residual_raw**2))),
+        rms_after_raw=float(np.sqrt(np.nanmean(after[wall.wall] ** 2))),
+    )
+
+
+def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
+    distances = [figure.distance_mm for figure in figures]
+    advice = []
+    if len(figures) < 4:
+        advice.append(f"Only {len(figures)} walls were used; six distances or more are better.")
+    if max(distances) < 1.2 * min(distances):
+        advice.append(
+            "All walls lie at almost the same distance; capture 600 to 1000 mm to learn how the "
+            "distortion changes."
+        )
+    if covered < 0.95:
+        advice.append(
+            f"{1 - covered:.0%} of the image was never filled by a wall; move the board there."
+        )
+    return tuple(advice)

@@ -1,0 +1,99 @@
+"""The grid of blocks on which the distortion map is solved, and the way back to pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from scipy import sparse
+
+from insole_core.calibration.wall_plane import WallFit
+from insole_core.geometry.arrays import BoolArray, FloatArray
+
+BLOCK_PX = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Blocks:
+    """Residuals of N captures, averaged over blocks of 8 x 8 pixels.
+
+    Averaging bridges the column bands and the centre line of the device, which are narrower than
+    the distortion and move with the distance.
+
+    Parameters
+    ----------
+    residual : (n, blocks) float64, raw units
+        Measured minus expected raw number.
+    weight : (n, blocks) float64
+        Share of the block that shows the wall.
+    level : (n, blocks) float64, raw units
+        The expected raw number.
+    rows : (blocks, 3) float64
+        The row (x, y, 1) at each block's centre.
+    free_plane : (n,) bool
+        Whether a capture's plane is still to be adjusted.
+    shape
+        Rows and columns of blocks.
+    """
+
+    residual: FloatArray
+    weight: FloatArray
+    level: FloatArray
+    rows: FloatArray
+    free_plane: BoolArray
+    shape: tuple[int, int]
+
+
+def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> Blocks:
+    """Average the residuals of the captures over blocks."""
+    weight = np.stack([_means(wall.wall.astype(float)) for wall in walls])
+    residual = np.stack([_means(np.nan_to_num(wall.residual_raw)) for wall in walls])
+    level = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
+    return Blocks(
+        residual=np.divide(residual, weight, out=np.zeros_like(weight), where=weight > 0),
+        weight=weight,
+        level=level,
+        rows=np.stack([_means(rows[..., axis]) for axis in range(3)], axis=-1),
+        free_plane=np.array([wall.capture.plane is None for wall in walls]),
+        shape=(rows.shape[0] // BLOCK_PX, rows.shape[1] // BLOCK_PX),
+    )
+
+
+def bending(shape: tuple[int, int]) -> sparse.csc_array:
+    """Give the quadratic form of the squared second differences of a map of blocks."""
+    height, width = shape
+    across, down = sparse.eye_array(width), sparse.eye_array(height)
+    operator = sparse.vstack(
+        [
+            sparse.kron(down, _differences(width, (1.0, -2.0, 1.0))),
+            sparse.kron(_differences(height, (1.0, -2.0, 1.0)), across),
+            np.sqrt(2.0)
+            * sparse.kron(_differences(height, (-1.0, 1.0)), _differences(width, (-1.0, 1.0))),
+        ]
+    )
+    return sparse.csc_array(operator.T @ operator)
+
+
+def to_pixels(values: FloatArray, shape: tuple[int, int]) -> FloatArray:
+    """Interpolate a value per block to every pixel; the rim is continued along its slope."""
+    padded = np.pad(values.reshape(shape), 1, mode="reflect", reflect_type="odd")
+    size = (padded.shape[1] * BLOCK_PX, padded.shape[0] * BLOCK_PX)
+    fine = cv2.resize(padded, size, interpolation=cv2.INTER_CUBIC)
+    return np.asarray(fine[BLOCK_PX:-BLOCK_PX, BLOCK_PX:-BLOCK_PX])
+
+
+def _means(image: FloatArray) -> FloatArray:
+    height, width = image.shape
+    blocks = image.reshape(height // BLOCK_PX, BLOCK_PX, width // BLOCK_PX, BLOCK_PX)
+    return np.asarray(blocks.mean(axis=(1, 3)).ravel())
+
+
+def _differences(count: int, stencil: tuple[float, ...]) -> sparse.dia_array:
+    rows = count - len(stencil) + 1
+    return sparse.diags_array(
+        [np.full(rows, value) for value in stencil],
+        offsets=list(range(len(stencil))),
+        shape=(rows, count),
+    )

@@ -1,0 +1,213 @@
+"""Least squares for a smooth map that varies with disparity, together with every wall's plane.
+
+The unknowns are, for each block of pixels, an offset D and its change S with the raw number
+(Herrera, Kannala and Heikkilä 2012, to first order), and for each wall whose plane is not known
+three corrections q of that plane. A wall i measures in block b
+
+    residual_ib = D_b + S_b t_ib + row_b · q_i + noise,    t = (level - reference) / 100,
+
+the bending of D and S is kept small, and outliers lose their weight (Tukey).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from insole_core.calibration.map_blocks import Blocks, bending
+from insole_core.geometry.arrays import FloatArray
+
+SPAN_RAW = 100.0
+"""Raw units per unit of t."""
+_ROUNDS = 5
+_GAUGE = 1e-4
+"""Holds the one plane that walls of unknown position cannot tell from a distortion."""
+_CUT = 6.0
+_LEAST_NOISE_RAW = 0.3
+"""Outliers are judged against at least this: the map itself is not exact to more."""
+_PROBE_STEP = 4
+
+
+@dataclass(frozen=True)
+class Smoothing:
+    """How stiff the map is.
+
+    Parameters
+    ----------
+    offset, slope
+        Weight of the squared second differences between blocks, against one full block.
+    slope_shrink
+        Pulls the slope towards the decay that the whole map has in common, where the walls do not
+        tell it.
+    """
+
+    offset: float = 0.5
+    slope: float = 3.0
+    slope_shrink: float = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class BlockMap:
+    """A solved map.
+
+    Parameters
+    ----------
+    offset : (blocks,) float64, raw units, at `reference_raw`
+    slope : (blocks,) float64, raw units per `SPAN_RAW`
+    deviation : (blocks,) float64, raw units
+        Standard deviation of a corrected block: the uncertainty of the map, and what it leaves of
+        the walls there.
+    reference_raw
+    noise_raw
+        Robust standard deviation of a block.
+    decay
+        The slope that all blocks have in common, per `SPAN_RAW`, as a share of the offset:
+        Herrera's exponent.
+    remaining : (n, blocks) float64, raw units
+        What the map and the planes leave of the residuals.
+    """
+
+    offset: FloatArray
+    slope: FloatArray
+    deviation: FloatArray
+    reference_raw: float
+    noise_raw: float
+    decay: float
+    remaining: FloatArray
+
+
+class _Factor(Protocol):
+    def solve(self, right: FloatArray) -> FloatArray: ...
+
+
+def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
+    """Solve for map and planes, with weights that follow the remaining errors."""
+    reference = float(np.average(blocks.level, weights=blocks.weight))
+    t = (blocks.level - reference) / SPAN_RAW
+    stiffness = bending(blocks.shape)
+    weight = blocks.weight
+    count = blocks.weight.shape[1]
+    decay = 0.0
+    for _ in range(_ROUNDS):
+        factor = _factor(weight, t, stiffness, smoothing, decay)
+        unknowns, planes = _solve(factor, blocks, weight, t)
+        offset, slope = unknowns[:count], unknowns[count:]
+        remaining = blocks.residual - offset - slope * t - planes @ blocks.rows.T
+        decay = _common_decay(offset, slope)
+        noise = _noise(remaining, blocks.weight)
+        cut = _CUT * max(noise, _LEAST_NOISE_RAW)
+        weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
+    unit = _unit_deviation(factor, blocks.shape, 2 * count)
+    deviation = _deviation(remaining, weight, unit)
+    return BlockMap(offset, slope, deviation, reference, noise, decay, remaining)
+
+
+def _factor(
+    weight: FloatArray,
+    t: FloatArray,
+    stiffness: sparse.csc_array,
+    smoothing: Smoothing,
+    decay: float,
+) -> _Factor:
+    """Factorise the normal matrix of the map for given planes.
+
+    The last term is slope_shrink (S + decay D)².
+    """
+    unit = smoothing.slope_shrink * sparse.eye_array(weight.shape[1])
+    cross = _diagonal((weight * t).sum(0)) + decay * unit
+    gauge = _GAUGE * len(weight)
+    normal = sparse.block_array(
+        [
+            [
+                _diagonal(weight.sum(0) + gauge) + smoothing.offset * stiffness + decay**2 * unit,
+                cross,
+            ],
+            [cross, _diagonal((weight * t * t).sum(0)) + smoothing.slope * stiffness + unit],
+        ],
+        format="csc",
+    )
+    factor: _Factor = splu(
+        normal,
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    return factor
+
+
+def _solve(
+    factor: _Factor, blocks: Blocks, weight: FloatArray, t: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Eliminate the map, solve for the planes, then for the map.
+
+    Returns the map's unknowns, and a correction (n, 3) of every plane.
+    """
+    pulled = weight * blocks.residual
+    alone = factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
+    planes = np.zeros((len(weight), 3))
+    free = np.flatnonzero(blocks.free_plane)
+    if not len(free):
+        return alone, planes
+    rows = blocks.rows
+    coupling = np.concatenate(
+        [
+            np.concatenate([weight[i][:, None] * rows, (weight[i] * t[i])[:, None] * rows])
+            for i in free
+        ],
+        axis=1,
+    )
+    answer = factor.solve(coupling)
+    normal = -coupling.T @ answer
+    right = -coupling.T @ alone
+    for place, i in enumerate(free):
+        part = slice(3 * place, 3 * place + 3)
+        normal[part, part] += rows.T @ (weight[i][:, None] * rows)
+        right[part] += rows.T @ pulled[i]
+    solved = np.linalg.lstsq(normal, right, rcond=1e-12)[0]
+    planes[free] = solved.reshape(-1, 3)
+    return alone - answer @ solved, planes
+
+
+def _noise(remaining: FloatArray, weight: FloatArray) -> float:
+    """Robust standard deviation of the blocks that are mostly wall."""
+    seen = remaining[weight > 0.5]
+    if not len(seen):
+        return 1.0
+    return 1.4826 * float(np.median(np.abs(seen)))
+
+
+def _common_decay(offset: FloatArray, slope: FloatArray) -> float:
+    """Give the k of S = -k D that fits all blocks best; a distortion never grows with raw."""
+    power = float(offset @ offset)
+    return max(-float(slope @ offset) / power, 0.0) if power > 0 else 0.0
+
+
+def _deviation(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:
+    """Put together the map's own uncertainty and its lack of fit in each block."""
+    power = (weight * remaining**2).sum(0)
+    overall = power.sum() / weight.sum()
+    lack = (power + overall) / (weight.sum(0) + 1)
+    return np.asarray(np.sqrt(overall * unit**2 + lack))
+
+
+def _unit_deviation(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
+    """Square root of the inverse normal matrix's diagonal, probed every few blocks."""
+    height, width = shape
+    down = np.append(np.arange(0, height - 1, _PROBE_STEP), height - 1)
+    across = np.append(np.arange(0, width - 1, _PROBE_STEP), width - 1)
+    probed = (down[:, None] * width + across).ravel()
+    right = np.zeros((unknowns, len(probed)))
+    right[probed, np.arange(len(probed))] = 1
+    variance = factor.solve(right)[probed, np.arange(len(probed))]
+    coarse = np.sqrt(np.maximum(variance, 0)).reshape(len(down), len(across))
+    along = np.stack([np.interp(np.arange(width), across, row) for row in coarse])
+    full = np.stack([np.interp(np.arange(height), down, column) for column in along.T], axis=1)
+    return np.asarray(full.ravel())
+
+
+def _diagonal(values: FloatArray) -> sparse.dia_array:
+    return sparse.diags_array([values], offsets=[0])

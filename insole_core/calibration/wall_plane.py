@@ -1,0 +1,149 @@
+"""Finding the wall in a depth image, and its plane, whatever else is in view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.captures import WallCapture
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import DisparityModel
+
+_TRIALS = 200
+_SEARCH_STEP = 8
+_NEAR_RAW = 8.0
+"""Distance in raw units within which a pixel supports a trial plane."""
+_WALL_RAW = 25.0
+"""The strongest distortion in the corners of a sensor; what lies farther off is not the wall."""
+_LEAST_SHARE = 0.04
+"""Of the image; a smaller wall says too little."""
+_ROUNDS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class WallFit:
+    """The wall of one capture.
+
+    Parameters
+    ----------
+    capture
+    plane : (3,) float64, 1/mm
+        1/Z = plane · (x, y, 1), depth camera frame, normalised coordinates.
+    expected_raw : (480, 640) float64, raw units
+        What an undistorted sensor would have measured.
+    wall : (480, 640) bool
+        The pixels that show the wall.
+    """
+
+    capture: WallCapture
+    plane: FloatArray
+    expected_raw: FloatArray
+    wall: BoolArray
+
+    @property
+    def residual_raw(self) -> FloatArray:
+        """(480, 640) measured minus expected raw number; NaN off the wall (thesis 16)."""
+        return np.where(self.wall, self.capture.raw - self.expected_raw, np.nan)
+
+
+def plane_rows(camera: Camera) -> FloatArray:
+    """(height, width, 3) the row (x, y, 1) of every pixel, so that 1/Z = row · plane."""
+    rays = camera.pixel_rays()
+    return np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
+
+
+def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) -> WallFit:
+    """Find the largest plane of a capture; walls need not be perpendicular nor fill the view.
+
+    Parameters
+    ----------
+    capture
+        When its plane is known it is used as it is.
+    rows : (480, 640, 3) from `plane_rows`
+    disparity
+        Raw number to depth.
+
+    Raises
+    ------
+    CalibrationError
+        When no plane fills at least 4 % of the image.
+    """
+    with np.errstate(invalid="ignore"):
+        inverse = 1 / disparity.depth_mm(capture.raw)
+    plane = capture.plane
+    if plane is None:
+        plane = _refine(_search(inverse, rows, disparity), capture, rows, disparity)
+    expected = expected_raw(plane, rows, disparity)
+    wall = _largest_region(np.abs(capture.raw - expected) < _WALL_RAW)
+    if wall.mean() < _LEAST_SHARE:
+        raise CalibrationError(
+            f"{capture.name} shows no flat wall that fills at least {_LEAST_SHARE:.0%} of the "
+            "view; point the sensor at an empty flat wall and capture it again."
+        )
+    return WallFit(capture, plane, expected, wall)
+
+
+def expected_raw(plane: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
+    """(height, width) raw numbers that a plane must give; NaN where it lies behind the camera."""
+    inverse = rows @ plane
+    depth = np.divide(1, inverse, out=np.full(inverse.shape, np.nan), where=inverse > 0)
+    return disparity.raw(depth)
+
+
+def _search(inverse: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
+    """Give the plane through three pixels that most pixels support, of many trials (RANSAC)."""
+    coarse = inverse[::_SEARCH_STEP, ::_SEARCH_STEP].ravel()
+    known = np.isfinite(coarse)
+    values, places = coarse[known], rows[::_SEARCH_STEP, ::_SEARCH_STEP].reshape(-1, 3)[known]
+    if len(values) < 3:
+        return np.zeros(3)
+    generator = np.random.default_rng(0)
+    chosen = generator.integers(len(values), size=(_TRIALS, 3))
+    corners = places[chosen]
+    sound = np.abs(np.linalg.det(corners)) > 1e-4
+    planes = np.linalg.solve(corners[sound], values[chosen][sound][..., None])[..., 0]
+    tolerance = _NEAR_RAW * np.abs(_inverse_per_raw(values, disparity))
+    support = (np.abs(places @ planes.T - values[:, None]) < tolerance[:, None]).sum(0)
+    return np.asarray(planes[np.argmax(support)]) if len(planes) else np.zeros(3)
+
+
+def _refine(
+    plane: FloatArray, capture: WallCapture, rows: FloatArray, disparity: DisparityModel
+) -> FloatArray:
+    """Least squares over the supporting pixels, in raw units, with falling weights (Tukey)."""
+    step = _SEARCH_STEP // 2
+    raw, places = capture.raw[::step, ::step], rows[::step, ::step]
+    measured = 1 / disparity.depth_mm(raw)
+    plane = plane.copy()
+    for _ in range(_ROUNDS):
+        off = raw - expected_raw(plane, places, disparity)
+        weight = np.where(np.isfinite(off), np.clip(1 - (off / _WALL_RAW) ** 2, 0, None), 0)
+        used = weight > 0
+        if used.sum() < 3:
+            break
+        scaled = weight[used] / np.abs(_inverse_per_raw(measured[used], disparity))
+        plane[:] = np.linalg.lstsq(
+            places[used] * scaled[:, None], measured[used] * scaled, rcond=None
+        )[0]
+    return plane
+
+
+def _inverse_per_raw(inverse: FloatArray, disparity: DisparityModel) -> FloatArray:
+    """How much 1/Z changes with one raw unit, from the models' own inverse."""
+    step = 1e-6
+    return np.asarray(step / (disparity.raw(1 / (inverse + step)) - disparity.raw(1 / inverse)))
+
+
+def _largest_region(near: BoolArray) -> BoolArray:
+    """Keep the largest connected part, its holes apart."""
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(
+        near.astype(np.uint8), connectivity=4
+    )
+    if count < 2:
+        return near
+    largest = 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA]))
+    return np.asarray(labels == largest)

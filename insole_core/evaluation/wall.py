@@ -1,0 +1,125 @@
+"""Error of a flat wall over distance, before and after correction (thesis 5.2, figure 11)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.wall_plane import plane_rows
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import DisparityModel
+
+_FAR_OFF_MM = 30.0
+_ROUNDS = 5
+_CENTRE = (slice(238, 243), slice(318, 323))
+
+
+class Correction(Protocol):
+    """Anything that turns raw numbers into corrected depths."""
+
+    def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
+        """Give the corrected depth of a raw image (480, 640)."""
+        ...
+
+
+@dataclass(frozen=True)
+class NoCorrection:
+    """The sensor as it comes out of the box."""
+
+    def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
+        """Convert only."""
+        return disparity.depth_mm(raw)
+
+
+@dataclass(frozen=True)
+class WallError:
+    """How far one corrected capture of a wall is from flat, mm.
+
+    Parameters
+    ----------
+    distance_mm
+        Depth of the fitted plane at the image centre.
+    mean_abs_mm
+        Thesis (19) over the valid pixels, against the fitted plane.
+    rms_mm, p95_mm
+    mean_abs_raw
+        Thesis (18), raw units.
+    perpendicular_mean_abs_mm
+        Thesis (19) as printed: against the distance at the image centre, which holds for a
+        perpendicular wall only.
+    pixels
+        How many were valid.
+    """
+
+    distance_mm: float
+    mean_abs_mm: float
+    rms_mm: float
+    p95_mm: float
+    mean_abs_raw: float
+    perpendicular_mean_abs_mm: float
+    pixels: int
+
+
+def wall_error(
+    capture: WallCapture, correction: Correction, camera: Camera, disparity: DisparityModel
+) -> WallError:
+    """Measure a corrected capture against the plane that fits it best.
+
+    Raises
+    ------
+    CalibrationError
+        When too few pixels are left.
+    """
+    depth = correction.depth_mm(capture.raw, disparity)
+    rows = plane_rows(camera)
+    plane_depth, valid = _fitted_depth(depth, rows, capture.name)
+    error = (depth - plane_depth)[valid]
+    raw_error = (disparity.raw(depth) - disparity.raw(plane_depth))[valid]
+    centre = np.nanmean(depth[_CENTRE]) if np.isfinite(depth[_CENTRE]).any() else np.nan
+    return WallError(
+        distance_mm=float(plane_depth[240, 320]),
+        mean_abs_mm=float(np.abs(error).mean()),
+        rms_mm=float(np.sqrt((error**2).mean())),
+        p95_mm=float(np.percentile(np.abs(error), 95)),
+        mean_abs_raw=float(np.abs(raw_error).mean()),
+        perpendicular_mean_abs_mm=float(np.abs(depth[valid] - centre).mean()),
+        pixels=int(valid.sum()),
+    )
+
+
+def wall_errors(
+    captures: Iterable[WallCapture],
+    corrections: Mapping[str, Correction],
+    camera: Camera,
+    disparity: DisparityModel,
+) -> dict[str, list[WallError]]:
+    """Measure every capture with every correction: the curves of figure 11, by name."""
+    listed = list(captures)
+    return {
+        name: [wall_error(capture, correction, camera, disparity) for capture in listed]
+        for name, correction in corrections.items()
+    }
+
+
+def _fitted_depth(depth: FloatArray, rows: FloatArray, name: str) -> tuple[FloatArray, BoolArray]:
+    """Depth of the total least squares plane at every pixel, and the pixels that belong to it."""
+    points = rows * depth[..., None]
+    known = np.isfinite(depth)
+    valid = known
+    for _ in range(_ROUNDS):
+        if valid.sum() < 100:
+            raise CalibrationError(
+                f"{name} has no flat surface left to evaluate; capture a flat wall."
+            )
+        used = points[valid]
+        centre = used.mean(0)
+        normal = np.linalg.eigh(np.cov((used - centre).T))[1][:, 0]
+        distance = (points - centre) @ normal
+        valid = known & (np.abs(distance) < _FAR_OFF_MM)
+    return np.asarray((centre @ normal) / (rows @ normal)), valid

@@ -1,0 +1,199 @@
+"""The distortion correction of one sensor, as it is stored beside sensor.json."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from dataclasses import asdict, dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.export.atomic import replacing_file
+from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
+from insole_core.sensing.disparity import DisparityModel
+
+VERSION = 1
+_SHAPE = (480, 640)
+_ARRAYS = ("slope", "deviation")
+
+
+@dataclass(frozen=True)
+class CorrectionRecord:
+    """Where a correction comes from.
+
+    Parameters
+    ----------
+    serial
+        Of the device it was measured on.
+    made_at
+        ISO 8601, UTC.
+    method
+        Name of the algorithm.
+    figures
+        What its calibration measured, name to number.
+    """
+
+    serial: str = ""
+    made_at: str = ""
+    method: str = ""
+    figures: dict[str, float] = field(default_factory=dict)
+    version: int = VERSION
+
+    def age_days(self, now: datetime) -> float:
+        """Give the age; infinite for a correction without a date."""
+        if not self.made_at:
+            return float("inf")
+        made = datetime.fromisoformat(self.made_at)
+        return (now - (made if made.tzinfo else made.replace(tzinfo=UTC))).total_seconds() / 86400
+
+
+@dataclass(frozen=True, eq=False)
+class DisparityCorrection:
+    """What is subtracted from every raw number: a map, and how it changes with the raw number.
+
+    The correction of a raw number r is ``offset + slope * (clip(r, raw_range) - reference_raw)``:
+    thesis (16) with a first order of Herrera's dependence on the disparity.
+
+    Parameters
+    ----------
+    offset : (480, 640) float32, raw units
+        The correction at `reference_raw`; all that other programs need to know.
+    slope : (480, 640) float32, raw units per raw unit, optional
+    reference_raw
+    raw_range
+        The correction is not extrapolated beyond these raw numbers.
+    coverage : (480, 640) uint8, optional
+        How many captures determined each pixel; 0 = filled in from its neighbours.
+    deviation : (480, 640) float32, raw units, optional
+        Standard deviation of what is left after the correction, averaged over 8 x 8 pixels.
+    record
+    """
+
+    offset: Float32Array
+    slope: Float32Array | None = None
+    reference_raw: float = 0.0
+    raw_range: tuple[float, float] = (0.0, 2047.0)
+    coverage: ByteArray | None = None
+    deviation: Float32Array | None = None
+    record: CorrectionRecord = field(default_factory=CorrectionRecord)
+
+    def offset_at(self, raw: FloatArray) -> FloatArray:
+        """Give the correction (480, 640) of a raw image, in raw units."""
+        if self.slope is None:
+            return self.offset.astype(float)
+        return self.offset + self.slope * (np.clip(raw, *self.raw_range) - self.reference_raw)
+
+    def corrected(self, raw: FloatArray) -> FloatArray:
+        """Subtract the correction from a raw image (480, 640), NaN = no reading."""
+        return np.asarray(raw - self.offset_at(raw))
+
+    def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
+        """Correct and convert a raw image (480, 640), NaN = no reading, to mm along z."""
+        return disparity.depth_mm(self.corrected(raw))
+
+    @property
+    def covered(self) -> BoolArray:
+        """(480, 640) whether the captures reached a pixel."""
+        if self.coverage is None:
+            return np.ones(self.offset.shape, dtype=bool)
+        return self.coverage > 0
+
+    def save(self, path: Path) -> None:
+        """Write the .npz of the session format.
+
+        Raises
+        ------
+        OutputError
+        """
+        with replacing_file(path) as beside, beside.open("wb") as stream:
+            np.savez_compressed(stream, allow_pickle=False, **self._arrays())
+
+    def _arrays(self) -> dict[str, Any]:
+        arrays: dict[str, Any] = {
+            "offset": self.offset.astype(np.float32),
+            "reference_raw": np.float64(self.reference_raw),
+            "raw_range": np.array(self.raw_range),
+            "record": np.array(json.dumps(asdict(self.record))),
+        }
+        optional = {"slope": self.slope, "deviation": self.deviation, "coverage": self.coverage}
+        return arrays | {name: array for name, array in optional.items() if array is not None}
+
+
+def load_correction(path: Path) -> DisparityCorrection:
+    """Read a correction file.
+
+    Raises
+    ------
+    InputError
+        When it is missing, damaged, or of a newer version.
+    """
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"The correction {path} cannot be read ({error.strerror}); calibrate the sensor again."
+        ) from error
+    return parse_correction(path.name, content)
+
+
+def parse_correction(name: str, content: bytes) -> DisparityCorrection:
+    """Read the bytes of a correction file; only the array ``offset`` must be there.
+
+    Raises
+    ------
+    InputError
+    """
+    try:
+        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
+            arrays = {key: stored[key] for key in stored.files}
+        offset = arrays["offset"]
+        record = _record(arrays)
+    except (ValueError, OSError, KeyError, TypeError, zipfile.BadZipFile, EOFError) as error:
+        raise InputError(
+            f'{name} holds no readable array "offset"; calibrate the sensor again.'
+        ) from error
+    if record.version > VERSION:
+        raise InputError(
+            f"{name} is of version {record.version}, which is newer than this program (it reads "
+            f"version {VERSION}); update the program."
+        )
+    _check_map(name, "offset", offset)
+    for key in _ARRAYS:
+        if key in arrays:
+            _check_map(name, key, arrays[key])
+    return _assemble(arrays, record)
+
+
+def _record(arrays: dict[str, Any]) -> CorrectionRecord:
+    if "record" not in arrays:
+        return CorrectionRecord()
+    values = json.loads(str(arrays["record"]))
+    known = CorrectionRecord.__dataclass_fields__
+    return CorrectionRecord(**{key: value for key, value in values.items() if key in known})
+
+
+def _check_map(name: str, key: str, array: FloatArray) -> None:
+    if array.shape != _SHAPE or not np.isfinite(array).all():
+        raise InputError(
+            f'{name}: the array "{key}" must hold 480×640 finite numbers; '
+            "calibrate the sensor again."
+        )
+
+
+def _assemble(arrays: dict[str, Any], record: CorrectionRecord) -> DisparityCorrection:
+    maps = {key: arrays[key].astype(np.float32) for key in _ARRAYS if key in arrays}
+    if "coverage" in arrays:
+        maps["coverage"] = arrays["coverage"].astype(np.uint8)
+    low, high = arrays.get("raw_range", (0.0, 2047.0))
+    return DisparityCorrection(
+        arrays["offset"].astype(np.float32),
+        reference_raw=float(arrays.get("reference_raw", 0.0)),
+        raw_range=(float(low), float(high)),
+        record=record,
+        **maps,
+    )
