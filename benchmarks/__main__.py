@@ -1,4 +1,4 @@
-"""``python -m benchmarks [NAME …]``: run all benchmarks, or the named ones, each in its own process.
+"""``python -m benchmarks [NAME …]``: run all benchmarks or the named ones, a process each.
 
 A benchmark is a module in this folder with a function ``main() -> None`` that prints a table; it
 measures the product side by side with a peer in one run and says what the limit is. Processes of
@@ -27,7 +27,8 @@ def main(wanted: list[str]) -> int:
     for name in wanted or names():
         print(f"\n== {name} ==", flush=True)
         call = f"import benchmarks.{name} as b; b.main()"
-        failed += subprocess.run([sys.executable, "-c", call], cwd=FOLDER.parent).returncode != 0
+        done = subprocess.run([sys.executable, "-c", call], check=False, cwd=FOLDER.parent)
+        failed += done.returncode != 0
     return min(failed, 1)
 
 
