@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from scipy.signal import find_peaks
 
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
@@ -28,7 +28,7 @@ _SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.1
 _BALL_BAND = 0.68
 _TOES_START = 0.75
 _BAND = 0.02
-_PATCH = 0.03
+_PATCH, _PATCH_END = 0.03, 4.0
 _PROFILE_STEP = 0.0125
 _TOE_DEPTH = 0.008
 _ROUNDS, _AT_REST_DEG = 40, 0.002
@@ -42,7 +42,7 @@ class LevelFoot:
     ----------
     source2insole : (4, 4) float64
     length_mm
-        Heel to the tip of the longest toe.
+        Heel to the tip of the longest toe; an estimate where the toes are missing.
     toes_told_apart
         Whether the tip of the 2nd toe was seen; otherwise its usual place was taken.
     """
@@ -52,7 +52,9 @@ class LevelFoot:
     toes_told_apart: bool
 
 
-def level(mesh: TriangleMesh, side: Side, source2rough: FloatArray) -> LevelFoot:
+def level(
+    mesh: TriangleMesh, side: Side, source2rough: FloatArray, covered: float = 1.0
+) -> LevelFoot:
     """Bring a foot of roughly known pose to the insole frame.
 
     Parameters
@@ -61,32 +63,52 @@ def level(mesh: TriangleMesh, side: Side, source2rough: FloatArray) -> LevelFoot
     side
     source2rough : (4, 4)
         To a frame with the toes towards +y and the sole towards -z, right to some 15 degrees.
+    covered
+        Share of the foot's length that the surface covers from the heel on.
     """
+    surface = _low_part(mesh, source2rough)
     pose = source2rough
     for _ in range(_ROUNDS):
-        marks = _Marks(mesh, side, pose)
+        marks = _Marks(surface, side, pose, covered)
         step = marks.frame()
         pose = step @ pose
         if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
             break
-    marks = _Marks(mesh, side, pose)
+    marks = _Marks(surface, side, pose, covered)
     ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.vertices[:, 2].min()]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
+
+
+@dataclass(frozen=True, eq=False)
+class _Surface:
+    """What the marks are looked for on, in the source frame."""
+
+    vertices: FloatArray
+    normals: FloatArray
+    areas: FloatArray
+
+
+def _low_part(mesh: TriangleMesh, source2rough: FloatArray) -> _Surface:
+    """Leave out the leg, with room for a tilt of the pose."""
+    height = mesh.vertices @ source2rough[2, :3]
+    low = height < height.min() + 2 * OUTLINE_HEIGHT_MM
+    return _Surface(mesh.vertices[low], mesh.vertex_normals[low], mesh.vertex_areas[low])
 
 
 class _Marks:
     """Where heel, heads and toe lie, in the present pose."""
 
-    def __init__(self, mesh: TriangleMesh, side: Side, pose: FloatArray) -> None:
+    def __init__(self, surface: _Surface, side: Side, pose: FloatArray, covered: float) -> None:
         self.side = side
-        self.vertices = transform(pose, mesh.vertices)
+        self.covered = covered
+        self.vertices = transform(pose, surface.vertices)
         low = self.vertices[:, 2] < self.vertices[:, 2].min() + OUTLINE_HEIGHT_MM
         self.outline = self.vertices[low]
-        normal_z = mesh.vertex_normals @ pose[2, :3]
-        self.sole: BoolArray = low & (normal_z < -0.5)
-        self.weights = mesh.vertex_areas[self.sole]
+        sole = low & (surface.normals @ pose[2, :3] < -0.5)
+        self.sole = self.vertices[sole]
+        self.sole_areas = surface.areas[sole]
         self.back = float(self.outline[:, 1].min())
-        self.length = float(np.ptp(self.outline[:, 1]))
+        self.length = float(np.ptp(self.outline[:, 1])) / covered
 
     def borders(self, share: float) -> tuple[float, float]:
         """Medial and lateral x of the outline at a share of the length."""
@@ -114,13 +136,17 @@ class _Marks:
     def second_toe(self) -> tuple[FloatArray, bool]:
         """(2,) tip of the 2nd toe, and whether it was seen as a tip of its own."""
         medial, lateral = self.borders(_BALL_BAND)
+        usual = np.array(
+            [medial + _SECOND_TOE_ACROSS * (lateral - medial), self.back + self.length]
+        )
+        if self.covered < 1:
+            return usual, False
         x, y = self._front_profile()
         across = (x - medial) / (lateral - medial)
         peaks, _ = find_peaks(y, prominence=_TOE_DEPTH * self.length)
         near = peaks[np.abs(across[peaks] - _SECOND_TOE_ACROSS) < _SECOND_TOE_REACH]
         if len(near) == 0:
-            x2 = medial + _SECOND_TOE_ACROSS * (lateral - medial)
-            return np.array([x2, self.back + self.length]), False
+            return usual, False
         best = near[np.abs(across[near] - _SECOND_TOE_ACROSS).argmin()]
         return np.array([x[best], y[best]]), True
 
@@ -135,10 +161,11 @@ class _Marks:
 
     def height(self, xy: FloatArray) -> float:
         """Height of the sole about a place."""
-        points = self.vertices[self.sole]
-        far2 = ((points[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
-        weights = self.weights * np.exp(-0.5 * (far2 - far2.min()))
-        return float(weights @ points[:, 2] / weights.sum())
+        far2 = ((self.sole[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
+        far2 -= far2.min()
+        near = far2 < _PATCH_END**2
+        weights = self.sole_areas[near] * np.exp(-0.5 * far2[near])
+        return float(weights @ self.sole[near, 2] / weights.sum())
 
     def frame(self) -> FloatArray:
         """(4, 4) from the present pose to the frame through the marks; heel centre on x = 0."""

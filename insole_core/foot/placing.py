@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,11 +11,10 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import LevelFoot, level
-from insole_core.foot.pose import find_poses, surface_points, unlikenesses
+from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import transform
 
 Frame = Literal["reference", "unknown"]
 
@@ -30,11 +30,14 @@ class SideMismatchError(InsoleError):
 
 @dataclass(frozen=True, eq=False)
 class _Candidate:
-    """The surface as a foot of one side, in its best pose."""
+    """The surface as a foot of one side, in its best pose, and levelled there."""
 
-    side: Side
+    pose: Pose
     foot: LevelFoot
-    unlikeness: float
+
+    @property
+    def side(self) -> Side:
+        return self.pose.side
 
 
 def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = False) -> Foot:
@@ -57,48 +60,48 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     InputError
         When the surface looks like no foot in any pose.
     """
-    asked, other = _candidates(mesh, side, frame)
-    if frame == "unknown" and min(asked.unlikeness, other.unlikeness) > _NO_FOOT:
+    points = surface_points(mesh)
+    poses = find_poses(mesh, points) if frame == "unknown" else _as_it_lies(points, np.eye(4))
+    asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
+    if frame == "unknown" and min(asked.pose.unlikeness, other.pose.unlikeness) > _NO_FOOT:
         raise InputError(
             "the surface looks like no foot, whichever way it is turned;"
             " check that the file holds a foot or its sole, and nothing else."
         )
-    if asked.unlikeness > _CLEAR * other.unlikeness:
+    if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
         if not force:
             raise SideMismatchError(
                 f"the shape looks like a {other.side} foot ({_reason(other)});"
                 f" give --side {other.side}, or --force to go on with {side}."
             )
         # The ways of ground and toes are those of the shape, whatever the side.
-        pose = other.foot.source2insole
-        asked = _candidate(mesh, surface_points(mesh), side, pose)
+        asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    notes = (_side_note(asked, other), *_pose_notes(found, frame))
+    notes = (_side_note(asked, other), *_pose_notes(asked, frame))
     return Foot(
         side, mesh.transformed(found.source2insole), found.source2insole, found.length_mm, notes
     )
 
 
-def _candidates(mesh: TriangleMesh, side: Side, frame: Frame) -> tuple[_Candidate, _Candidate]:
-    """The surface as a foot of the asked side, and of the other."""
-    rough = {s: np.eye(4) for s in Side}
-    if frame == "unknown":
-        for pose in reversed(find_poses(mesh)):
-            rough[pose.side] = pose.source2rough
-    points = surface_points(mesh)
-    asked, other = (_candidate(mesh, points, s, rough[s]) for s in (side, side.other))
-    return asked, other
+def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
+    """The poses of a surface whose directions are known, the likeliest first."""
+    return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.unlikeness)
 
 
-def _candidate(
-    mesh: TriangleMesh, points: FloatArray, side: Side, source2rough: FloatArray
-) -> _Candidate:
-    foot = level(mesh, side, source2rough)
-    return _Candidate(side, foot, unlikenesses(transform(foot.source2insole, points))[side])
+def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
+    """The surface as a foot of one side; its likeness is that of the levelled pose."""
+    rough = next(pose for pose in poses if pose.side is side)
+    foot = level(mesh, side, rough.source2rough, rough.covered)
+    levelled = next(
+        pose
+        for pose in poses_as_it_lies(points, foot.source2insole)
+        if (pose.side, pose.covered) == (side, rough.covered)
+    )
+    return _Candidate(levelled, foot)
 
 
 def _side_note(asked: _Candidate, other: _Candidate) -> str:
-    ratio = other.unlikeness / asked.unlikeness
+    ratio = other.pose.unlikeness / asked.pose.unlikeness
     if ratio < 1 / _CLEAR:
         return (
             f"The shape looks like a {other.side} foot ({_reason(other)});"
@@ -117,21 +120,21 @@ def _reason(candidate: _Candidate) -> str:
     )
 
 
-def _pose_notes(found: LevelFoot, frame: Frame) -> tuple[str, ...]:
+def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
     """How the pose was decided, and what was missing for it."""
-    notes: list[str] = []
     if frame == "unknown":
-        up, ahead = (_direction(found.source2insole[row, :3]) for row in (2, 1))
-        notes.append(
-            f"The sole faces {_direction(-found.source2insole[2, :3])} and the toes point along"
-            f" {ahead} of the file (the back of the foot along {up}): of all ways the surface"
-            " could stand, this one looks most like a foot."
+        _, ahead, up = found.foot.source2insole[:3, :3]
+        yield (
+            f"The sole faces {_direction(-up)} and the toes point along {_direction(ahead)} of the"
+            " file: of all ways the surface could stand, this one looks most like a foot."
         )
-    if not found.toes_told_apart:
-        notes.append(
-            "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
+    if found.pose.covered < 1:
+        yield (
+            "The toes are missing; the foot's length was estimated as"
+            f" {found.foot.length_mm:.0f} mm from the rest."
         )
-    return tuple(notes)
+    elif not found.foot.toes_told_apart:
+        yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 
 def _direction(vector: FloatArray) -> str:

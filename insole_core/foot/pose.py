@@ -19,12 +19,13 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.geometry.transforms import rigid, rotation_about, transform
 
 _SAMPLES = 6000
 _FACES = 12
 _SAME_FACE_DEG = 10.0
 _YAWS_DEG = (-10.0, -5.0, 0.0, 5.0, 10.0)
+_COVERED = (1.0, 0.85, 0.75)
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,16 +39,19 @@ class Pose:
     side
     unlikeness
         Against the usual foot of `side`.
+    covered
+        Share of the foot's length, from the heel on, that the surface covers: less than 1 where
+        the toes are missing.
     """
 
     source2rough: FloatArray
     side: Side
     unlikeness: float
+    covered: float
 
 
-def find_poses(mesh: TriangleMesh) -> list[Pose]:
-    """All ways the surface may lie, the likeliest first."""
-    points = surface_points(mesh)
+def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+    """All ways the surface may lie, the likeliest first; `points` are its `surface_points`."""
     poses = [
         pose
         for up in _up_directions(mesh)
@@ -103,17 +107,25 @@ def _both_ways(points: FloatArray, up: FloatArray) -> Iterator[FloatArray]:
 
 def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
     """The best yaw of one way to lie, for either side."""
-    trials = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
-    scores = [unlikenesses(points @ trial.T) for trial in trials]
+    turns = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
+    poses = [pose for turn in turns for pose in poses_as_it_lies(points, rigid(turn, np.zeros(3)))]
     for side in Side:
-        best = min(range(len(trials)), key=lambda n: scores[n][side])
-        yield Pose(rigid(trials[best], np.zeros(3)), side, scores[best][side])
+        yield min((p for p in poses if p.side is side), key=lambda p: p.unlikeness)
 
 
-def unlikenesses(points: FloatArray) -> dict[Side, float]:
-    """Unlikeness to either side of points (n, 3) with toes +y, dorsal +z, wherever they are."""
-    grounded = points - np.array([0.0, 0.0, points[:, 2].min()])
-    low = grounded[grounded[:, 2] < OUTLINE_HEIGHT_MM]
-    low = low - np.array([low[:, 0].mean(), low[:, 1].min(), 0.0])
-    drawn = lower_side(low, float(np.ptp(low[:, 1])))
-    return {side: unlikeness(drawn, side) for side in Side}
+def poses_as_it_lies(points: FloatArray, source2rough: FloatArray) -> Iterator[Pose]:
+    """A left or a right foot, with toes or without, in a pose that is known but for its origin.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, source frame
+    source2rough : (4, 4)
+        To toes +y, dorsal +z.
+    """
+    low = transform(source2rough, points)
+    low = low[low[:, 2] < low[:, 2].min() + OUTLINE_HEIGHT_MM]
+    low = low - np.array([low[:, 0].mean(), low[:, 1].min(), low[:, 2].min()])
+    for covered in _COVERED:
+        drawn = lower_side(low, float(np.ptp(low[:, 1])) / covered)
+        for side in Side:
+            yield Pose(source2rough, side, unlikeness(drawn, side), covered)
