@@ -40,7 +40,7 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
     return Manifest(
         recorded_at=_date(root),
         side=Side(root.choice("side", [side.value for side in Side])),
-        reference_system=_reference_system(root.object("reference_frame")),
+        reference_system=parse_reference_system(root.object("reference_frame")),
         views=_view_names(root),
         volume_of_interest=_box(root) if root.has("volume_of_interest_mm") else None,
         capture_condition=_condition(root) if root.has("capture_condition") else None,
@@ -99,7 +99,14 @@ def _date(root: JsonObject) -> str:
     return text
 
 
-def _reference_system(frame: JsonObject) -> ReferenceSystem:
+def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
+    """Read a reference system, from a manifest or from a file of its own.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
     markers = tuple(
         Marker(item.text("id"), _xyz(item, "position_mm"), item.text("face"))
         for item in frame.objects("markers")

@@ -1,7 +1,8 @@
 """What a structured-light sensor makes of a scene: its raw numbers with their errors.
 
-The parametric model of the literature and of a physical simulation of dot pattern and block
-matching (docs/explanation/simulator.md): one raw unit is 1/8 px of disparity.
+A parametric model; one raw unit is 1/8 px of disparity. Its figures fit a physical simulation of
+dot pattern and block matching, and agree with Khoshelham & Elberink 2012, Nguyen et al. 2012 and
+Herrera et al. 2012, who do not separate what changes from frame to frame from what does not.
 
 - *Fixed in time*: the few dots in a matching window lie off its centre, so that a pixel reports
   the disparity of a place about 0.7 px away. On a slope this is the error
@@ -109,7 +110,7 @@ def _slant_deg(normals: FloatArray, directions: FloatArray) -> FloatArray:
 def _is_matchable(raw: FloatArray) -> BoolArray:
     """Where enough of the matching window lies on something, and the pattern is known."""
     valid = np.isfinite(raw)
-    support = uniform_filter(valid.astype(float), _WINDOW_PX, mode="constant")
+    support = uniform_filter(valid.astype(float), _WINDOW_PX, mode="nearest")
     matchable = valid & (support >= _LEAST_SUPPORT)
     matchable[:, :_BLIND_COLUMNS] = False
     return matchable

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from scipy.ndimage import gaussian_filter
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
@@ -22,6 +22,8 @@ _DISTORTION_DECAY = 0.002
 """Per raw unit: the distortion is stronger near the device (Herrera et al. 2012)."""
 _RESIDUAL_RMS_RAW = 0.2
 _RESIDUAL_CORRELATION_PX = 20.0
+_CORRECTION_STEP_RAW = 1 / 128
+"""To what the correction is rounded: far below its error, and a quarter of the file's size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +91,7 @@ def make_device(
         color_camera=_color_camera(color_size, rng),
         depth2color=_depth2color(rng),
         disparity=disparity,
-        correction_raw=(distortion + _RESIDUAL_RMS_RAW * residual).astype(np.float32),
+        correction_raw=_rounded(distortion + _RESIDUAL_RMS_RAW * residual),
         faces=faces,
     )
     return Device(sensor, distortion, float(disparity.raw(np.array(distance_mm))))
@@ -144,6 +146,11 @@ def _distortion(rng: np.random.Generator) -> FloatArray:
     coefficients = rng.standard_normal((5, 5)) * np.where(order <= 4, 1.0 / (1 + order), 0)
     v, u = np.linspace(-1, 1, HEIGHT), np.linspace(-1, 1, WIDTH)
     return _DISTORTION_RMS_RAW * _unit(np.asarray(chebyshev.chebgrid2d(v, u, coefficients)))
+
+
+def _rounded(correction_raw: FloatArray) -> Float32Array:
+    steps = np.round(correction_raw / _CORRECTION_STEP_RAW)
+    return (steps * _CORRECTION_STEP_RAW).astype(np.float32)
 
 
 def _unit(values: FloatArray) -> FloatArray:

@@ -19,8 +19,11 @@ from insole_core.simulate.foot_shape import FootShape
 MODEL_LENGTH_MM = 245.0
 LEG_HEIGHT_MM = 182.0
 _MODEL_BALL_MM = 97.0
-_MODEL_HEEL_MM = 66.0
-_MODEL_ARCH_MM = 17.0
+_MODEL_HEEL_MM = 69.0
+_ROUNDING_MM = 10.4
+"""How high the rounded section alone lifts the sole in the arch."""
+_ARCH_GAIN = 1.3
+"""Makes up for what the blends fill in."""
 
 _BODY = {
     # how the foot body changes from heel to web
@@ -29,7 +32,7 @@ _BODY = {
     "lateral": (-22, -27, -31, -34.5, -37.5, -41.5, -46, -48.5, -48, -45.5, -43, -40),
     "ridge": (0, 0, 0, 2, 5, 9, 13, 15, 16, 16, 15, 14),
     "top": (40, 50, 60, 70, 75, 63, 51, 42, 36, 31, 27, 24),
-    "medial_seam": (22, 24, 27, 31, 33, 31, 25, 20, 18, 17, 16, 15),
+    "medial_seam": (22, 25, 30, 37, 41, 38, 29, 21, 18, 17, 16, 15),
     "lateral_seam": (18, 18, 18, 18, 17, 16, 15, 14, 14, 14, 14, 14),
     "sole": (9, 8, 6, 3.5, 2, 2, 1.5, 0.6, 0, 0.6, 2.5, 6),
     "arch": (0, 0, 0.08, 0.5, 0.95, 1, 0.66, 0.2, 0, 0, 0, 0),
@@ -71,14 +74,15 @@ class FootField:
         """Field (nx, ny, nz) on the grid with these equidistant coordinates, mm."""
         y_model = y * MODEL_LENGTH_MM / self.shape.length_mm
         X, Y, Z = x[:, None, None], y_model[None, :, None], z[None, None, :]
-        X = X / self._width_scale(Y)
-        body = _distance(self._body(X, Y, Z), x, y, z)
-        leg = _distance(self._leg(X, Y, Z), x, y, z)
+        width, shift = self._width_scale(Y), self._heel_shift(Z)
+        behind, ahead = (X - shift) / width, (X - shift * _smooth_step((90 - Y) / 60)) / width
+        body = _distance(self._body(ahead, Y, Z), x, y, z)
+        leg = _distance(_leg(behind, Y, Z), x, y, z)
         foot = _smooth_union(body, leg, 14.0)
         for centre, half_axes in _MALLEOLI:
-            foot = _smooth_union(foot, self._malleolus(X, Y, Z, centre, half_axes), 12.0)
+            foot = _smooth_union(foot, _ellipsoid((behind, Y, Z), centre, half_axes), 12.0)
         front, low = int(np.searchsorted(y_model, 150)), int(np.searchsorted(z, 50))
-        toes = self._toes(X[:, front:], Y[:, front:], Z[..., :low])
+        toes = _toes(X / width[:, front:], Y[:, front:], Z[..., :low])
         foot[:, front:, :low] = _smooth_union(foot[:, front:, :low], toes, 5.0)
         return np.asarray(np.maximum(foot, Z - LEG_HEIGHT_MM))
 
@@ -96,23 +100,24 @@ class FootField:
         return self._place(heads)
 
     def _place(self, points: FloatArray) -> FloatArray:
-        scale_y = self.shape.length_mm / MODEL_LENGTH_MM
-        width = self._width_scale(points[:, 1])
-        return points * np.stack([width, np.full(len(points), scale_y), np.ones(len(points))], 1)
+        scale = np.ones_like(points)
+        scale[:, 0] = self._width_scale(points[:, 1])
+        scale[:, 1] = self.shape.length_mm / MODEL_LENGTH_MM
+        return points * scale
 
     def _width_scale(self, y: FloatArray) -> FloatArray:
         """Width against the model's, blended from heel to ball."""
         heel = self.shape.heel_width_mm / _MODEL_HEEL_MM
         ball = self.shape.ball_width_mm / _MODEL_BALL_MM
-        share = np.clip((y - 50) / 100, 0, 1)
-        return heel + (ball - heel) * share * share * (3 - 2 * share)
+        return heel + (ball - heel) * _smooth_step((y - 50) / 100)
 
     def _body(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+        """The foot from heel to web: 1 on the surface, less inside."""
         medial, lateral, ridge, top, medial_seam, lateral_seam, sole, arch = _profiles(_BODY, y)
         across = np.clip((x - lateral) / (medial - lateral), 0, 1)
         seam = lateral_seam + (medial_seam - lateral_seam) * across
-        rise = np.clip((across - 0.12) / 0.75, 0, 1)
-        ground = sole + self.shape.arch_height_mm * arch * rise * rise * (3 - 2 * rise)
+        arch_height = _ARCH_GAIN * (self.shape.arch_height_mm - _ROUNDING_MM)
+        ground = sole + arch_height * arch * _smooth_step((across - 0.12) / 0.75)
         seam = np.maximum(seam, ground + 8.0)
         upper = _section(x, ridge, medial, lateral) ** 2.2 + np.abs((z - seam) / (top - seam)) ** 2
         hollow = arch * across
@@ -123,42 +128,31 @@ class FootField:
         caps = caps + np.clip((y + oblique - 172) / 33, 0, None) ** 2.2
         return np.asarray(np.where(z > seam, upper, lower) + caps)
 
-    def _leg(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-        back, waist, front, half_width, power = _profiles(_LEG, z)
-        x = x - self._heel_shift(z)
-        along = np.where(y < waist, (waist - y) / (waist - back), (y - waist) / (front - waist))
-        radius = np.abs(x / half_width) ** power + np.abs(along) ** power
-        cap = np.clip((17 - z) / 17, 0, None) ** 2.4
-        return np.asarray(radius**1.6 + cap)
-
     def _heel_shift(self, z: FloatArray) -> FloatArray:
         """How far the section at a height is moved medially; the leg above the ankle is upright."""
         slope = np.tan(np.radians(self.shape.rearfoot_eversion_deg))
         height = np.minimum(z, 60.0)
         return np.asarray(slope * (height - 10.0))
 
-    def _malleolus(
-        self,
-        x: FloatArray,
-        y: FloatArray,
-        z: FloatArray,
-        centre: tuple[float, float, float],
-        half_axes: tuple[float, float, float],
-    ) -> FloatArray:
-        shift = float(self._heel_shift(np.array(centre[2])))
-        offsets = (x - centre[0] - shift, y - centre[1], z - centre[2])
-        radius = np.sqrt(sum((o / a) ** 2 for o, a in zip(offsets, half_axes, strict=True)))
-        return np.asarray((radius - 1) * min(half_axes))
 
-    def _toes(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-        """Union of the toes; a hard one, so that they stay apart."""
-        toes = []
-        for joints, flattening in _TOES:
-            base, middle, pulp = (np.array(joint, dtype=float) for joint in joints)
-            rear = _round_cone((x, y, z), base, middle, flattening)
-            fore = _round_cone((x, y, z), middle, pulp, flattening)
-            toes.append(_smooth_union(rear, fore, 4.0))
-        return np.asarray(np.minimum.reduce(toes))
+def _leg(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+    """Heel and lower leg: 1 on the surface, less inside."""
+    back, waist, front, half_width, power = _profiles(_LEG, z)
+    along = np.where(y < waist, (waist - y) / (waist - back), (y - waist) / (front - waist))
+    radius = np.abs(x / half_width) ** power + np.abs(along) ** power
+    cap = np.clip((24 - z) / 24, 0, None) ** 3.0
+    return np.asarray(radius**1.6 + cap)
+
+
+def _toes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+    """Union of the toes; a hard one, so that they stay apart."""
+    toes = []
+    for joints, flattening in _TOES:
+        base, middle, pulp = (np.array(joint, dtype=float) for joint in joints)
+        rear = _round_cone((x, y, z), base, middle, flattening)
+        fore = _round_cone((x, y, z), middle, pulp, flattening)
+        toes.append(_smooth_union(rear, fore, 4.0))
+    return np.asarray(np.minimum.reduce(toes))
 
 
 def _profiles(table: Mapping[str, tuple[float, ...]], at: FloatArray) -> list[FloatArray]:
@@ -166,6 +160,12 @@ def _profiles(table: Mapping[str, tuple[float, ...]], at: FloatArray) -> list[Fl
     stations, *rows = (np.array(row, dtype=float) for row in table.values())
     inside = np.clip(at, stations[0], stations[-1])
     return [np.asarray(PchipInterpolator(stations, row)(inside)) for row in rows]
+
+
+def _smooth_step(share: FloatArray) -> FloatArray:
+    """0 below 0, 1 above 1, without a kink in between."""
+    inside = np.clip(share, 0, 1)
+    return np.asarray(inside * inside * (3 - 2 * inside))
 
 
 def _section(
@@ -178,7 +178,7 @@ def _section(
 def _distance(level: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
     """First-order distance to the surface on which `level` is one."""
     root = np.sqrt(level)
-    slope = np.sqrt(sum(np.square(part) for part in np.gradient(root, x, y, z)))
+    slope = np.linalg.norm(np.gradient(root, x, y, z), axis=0)
     return np.asarray((root - 1) / np.maximum(slope, 1e-3))
 
 
@@ -186,6 +186,16 @@ def _smooth_union(a: FloatArray, b: FloatArray, blend_mm: float) -> FloatArray:
     """Union whose seam is rounded over `blend_mm` (polynomial smooth minimum)."""
     overlap = np.maximum(blend_mm - np.abs(a - b), 0) / blend_mm
     return np.asarray(np.minimum(a, b) - overlap**2 * blend_mm / 4)
+
+
+def _ellipsoid(
+    grid: tuple[FloatArray, FloatArray, FloatArray],
+    centre: tuple[float, float, float],
+    half_axes: tuple[float, float, float],
+) -> FloatArray:
+    parts = zip(grid, centre, half_axes, strict=True)
+    square = np.asarray(sum(((at - middle) / axis) ** 2 for at, middle, axis in parts))
+    return np.asarray((np.sqrt(square) - 1) * min(half_axes))
 
 
 def _round_cone(

@@ -12,8 +12,8 @@ from insole_core.geometry.side import Side
 _LIMITS = {
     "length_mm": (180.0, 290.0),
     "ball_width_mm": (70.0, 120.0),
-    "heel_width_mm": (45.0, 80.0),
-    "arch_height_mm": (5.0, 32.0),
+    "heel_width_mm": (50.0, 80.0),
+    "arch_height_mm": (10.0, 32.0),
     "rearfoot_eversion_deg": (-15.0, 15.0),
 }
 
@@ -29,9 +29,9 @@ class FootShape:
     ball_width_mm
         Metatarsale tibiale to metatarsale fibulare, the diagonal distance.
     heel_width_mm
-        Greatest width of the heel.
+        Greatest width of the heel, for a neutral rearfoot.
     arch_height_mm
-        Highest point of the medial arch's sole above the ground.
+        Highest point of the sole above the ground, on the line from the heel to the first head.
     rearfoot_eversion_deg
         Bisection of the heel against the lower leg; positive when the sole of the heel is turned
         outwards (valgus, the heel leans towards the medial side going up).
@@ -46,7 +46,7 @@ class FootShape:
     length_mm: float = 245.0
     ball_width_mm: float = 97.0
     heel_width_mm: float = 66.0
-    arch_height_mm: float = 17.0
+    arch_height_mm: float = 19.0
     rearfoot_eversion_deg: float = 3.0
     side: Side = Side.LEFT
 
@@ -67,7 +67,7 @@ def vary_shape(rng: np.random.Generator, side: Side) -> FootShape:
         length_mm=length_mm,
         ball_width_mm=length_mm * rng.uniform(0.38, 0.41),
         heel_width_mm=length_mm * rng.uniform(0.255, 0.28),
-        arch_height_mm=rng.uniform(11, 22),
+        arch_height_mm=rng.uniform(13, 26),
         rearfoot_eversion_deg=rng.uniform(-1, 6),
         side=side,
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 
 import numpy as np
@@ -10,6 +9,8 @@ import numpy as np
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_about
+from insole_core.json_object import JsonObject
+from insole_core.recording.manifest_json import parse_reference_system
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.resources import resource_path
 
@@ -27,12 +28,7 @@ _OUTWARD = {"sole": (0.0, 0.0, -1.0), "achilles": (0.0, -1.0, 0.0)}
 def load_reference_system(name: str = "lego-20") -> ReferenceSystem:
     """Read a reference system that comes with the product."""
     path = resource_path(f"reference_systems/{name}.json")
-    data = json.loads(path.read_text(encoding="utf-8"))
-    markers = (
-        Marker(marker["id"], tuple(marker["position_mm"]), marker["face"])
-        for marker in data["markers"]
-    )
-    return ReferenceSystem(data["name"], tuple(markers))
+    return parse_reference_system(JsonObject.parse(path.name, path.read_bytes()))
 
 
 def build_scene(
