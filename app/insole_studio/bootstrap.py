@@ -1,0 +1,261 @@
+"""The composition root: the one place that constructs long-lived objects."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+
+import platformdirs
+from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QApplication
+
+from insole_core.errors import OutputError
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott
+from insole_studio.jobs import Jobs
+from insole_studio.settings import Settings, load_settings, save_settings
+from insole_studio.shell.main_window import MainWindow
+from insole_studio.shell.questions import Questions
+from insole_studio.shell.status_bar import StatusBar
+from insole_studio.shell.studio import Studio
+from insole_studio.shell.theme import apply_theme, is_dark
+from insole_studio.stages.design.stage import DesignStage
+from insole_studio.texts import tr
+from insole_studio.tools.hand import Hand
+from insole_studio.tools.key_point import KeyPointTool
+from insole_studio.tools.orbit import OrbitTool
+from insole_studio.tools.pelott import PelottTool
+from insole_studio.tools.plane import PlaneTool
+from insole_studio.tools.posting import PostingTool
+from insole_studio.workbench.autosave import Autosave, find_recovered
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.pad_library import load_pelott_sizes
+
+log = logging.getLogger(__name__)
+
+APPLICATION = "insole-studio"
+DEFAULT_SIZE = (1366, 768)
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where the application keeps what it remembers."""
+
+    settings_file: Path
+    autosave_folder: Path
+
+    @classmethod
+    def of_user(cls) -> Places:
+        """Give the places of this user on this platform."""
+        config = platformdirs.user_config_path(APPLICATION, appauthor=False)
+        data = platformdirs.user_data_path(APPLICATION, appauthor=False)
+        return cls(config / "settings.json", data / "autosave")
+
+
+@dataclass(frozen=True, eq=False)
+class Application:
+    """Everything that lives as long as the window."""
+
+    studio: Studio
+    window: MainWindow
+    stage: DesignStage
+    case: Case
+    surface: InsoleSurface
+    hand: Hand
+    jobs: Jobs
+    autosave: Autosave
+    settings: Settings
+    places: Places
+
+    def close(self) -> None:
+        """Stop the threads, free the renderers, remember the settings."""
+        self.jobs.close()
+        self.autosave.close()
+        self.stage.close()
+        try:
+            save_settings(self.settings, self.places.settings_file)
+        except OutputError as error:
+            log.warning("the settings are not remembered: %s", error)
+        self.window.close_for_good()
+        self.window.deleteLater()
+
+
+def build_application(application: QApplication, places: Places) -> Application:
+    """Construct the window and everything behind it; nothing is shown yet."""
+    settings = load_settings(places.settings_file)
+    dark = is_dark(settings.theme)
+    apply_theme(application, dark)
+    jobs = Jobs()
+    case = Case()
+    surface = InsoleSurface(case, jobs)
+    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
+    hand = Hand(case, tools)
+    stage = DesignStage(case=case, surface=surface, hand=hand, sizes=load_pelott_sizes(), dark=dark)
+    status = StatusBar(jobs)
+    window = MainWindow(stage, status)
+    autosave = Autosave(case, jobs, places.autosave_folder)
+    stage.pointed.connect(status.show_place)
+    stage.hint_changed.connect(status.show_hint)
+    status.cancel_requested.connect(jobs.cancel)
+    studio = Studio(
+        window=window,
+        stage=stage,
+        case=case,
+        hand=hand,
+        jobs=jobs,
+        autosave=autosave,
+        settings=settings,
+        questions=Questions(window),
+    )
+    window.check_action("dark", dark)
+    window.resize(*DEFAULT_SIZE)
+    window.restore_layout(settings.window_geometry, settings.window_docks)
+    return Application(studio, window, stage, case, surface, hand, jobs, autosave, settings, places)
+
+
+def run_application(
+    paths: Sequence[Path], places: Places | None = None, side: Side | None = None
+) -> int:
+    """Open the window, then the paths, and stay until the user closes.
+
+    Parameters
+    ----------
+    paths
+        Of which the first is opened: a case, a session or a mesh.
+    places
+        By default those of the user.
+    side
+        Of a mesh; asked for where it is not given.
+
+    Returns
+    -------
+    int
+        The exit code.
+    """
+    qt = _qt_application()
+    app = build_application(qt, places or Places.of_user())
+    sys.excepthook = _show_unexpected(app.studio)
+    app.studio.closed.connect(qt.quit)
+    app.window.show()
+    for recovered in find_recovered(app.places.autosave_folder)[:1]:
+        app.studio.offer_recovered(recovered)
+    if paths:
+        QTimer.singleShot(0, app.window, lambda: app.studio.open_path(paths[0], side))
+    try:
+        return int(qt.exec())
+    finally:
+        sys.excepthook = sys.__excepthook__
+        app.close()
+
+
+class ScriptedStudio:
+    """The real window, led by a program: for the demonstration, screenshots and journeys.
+
+    Use it as a context; inside, every call returns when its work is done.
+    """
+
+    def __init__(
+        self, places: Places, size: tuple[int, int] = DEFAULT_SIZE, dark: bool = False
+    ) -> None:
+        self._qt = _qt_application()
+        self.app = build_application(self._qt, places)
+        self.app.studio.set_dark(dark)
+        self.app.window.resize(*size)
+
+    def __enter__(self) -> ScriptedStudio:
+        self.app.window.show()
+        self.settle()
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        self.app.close()
+        self._qt.processEvents()
+
+    def open(self, path: Path, side: Side | None = None) -> None:
+        """Open a case, a session, or a mesh with its side."""
+        self.app.studio.open_path(path, side)
+        self.settle()
+
+    def place_pelott(self, x_mm: float, y_mm: float, height_mm: float = 6.0) -> None:
+        """Put a pelott under a place of the insole frame and select it."""
+        case = self.app.case
+        design = case.record.design
+        if design is None:
+            raise RuntimeError("a pelott needs an open foot")
+        pad = Pelott(centre_mm=(x_mm, y_mm), height_mm=height_mm)
+        self.app.studio.take_tool("pelott")
+        case.apply(design.with_added(pad), tr("Place a pelott"))
+        case.select(pad.id)
+        self.settle()
+
+    def export(self, path: Path) -> None:
+        """Write the STL file."""
+        self.app.studio.export_to(path)
+        self.settle()
+
+    def save(self, path: Path) -> None:
+        """Write the case file."""
+        self.app.studio.save_to(path)
+        self.settle()
+
+    def screenshot(self, path: Path) -> None:
+        """Write a picture of the whole window as PNG."""
+        self.settle()
+        if not grab_window(self.app).save(str(path)):
+            raise OutputError(f"{path} cannot be written; choose another place.")
+
+    def settle(self) -> None:
+        """Wait until all work is done and shown."""
+        self._qt.processEvents()
+        while self.app.jobs.is_running():
+            loop = QEventLoop()
+            self.app.jobs.ended.connect(loop.quit)
+            loop.exec()
+        self._qt.processEvents()
+
+
+def grab_window(app: Application) -> QImage:
+    """Give a picture of the window with its 3-D views, which Qt alone cannot see."""
+    image = app.window.grab().toImage()
+    painter = QPainter(image)
+    for view in (app.stage.insole.scene, app.stage.foot.scene):
+        if view.isVisible():
+            picture = view.picture()
+            picture.setDevicePixelRatio(image.devicePixelRatio())
+            painter.drawImage(view.mapTo(app.window, view.rect().topLeft()), picture)
+    painter.end()
+    return image
+
+
+def _qt_application() -> QApplication:
+    running = QApplication.instance()
+    if isinstance(running, QApplication):
+        return running
+    application = QApplication(sys.argv[:1])
+    application.setApplicationName("Insole Studio")
+    application.setApplicationDisplayName("Insole Studio")
+    return application
+
+
+def _show_unexpected(
+    studio: Studio,
+) -> Callable[[type[BaseException], BaseException, TracebackType | None], None]:
+    """Show an exception that nobody caught: no slot may lose one."""
+
+    def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        sys.__excepthook__(kind, error, trace)
+        if isinstance(error, Exception):
+            studio.show_error(error)
+
+    return hook

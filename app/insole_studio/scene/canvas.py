@@ -1,0 +1,137 @@
+"""The widgets that show a plotter: Qt's own GL window where there is one, else a painted image."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QImage, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+_GL_PLATFORMS = ("xcb", "windows", "cocoa")
+
+
+def has_gl() -> bool:
+    """Whether VTK can draw into a window of this Qt platform."""
+    return QGuiApplication.platformName() in _GL_PLATFORMS
+
+
+class Canvas(QWidget):
+    """A place for the scene. `plotter` takes the actors; `request_render` draws soon, once."""
+
+    plotter: Any
+    surface: QWidget
+    """The widget that receives the mouse."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.render_now)
+
+    def request_render(self) -> None:
+        """Draw when the pending events are done; many requests are one picture."""
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def render_now(self) -> None:
+        """Draw at once."""
+        raise NotImplementedError
+
+    def picture(self) -> QImage:
+        """Give the picture as it is drawn, in device pixels."""
+        raise NotImplementedError
+
+    def close_plotter(self) -> None:
+        """Free the renderer; may be called twice."""
+        self._timer.stop()
+        if self.plotter is not None:
+            self.plotter.close()
+            self.plotter = None
+
+
+class WindowCanvas(Canvas):
+    """VTK draws into a native window of its own."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        from pyvistaqt import QtInteractor
+
+        interactor = QtInteractor(self, auto_update=False, multi_samples=4)
+        self.plotter = interactor
+        self.surface = interactor
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(interactor)
+        self.setFocusProxy(interactor)
+
+    def render_now(self) -> None:
+        """Draw at once."""
+        if self.plotter is not None and self.isVisible():
+            self.plotter.render_window.Render()
+
+    def picture(self) -> QImage:
+        """Give the picture as it is drawn, in device pixels."""
+        self.plotter.render_window.Render()
+        return _image(self.plotter.screenshot(return_img=True))
+
+
+class ImageCanvas(Canvas):
+    """An off-screen plotter draws, and the widget paints its image: works without GL in Qt."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        import pyvista as pv
+
+        self.plotter = pv.Plotter(off_screen=True, window_size=(64, 64))
+        self.surface = self
+        self._image: QImage | None = None
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    def sizeHint(self) -> QSize:
+        """As large as the layout gives."""
+        return QSize(320, 320)
+
+    def render_now(self) -> None:
+        """Draw at once."""
+        if self.plotter is None or not self.isVisible():
+            return
+        self._image = self.picture()
+        self.update()
+
+    def picture(self) -> QImage:
+        """Give the picture as it is drawn, in device pixels."""
+        ratio = self.devicePixelRatioF()
+        size = [max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)]
+        self.plotter.window_size = size
+        image = _image(self.plotter.screenshot(return_img=True))
+        image.setDevicePixelRatio(ratio)
+        return image
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Put the last picture onto the widget."""
+        painter = QPainter(self)
+        if self._image is None:
+            painter.fillRect(self.rect(), self.palette().window())
+        else:
+            painter.drawImage(0, 0, self._image)
+        painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Draw in the new size."""
+        super().resizeEvent(event)
+        self.request_render()
+
+
+def make_canvas(parent: QWidget | None = None) -> Canvas:
+    """Give the best canvas that this Qt platform allows."""
+    return WindowCanvas(parent) if has_gl() else ImageCanvas(parent)
+
+
+def _image(pixels: Any) -> QImage:
+    pixels = np.ascontiguousarray(pixels[:, :, :3])
+    height, width, _ = pixels.shape
+    view = QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888)
+    return view.copy()

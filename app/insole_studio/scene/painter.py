@@ -1,0 +1,256 @@
+"""Paints foot, insole, handles and marks on any pyvista plotter; knows no Qt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+
+from insole_core.cases.record import KeyPoint, ReferencePlane
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_studio.scene.camera import Look
+from insole_studio.scene.pointer import Handle
+
+SKIN = (222, 196, 178)
+MATERIAL = (232, 229, 222)
+COLOR_MAP = "viridis"
+EYE_DISTANCE_MM = 1500.0
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The colours of the scene in one theme."""
+
+    bottom: str
+    top: str
+    text: str
+    accent: str
+    mark: str
+
+    @classmethod
+    def of(cls, dark: bool) -> Scheme:
+        """Give the light or the dark scheme."""
+        if dark:
+            return cls("#24272b", "#3a3f45", "#e6e8ea", "#5aa9f2", "#ffb454")
+        return cls("#dfe3e7", "#f7f8f9", "#33383d", "#1668b8", "#b35900")
+
+
+class Painter:
+    """Keeps the actors of one view; each `show_…` replaces what it showed before."""
+
+    def __init__(self, plotter: Any, dark: bool = False, pixel_ratio: float = 1.0) -> None:
+        self._plotter = plotter
+        self._ratio = pixel_ratio
+        self._surface: pv.PolyData | None = None
+        self._mesh: TriangleMesh | None = None
+        self.scheme = Scheme.of(dark)
+        plotter.remove_all_lights()
+        plotter.add_light(pv.Light(light_type="headlight", intensity=1.0))
+        plotter.enable_parallel_projection()
+        self.set_dark(dark)
+
+    def set_dark(self, dark: bool) -> None:
+        """Change the scheme; marks take it when they are shown again."""
+        self.scheme = Scheme.of(dark)
+        self._plotter.set_background(self.scheme.bottom, top=self.scheme.top)
+
+    def show_surface(
+        self,
+        mesh: TriangleMesh | None,
+        values: FloatArray | None = None,
+        limits: tuple[float, float] = (0.0, 1.0),
+        wireframe: bool = False,
+    ) -> None:
+        """Show the foot or the insole.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+        values : (n,) float64, optional
+            Coloured by the map between `limits`; otherwise the mesh's own colours are shown.
+        """
+        self._mesh = mesh
+        self._plotter.remove_actor("surface", render=False)
+        self._surface = None
+        if mesh is None or len(mesh.triangles) == 0:
+            return
+        self._surface = _polydata(mesh)
+        self._plotter.add_mesh(
+            self._surface,
+            name="surface",
+            render=False,
+            reset_camera=False,
+            smooth_shading=False,
+            style="wireframe" if wireframe else "surface",
+            specular=0.0,
+            **self._surface_colors(mesh, values, limits),
+        )
+
+    def move_surface(self, mesh: TriangleMesh, values: FloatArray | None) -> bool:
+        """Give the shown surface new places and values; False when its triangles are others."""
+        if self._surface is None or self._mesh is None:
+            return False
+        if self._mesh.triangles is not mesh.triangles:
+            return False
+        self._mesh = mesh
+        self._surface.points[:] = mesh.vertices
+        self._surface.point_data["Normals"][:] = mesh.vertex_normals
+        if values is not None and "values" in self._surface.point_data:
+            self._surface.point_data["values"][:] = values
+        self._surface.Modified()
+        return True
+
+    def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
+        """Draw closed or open polylines, each (n, 3) mm, in front of everything."""
+        parts = [pv.lines_from_points(line) for line in lines if len(line) > 1]
+        self._plotter.remove_actor(name, render=False)
+        if parts:
+            self._add_in_front(pv.merge(parts), name, color=color, line_width=width * self._ratio)
+
+    def show_handles(self, handles: Sequence[Handle]) -> None:
+        """Show spots to grab, of constant size on the screen."""
+        for kind, size in (("move", 17.0), ("size", 12.0)):
+            places = [h.position_mm for h in handles if (h.kind == "move") == (kind == "move")]
+            self._show_dots(f"handles-{kind}-rim", places, size + 5, "white")
+            self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
+
+    def show_key_points(self, points: Sequence[KeyPoint]) -> None:
+        """Show named places with their names."""
+        places = [point.position_mm for point in points]
+        self._show_dots("key-points", places, 11.0, self.scheme.mark)
+        self._show_texts("key-names", places, [f" {point.name}" for point in points], 12)
+
+    def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
+        """Write the anatomical words around what lies in the box (2, 3)."""
+        if side is None or bounds_mm is None:
+            self._show_texts("directions", [], [], 11)
+            return
+        places, words = direction_words(side, bounds_mm)
+        self._show_texts("directions", places, words, 13, centred=True)
+
+    def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
+        """Show the reference plane as a translucent sheet."""
+        self._plotter.remove_actor("plane", render=False)
+        if plane is None:
+            return
+        sheet = pv.Plane(
+            center=plane.origin_mm,
+            direction=plane.rotation @ np.array([0.0, 0.0, 1.0]),
+            i_size=size_mm,
+            j_size=size_mm,
+        )
+        self._plotter.add_mesh(
+            sheet,
+            name="plane",
+            color=self.scheme.accent,
+            opacity=0.35,
+            lighting=False,
+            reset_camera=False,
+            render=False,
+            show_edges=False,
+        )
+
+    def aim(self, look: Look) -> None:
+        """Look at the scene."""
+        camera = self._plotter.camera
+        camera.focal_point = tuple(look.focal_mm)
+        camera.position = tuple(look.focal_mm + look.back * EYE_DISTANCE_MM)
+        camera.up = tuple(look.up)
+        camera.parallel_scale = look.height_mm / 2
+        camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
+
+    def _surface_colors(
+        self, mesh: TriangleMesh, values: FloatArray | None, limits: tuple[float, float]
+    ) -> dict[str, Any]:
+        if values is not None:
+            assert self._surface is not None
+            self._surface.point_data["values"] = values
+            return {
+                "scalars": "values",
+                "cmap": COLOR_MAP,
+                "clim": limits,
+                "show_scalar_bar": False,
+                "ambient": 0.35,
+                "diffuse": 0.7,
+            }
+        if mesh.colors is not None:
+            return {"scalars": "colors", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
+        return {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
+
+    def _show_dots(self, name: str, places: Sequence[Any], size: float, color: str) -> None:
+        self._plotter.remove_actor(name, render=False)
+        if places:
+            self._add_in_front(
+                pv.PolyData(np.array(places, dtype=float)),
+                name,
+                color=color,
+                point_size=size * self._ratio,
+                render_points_as_spheres=True,
+            )
+
+    def _add_in_front(self, shape: Any, name: str, **look: Any) -> None:
+        actor = self._plotter.add_mesh(
+            shape, name=name, lighting=False, reset_camera=False, render=False, **look
+        )
+        # Drawn as if nearer than any surface: what can be grabbed must never hide in the foot.
+        actor.mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        actor.mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -66000)
+        actor.mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-66000)
+
+    def _show_texts(
+        self,
+        name: str,
+        places: Sequence[Any],
+        words: list[str],
+        size: int,
+        centred: bool = False,
+    ) -> None:
+        self._plotter.remove_actor(name, render=False)
+        if not words:
+            return
+        self._plotter.add_point_labels(
+            np.array(places, dtype=float),
+            words,
+            name=name,
+            font_size=round(size * self._ratio),
+            text_color=self.scheme.text,
+            shape=None,
+            show_points=False,
+            always_visible=True,
+            reset_camera=False,
+            render=False,
+            justification_horizontal="center" if centred else "left",
+            justification_vertical="center",
+        )
+
+
+def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:
+    """Give the anatomical words and where they stand: 10 mm outside the box."""
+    low, high = bounds_mm
+    middle = (low + high) / 2
+    medial, lateral = (high, low) if side is Side.LEFT else (low, high)
+    gap = 12.0
+    sign = side.medial_sign
+    places = [
+        np.array([medial[0] + sign * gap, middle[1], low[2]]),
+        np.array([lateral[0] - sign * gap, middle[1], low[2]]),
+        np.array([middle[0], low[1] - gap, low[2]]),
+        np.array([middle[0], high[1] + gap, low[2]]),
+    ]
+    return places, ["Medial", "Lateral", "Heel", "Toes"]
+
+
+def _polydata(mesh: TriangleMesh) -> pv.PolyData:
+    surface = pv.PolyData.from_regular_faces(
+        np.ascontiguousarray(mesh.vertices, dtype=np.float32), mesh.triangles
+    )
+    surface.point_data["Normals"] = mesh.vertex_normals.astype(np.float32)
+    surface.point_data.active_normals_name = "Normals"
+    if mesh.colors is not None:
+        surface.point_data["colors"] = mesh.colors
+    return surface

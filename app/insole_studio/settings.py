@@ -1,0 +1,90 @@
+"""What the window remembers between two starts; a bad entry costs a warning, never the start."""
+
+from __future__ import annotations
+
+import json
+import logging
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any, Literal, get_args, get_origin, get_type_hints
+
+from insole_core.export.atomic import replacing_file
+
+log = logging.getLogger(__name__)
+
+VERSION = 1
+RECENT_COUNT = 8
+
+Theme = Literal["system", "light", "dark"]
+
+
+@dataclass
+class Settings:
+    """All settings of the window, with their defaults.
+
+    `window_geometry` and `window_docks` are Qt's own packed states in base64.
+    """
+
+    theme: Theme = "system"
+    linked_views: bool = True
+    contour_lines: bool = False
+    nudge_mm: float = 0.5
+    recent: list[str] = field(default_factory=list)
+    window_geometry: str = ""
+    window_docks: str = ""
+
+    def remember(self, path: Path) -> None:
+        """Put `path` at the head of the recent files."""
+        others = [name for name in self.recent if name != str(path)]
+        self.recent = [str(path), *others][:RECENT_COUNT]
+
+
+def load_settings(path: Path) -> Settings:
+    """Read the settings, keeping the default of everything that is absent or not understood."""
+    settings = Settings()
+    stored = _read(path)
+    hints = get_type_hints(Settings)
+    for known in fields(Settings):
+        value = stored.get(known.name)
+        if value is None:
+            continue
+        if _fits(value, hints[known.name]):
+            setattr(settings, known.name, value)
+        else:
+            log.warning("%s: the setting %s is not understood: %r", path, known.name, value)
+    return settings
+
+
+def save_settings(settings: Settings, path: Path) -> None:
+    """Write the settings.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps({"version": VERSION, **asdict(settings)}, indent=1)
+    with replacing_file(path) as beside:
+        beside.write_text(text, encoding="utf-8")
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        stored = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError) as error:
+        log.warning("%s: the settings cannot be read, defaults are used: %s", path, error)
+        return {}
+    return stored if isinstance(stored, dict) else {}
+
+
+def _fits(value: object, kind: Any) -> bool:
+    if get_origin(kind) is Literal:
+        return value in get_args(kind)
+    if get_origin(kind) is list:
+        return isinstance(value, list) and all(isinstance(v, get_args(kind)[0]) for v in value)
+    if kind is float:
+        return isinstance(value, int | float) and not isinstance(value, bool)
+    return isinstance(value, kind)

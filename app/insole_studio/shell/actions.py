@@ -1,0 +1,284 @@
+"""Every action of the window as a record; menus and toolbar are tables of their keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from insole_studio.scene.camera import Preset
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_studio.shell.studio import Studio
+
+
+@dataclass(frozen=True)
+class ActionRecord:
+    """One thing the user can do.
+
+    Parameters
+    ----------
+    key
+        Unique name.
+    text
+        For the menu, in the language of the window when called; likewise `tip`.
+    run
+        What it does; toggles and choices get their new state.
+    icon
+        Name in `widgets.icons`; empty for none.
+    shortcut
+        Qt's portable form; empty for none.
+    checkable
+        Whether it is on or off.
+    group
+        Of the actions of one group exactly one is on.
+    needs_foot
+        Whether it makes sense only with a foot on the bench.
+    """
+
+    key: str
+    text: Callable[[], str]
+    tip: Callable[[], str]
+    run: Callable[[Studio, bool], None]
+    icon: str = ""
+    shortcut: str = ""
+    checkable: bool = False
+    group: str = ""
+    needs_foot: bool = False
+
+
+SEPARATOR = ""
+
+
+def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: str) -> ActionRecord:
+    return ActionRecord(
+        f"tool_{key}",
+        text,
+        tip,
+        lambda studio, on: studio.take_tool(key) if on else None,
+        icon=key,
+        shortcut=shortcut,
+        checkable=True,
+        group="tools",
+        needs_foot=True,
+    )
+
+
+def _preset(preset: Preset, number: int, text: Callable[[], str]) -> ActionRecord:
+    return ActionRecord(
+        f"look_{preset.value}",
+        text,
+        lambda: tr("Look from here, in both views"),
+        lambda studio, _on: studio.look(preset),
+        shortcut=str(number),
+        needs_foot=True,
+    )
+
+
+ACTIONS: tuple[ActionRecord, ...] = (
+    ActionRecord(
+        "new_case",
+        lambda: tr("New case"),
+        lambda: tr("Begin with an empty case"),
+        lambda studio, _on: studio.new_case(),
+        shortcut="Ctrl+N",
+    ),
+    ActionRecord(
+        "open",
+        lambda: tr("Open case…"),
+        lambda: tr("Open a case that was saved"),
+        lambda studio, _on: studio.ask_open_case(),
+        icon="open",
+        shortcut="Ctrl+O",
+    ),
+    ActionRecord(
+        "open_session",
+        lambda: tr("Open session…"),
+        lambda: tr("Open the folder of a recorded session and reconstruct its foot"),
+        lambda studio, _on: studio.ask_open_session(),
+        icon="session",
+        shortcut="Ctrl+Shift+O",
+    ),
+    ActionRecord(
+        "open_archive",
+        lambda: tr("Open session archive or mesh…"),
+        lambda: tr("Open a session in a zip archive, or a foot from a .ply, .stl or .obj file"),
+        lambda studio, _on: studio.ask_open_mesh(),
+        icon="mesh",
+        shortcut="Ctrl+M",
+    ),
+    ActionRecord(
+        "save",
+        lambda: tr("Save"),
+        lambda: tr("Save the case"),
+        lambda studio, _on: studio.save(),
+        icon="save",
+        shortcut="Ctrl+S",
+    ),
+    ActionRecord(
+        "save_as",
+        lambda: tr("Save as…"),
+        lambda: tr("Save the case under another name"),
+        lambda studio, _on: studio.ask_save(),
+        shortcut="Ctrl+Shift+S",
+    ),
+    ActionRecord(
+        "export",
+        lambda: tr("Export STL…"),
+        lambda: tr("Write the insole as an STL file for the shop"),
+        lambda studio, _on: studio.ask_export(),
+        icon="export",
+        shortcut="Ctrl+E",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "quit",
+        lambda: tr("Quit"),
+        lambda: tr("Close Insole Studio"),
+        lambda studio, _on: studio.quit(),
+        shortcut="Ctrl+Q",
+    ),
+    ActionRecord(
+        "undo",
+        lambda: tr("Undo"),
+        lambda: tr("Take the last step back"),
+        lambda studio, _on: studio.undo(),
+        icon="undo",
+        shortcut="Ctrl+Z",
+    ),
+    ActionRecord(
+        "redo",
+        lambda: tr("Redo"),
+        lambda: tr("Do the last undone step again"),
+        lambda studio, _on: studio.redo(),
+        icon="redo",
+        shortcut="Ctrl+Shift+Z",
+    ),
+    ActionRecord(
+        "remove",
+        lambda: tr("Remove correction"),
+        lambda: tr("Take the selected correction out of the design"),
+        lambda studio, _on: studio.remove_selected(),
+        icon="remove",
+        shortcut="Del",
+        needs_foot=True,
+    ),
+    _tool(
+        "orbit",
+        lambda: tr("Orbit"),
+        lambda: tr("Turn the view; click on a pelott to select it"),
+        "O",
+    ),
+    _tool("key_point", lambda: tr("Key point"), lambda: tr("Mark named places on the skin"), "K"),
+    _tool("pelott", lambda: tr("Pelott"), lambda: tr("Place and shape pelotts"), "P"),
+    _tool(
+        "posting",
+        lambda: tr("Pronation"),
+        lambda: tr("Pronation / supination: tilt rear- and forefoot"),
+        "T",
+    ),
+    _tool(
+        "plane",
+        lambda: tr("Reference plane"),
+        lambda: tr("A plane to look at the foot against"),
+        "R",
+    ),
+    _preset(Preset.PLANTAR, 1, lambda: tr("Plantar")),
+    _preset(Preset.MEDIAL, 2, lambda: tr("Medial")),
+    _preset(Preset.LATERAL, 3, lambda: tr("Lateral")),
+    _preset(Preset.POSTERIOR, 4, lambda: tr("Posterior")),
+    _preset(Preset.ANTERIOR, 5, lambda: tr("Anterior")),
+    _preset(Preset.DORSAL, 6, lambda: tr("Dorsal")),
+    ActionRecord(
+        "fit",
+        lambda: tr("Show all"),
+        lambda: tr("Show the whole foot and the whole insole"),
+        lambda studio, _on: studio.fit(),
+        icon="fit",
+        shortcut="F",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "linked",
+        lambda: tr("Linked views"),
+        lambda: tr("Foot and insole turn together"),
+        lambda studio, on: studio.set_linked(on),
+        icon="link",
+        shortcut="L",
+        checkable=True,
+    ),
+    ActionRecord(
+        "height_map",
+        lambda: tr("Height map"),
+        lambda: tr("Colour the insole by its height"),
+        lambda studio, on: studio.show_height_map(on),
+        icon="map",
+        shortcut="H",
+        checkable=True,
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "dark",
+        lambda: tr("Dark theme"),
+        lambda: tr("Light text on a dark ground"),
+        lambda studio, on: studio.set_dark(on),
+        icon="dark",
+        checkable=True,
+    ),
+    ActionRecord(
+        "about",
+        lambda: tr("About Insole Studio"),
+        lambda: tr("Version and licence"),
+        lambda studio, _on: studio.show_about(),
+    ),
+)
+
+MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
+    (
+        lambda: tr("&Case"),
+        (
+            "new_case",
+            "open",
+            "open_session",
+            "open_archive",
+            SEPARATOR,
+            "save",
+            "save_as",
+            "export",
+            SEPARATOR,
+            "quit",
+        ),
+    ),
+    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove")),
+    (
+        lambda: tr("&View"),
+        (
+            "look_plantar",
+            "look_medial",
+            "look_lateral",
+            "look_posterior",
+            "look_anterior",
+            "look_dorsal",
+            SEPARATOR,
+            "fit",
+            "linked",
+            "height_map",
+            SEPARATOR,
+            "dark",
+        ),
+    ),
+    (
+        lambda: tr("&Tools"),
+        ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane"),
+    ),
+    (lambda: tr("&Help"), ("about",)),
+)
+
+TOOLBAR: tuple[tuple[str, ...], ...] = (
+    ("open_session", "open_archive", "save", "export"),
+    ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane"),
+    ("fit", "linked", "height_map"),
+    ("undo", "redo"),
+)
+"""Parts of the toolbar; the last stands at the right."""

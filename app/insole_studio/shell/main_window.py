@@ -1,0 +1,171 @@
+"""The frame: actions in menus and toolbars, the stage's panels as docks, the status line."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QToolButton, QWidget
+
+from insole_studio.shell.actions import ACTIONS, MENUS, SEPARATOR, TOOLBAR, ActionRecord
+from insole_studio.shell.status_bar import StatusBar
+from insole_studio.stages.design.stage import DesignStage
+from insole_studio.texts import tr
+from insole_studio.widgets.icons import icon
+
+
+class MainWindow(QMainWindow):
+    """Shows; what is done on an action or on closing is decided by the studio."""
+
+    action_triggered = Signal(str, bool)
+    close_requested = Signal()
+
+    def __init__(self, stage: DesignStage, status: StatusBar) -> None:
+        super().__init__()
+        self._may_close = False
+        self.setStatusBar(status)
+        self.actions_by_key = {record.key: self._make_action(record) for record in ACTIONS}
+        self._group_actions()
+        self._make_menus()
+        self._make_toolbar()
+        self.setCentralWidget(stage.insole)
+        self._patient = self._dock("patient", tr("Patient"), stage.patient)
+        self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
+        self._parameters = self._dock("parameters", tr("Parameters"), stage.parameters)
+        self._place_docks()
+        self._add_dock_actions()
+
+    def show_title(self, name: str, unsaved: bool) -> None:
+        """Show which case is open."""
+        self.setWindowTitle(f"{name}[*] – Insole Studio")
+        self.setWindowModified(unsaved)
+
+    def show_action(self, key: str, enabled: bool, text: str | None = None) -> None:
+        """Enable an action, and say what it would do."""
+        action = self.actions_by_key[key]
+        action.setEnabled(enabled)
+        if text is not None:
+            action.setText(text)
+
+    def check_action(self, key: str, checked: bool) -> None:
+        """Show a toggle or choice as on or off, without running it."""
+        action = self.actions_by_key[key]
+        group = action.actionGroup()
+        for other in group.actions() if group is not None else [action]:
+            with QSignalBlocker(other):
+                other.setChecked(checked if other is action else False)
+
+    def renew_icons(self) -> None:
+        """Draw the icons in the colours of the palette."""
+        for record in ACTIONS:
+            if record.icon:
+                self.actions_by_key[record.key].setIcon(icon(record.icon))
+
+    def layout_state(self) -> tuple[str, str]:
+        """Give geometry and docks, packed as text."""
+        packed = (self.saveGeometry(), self.saveState())
+        geometry, docks = (bytes(p.toBase64().data()).decode("ascii") for p in packed)
+        return geometry, docks
+
+    def restore_layout(self, geometry: str, docks: str) -> None:
+        """Take the geometry and docks of the last time, where they are understood."""
+        if geometry:
+            self.restoreGeometry(QByteArray.fromBase64(geometry.encode("ascii")))
+        if docks:
+            self.restoreState(QByteArray.fromBase64(docks.encode("ascii")))
+
+    def close_for_good(self) -> None:
+        """Close without asking again."""
+        self._may_close = True
+        self.close()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Let the studio decide."""
+        if self._may_close:
+            event.accept()
+        else:
+            event.ignore()
+            self.close_requested.emit()
+
+    def _make_action(self, record: ActionRecord) -> QAction:
+        action = QAction(record.text(), self)
+        action.setToolTip(_tip(record))
+        action.setStatusTip(record.tip())
+        action.setCheckable(record.checkable)
+        if record.icon:
+            action.setIcon(icon(record.icon))
+        if record.shortcut:
+            action.setShortcut(QKeySequence(record.shortcut))
+        signal = action.toggled if record.checkable else action.triggered
+        signal.connect(partial(self.action_triggered.emit, record.key))
+        return action
+
+    def _group_actions(self) -> None:
+        groups: dict[str, QActionGroup] = {}
+        for record in ACTIONS:
+            if record.group:
+                group = groups.setdefault(record.group, QActionGroup(self))
+                group.addAction(self.actions_by_key[record.key])
+
+    def _make_menus(self) -> None:
+        self._menus = []
+        for title, keys in MENUS:
+            menu = self.menuBar().addMenu(title())
+            self._menus.append(menu)
+            for key in keys:
+                if key == SEPARATOR:
+                    menu.addSeparator()
+                else:
+                    menu.addAction(self.actions_by_key[key])
+
+    def _make_toolbar(self) -> None:
+        bar = self.addToolBar(tr("Tools"))
+        bar.setObjectName("toolbar")
+        bar.setMovable(False)
+        for number, part in enumerate(TOOLBAR):
+            if part == TOOLBAR[-1]:
+                bar.addWidget(_spacer())
+            elif number:
+                bar.addSeparator()
+            for key in part:
+                bar.addAction(self.actions_by_key[key])
+                self._style_button(bar, key)
+
+    def _style_button(self, bar: QToolBar, key: str) -> None:
+        button = bar.widgetForAction(self.actions_by_key[key])
+        if key.startswith("tool_") and isinstance(button, QToolButton):
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+
+    def _dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(f"dock-{name}")
+        dock.setWidget(panel)
+        return dock
+
+    def _place_docks(self) -> None:
+        area = Qt.DockWidgetArea
+        self.setCorner(Qt.Corner.BottomLeftCorner, area.BottomDockWidgetArea)
+        self.setCorner(Qt.Corner.BottomRightCorner, area.BottomDockWidgetArea)
+        self.addDockWidget(area.LeftDockWidgetArea, self._patient)
+        self.addDockWidget(area.RightDockWidgetArea, self._foot)
+        self.addDockWidget(area.BottomDockWidgetArea, self._parameters)
+        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        self.resizeDocks([self._patient, self._foot], [248, 520], horizontal)
+        self.resizeDocks([self._parameters], [136], vertical)
+
+    def _add_dock_actions(self) -> None:
+        view = self._menus[2]
+        view.addSeparator()
+        for dock in (self._patient, self._foot, self._parameters):
+            view.addAction(dock.toggleViewAction())
+
+
+def _spacer() -> QWidget:
+    spacer = QWidget()
+    spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+    return spacer
+
+
+def _tip(record: ActionRecord) -> str:
+    return f"{record.tip()} ({record.shortcut})" if record.shortcut else record.tip()

@@ -1,0 +1,78 @@
+"""What the window asks; asked through one object, so that tests can answer."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from insole_core.geometry.side import Side
+from insole_studio.texts import tr
+
+
+class Answer(Enum):
+    """What to do with unsaved work."""
+
+    SAVE = auto()
+    DISCARD = auto()
+    CANCEL = auto()
+
+
+class Questions:
+    """Every question has verbs on its buttons; None is "never mind"."""
+
+    def __init__(self, parent: QWidget) -> None:
+        self._parent = parent
+
+    def which_side(self, path: Path) -> Side | None:
+        """Ask which foot a mesh shows."""
+        box = self._box(tr("Which foot is {name}?").format(name=path.name))
+        left = box.addButton(tr("Left foot"), QMessageBox.ButtonRole.YesRole)
+        right = box.addButton(tr("Right foot"), QMessageBox.ButtonRole.NoRole)
+        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.exec()
+        return {left: Side.LEFT, right: Side.RIGHT}.get(box.clickedButton())  # type: ignore[call-overload]
+
+    def open_anyway(self, sentence: str) -> bool:
+        """Ask whether to go on although the shape is that of the other foot."""
+        box = self._box(sentence)
+        anyway = box.addButton(tr("Open anyway"), QMessageBox.ButtonRole.AcceptRole)
+        stop = box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(stop)
+        box.exec()
+        return box.clickedButton() is anyway
+
+    def about_unsaved(self, name: str) -> Answer:
+        """Ask what to do with work that is not in the file yet."""
+        box = self._box(tr("{name} has changes that are not saved.").format(name=name))
+        save = box.addButton(tr("Save"), QMessageBox.ButtonRole.AcceptRole)
+        discard = box.addButton(tr("Discard changes"), QMessageBox.ButtonRole.DestructiveRole)
+        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(save)
+        box.exec()
+        clicked = box.clickedButton()
+        if clicked is save:
+            return Answer.SAVE
+        return Answer.DISCARD if clicked is discard else Answer.CANCEL
+
+    def folder_to_open(self) -> Path | None:
+        """Ask for the folder of a session."""
+        name = QFileDialog.getExistingDirectory(self._parent, tr("Open session"))
+        return Path(name) if name else None
+
+    def file_to_open(self, kinds: str) -> Path | None:
+        """Ask for a file."""
+        name, _ = QFileDialog.getOpenFileName(self._parent, tr("Open"), "", kinds)
+        return Path(name) if name else None
+
+    def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
+        """Ask for a place to write to."""
+        name, _ = QFileDialog.getSaveFileName(self._parent, tr("Save"), suggestion, kinds)
+        return Path(name) if name else None
+
+    def _box(self, text: str) -> QMessageBox:
+        box = QMessageBox(self._parent)
+        box.setWindowTitle(tr("Insole Studio"))
+        box.setText(text[:1].upper() + text[1:])
+        return box

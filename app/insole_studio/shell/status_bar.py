@@ -1,0 +1,84 @@
+"""The last line of the window: place, hint, and the progress of what is being done."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWidget
+
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.texts import tr
+from insole_studio.widgets.icons import icon
+
+SHOW_AFTER_MS = 300
+
+
+class StatusBar(QStatusBar):
+    """Shows one job at a time: the one that spoke last."""
+
+    cancel_requested = Signal(str)
+
+    def __init__(self, jobs: Jobs, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._jobs = jobs
+        self._channel = ""
+        self._place = QLabel()
+        self._place.setMinimumWidth(228)
+        self._hint = QLabel()
+        self._hint.setObjectName("quiet")
+        self._work = QLabel()
+        self._bar = QProgressBar()
+        self._bar.setFixedSize(144, 12)
+        self._bar.setTextVisible(False)
+        self._cancel = QToolButton()
+        self._cancel.setIcon(icon("remove"))
+        self._cancel.setToolTip(tr("Cancel"))
+        self._cancel.setAutoRaise(True)
+        self._cancel.clicked.connect(self._request_cancel)
+        self.addWidget(self._place)
+        self.addWidget(self._hint, 1)
+        for widget in (self._work, self._bar, self._cancel):
+            self.addPermanentWidget(widget)
+            widget.hide()
+        self._patience = QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.setInterval(SHOW_AFTER_MS)
+        self._patience.timeout.connect(self._show_work)
+        jobs.progressed.connect(self._progressed)
+        jobs.ended.connect(self._ended)
+
+    def show_place(self, text: str) -> None:
+        """Show where the pointer is."""
+        self._place.setText(text)
+
+    def show_hint(self, text: str) -> None:
+        """Show what one can do now."""
+        self._hint.setText(text)
+
+    def _progressed(self, news: JobProgress) -> None:
+        self._channel = news.channel
+        self._bar.setRange(0, 100)
+        self._bar.setValue(round(100 * news.fraction))
+        self._work.setText(_describe(news))
+        if not self._bar.isVisible() and not self._patience.isActive():
+            self._patience.start()
+
+    def _show_work(self) -> None:
+        for widget in (self._work, self._bar, self._cancel):
+            widget.show()
+
+    def _ended(self, channel: str) -> None:
+        if channel != self._channel:
+            return
+        self._patience.stop()
+        for widget in (self._work, self._bar, self._cancel):
+            widget.hide()
+
+    def _request_cancel(self) -> None:
+        self.cancel_requested.emit(self._channel)
+
+
+def _describe(news: JobProgress) -> str:
+    text = f"{news.text}…" if news.text else ""
+    if news.left_s is not None and news.left_s > 1:
+        text += "  " + tr("{seconds} s left").format(seconds=round(news.left_s))
+    return text

@@ -1,0 +1,115 @@
+"""The look: Qt's Fusion style with two small palettes and one accent colour."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import qtawesome
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication
+
+from insole_studio.settings import Theme
+
+
+@dataclass(frozen=True)
+class Colors:
+    """The colours of one theme."""
+
+    window: str
+    base: str
+    raised: str
+    text: str
+    quiet: str
+    line: str
+    accent: str
+    on_accent: str
+    warning: str
+    on_warning: str
+
+
+LIGHT = Colors(
+    window="#f1f2f4",
+    base="#ffffff",
+    raised="#e6e8eb",
+    text="#22262a",
+    quiet="#5b636b",
+    line="#c9ced3",
+    accent="#1668b8",
+    on_accent="#ffffff",
+    warning="#fdf0d5",
+    on_warning="#6b4200",
+)
+DARK = Colors(
+    window="#26292d",
+    base="#1c1f22",
+    raised="#33373c",
+    text="#e6e8ea",
+    quiet="#a3abb3",
+    line="#454b52",
+    accent="#3d8fe0",
+    on_accent="#0b1016",
+    warning="#4a3a16",
+    on_warning="#ffdf9e",
+)
+
+
+def is_dark(theme: Theme) -> bool:
+    """Decide by the setting, or by the system where it says so."""
+    if theme == "system":
+        return QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
+    return theme == "dark"
+
+
+def apply_theme(application: QApplication, dark: bool) -> None:
+    """Give the whole application its palette, style and icon colours."""
+    colors = DARK if dark else LIGHT
+    application.setStyle("Fusion")
+    application.setPalette(_palette(colors))
+    application.setStyleSheet(_style_sheet(colors))
+    qtawesome.set_defaults(color=colors.text, color_on=colors.on_accent, color_disabled=colors.line)
+
+
+def _palette(colors: Colors) -> QPalette:
+    role = QPalette.ColorRole
+    palette = QPalette()
+    for name, color in {
+        role.Window: colors.window,
+        role.Base: colors.base,
+        role.AlternateBase: colors.window,
+        role.Button: colors.raised,
+        role.WindowText: colors.text,
+        role.Text: colors.text,
+        role.ButtonText: colors.text,
+        role.PlaceholderText: colors.quiet,
+        role.Highlight: colors.accent,
+        role.HighlightedText: colors.on_accent,
+        role.Link: colors.accent,
+        role.ToolTipBase: colors.raised,
+        role.ToolTipText: colors.text,
+    }.items():
+        palette.setColor(name, QColor(color))
+    for name in (role.WindowText, role.Text, role.ButtonText):
+        disabled = QColor(colors.quiet)
+        disabled.setAlpha(150)
+        palette.setColor(QPalette.ColorGroup.Disabled, name, disabled)
+    return palette
+
+
+def _style_sheet(colors: Colors) -> str:
+    return f"""
+    QLabel#panel-strip {{ background: {colors.raised}; padding: 4px 8px; }}
+    QLabel#heading {{ font-weight: 600; color: {colors.quiet}; padding-top: 4px; }}
+    QLabel#quiet {{ color: {colors.quiet}; }}
+    QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
+                      border-radius: 4px; padding: 4px 8px; }}
+    QToolBar {{ border: none; border-bottom: 1px solid {colors.line};
+                spacing: 2px; padding: 2px 4px; }}
+    QToolBar QToolButton {{ padding: 4px 8px; border-radius: 4px; }}
+    QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
+                           border-radius: 4px; }}
+    QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
+    QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
+    QStatusBar {{ border-top: 1px solid {colors.line}; }}
+    QStatusBar::item {{ border: none; }}
+    """

@@ -1,0 +1,234 @@
+"""What the two 3-D panels show of the case: the foot in colour, and the preview of the insole."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+
+from insole_core.cases.record import KeyPoint, ReferencePlane
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott
+from insole_core.insole.egg import egg_outline
+from insole_studio.scene.camera import Subject
+from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.texts import tr
+from insole_studio.tools.hand import Hand
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+
+OUTLINE_POINTS = 96
+OPEN_OFFERS = ("open_session", "open_mesh")
+
+
+class ModelPanel(Protocol):
+    """What a 3-D panel can show."""
+
+    def show_side(self, side: Side | None) -> None: ...  # noqa: D102
+    def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
+    def show_mesh(  # noqa: D102
+        self,
+        mesh: TriangleMesh,
+        values: FloatArray | None = None,
+        limits: tuple[float, float] | None = None,
+    ) -> None: ...
+    def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool: ...  # noqa: D102
+    def show_outlines(  # noqa: D102
+        self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
+    ) -> None: ...
+    def show_handles(self, handles: tuple[Handle, ...]) -> None: ...  # noqa: D102
+    def show_key_points(self, points: Sequence[KeyPoint]) -> None: ...  # noqa: D102
+    def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
+    def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
+    def show_warning(self, text: str) -> None: ...  # noqa: D102
+
+
+class ModelPresenter:
+    """Keeps one panel in step with case, surface and tool; passes its pointer to the hand."""
+
+    subject: Subject
+
+    def __init__(self, panel: ModelPanel, case: Case, surface: InsoleSurface, hand: Hand) -> None:
+        self.panel = panel
+        self._case = case
+        self._surface = surface
+        self._hand = hand
+        case.opened.connect(self.show_all)
+        case.changed.connect(self.show_marks)
+        case.preview_changed.connect(self.show_marks)
+        case.selection_changed.connect(self.show_marks)
+        hand.tool_changed.connect(self.show_marks)
+        surface.changed.connect(self.show_surface)
+
+    @property
+    def side(self) -> Side:
+        """The side of the open foot."""
+        return self._case.side or Side.LEFT
+
+    @property
+    def bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of what is shown."""
+        raise NotImplementedError
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place of the insole frame onto what is shown."""
+        raise NotImplementedError
+
+    def covers(self, x_mm: float, y_mm: float) -> bool:
+        """Whether the insole lies under a place."""
+        return self._surface.covers(x_mm, y_mm)
+
+    def show_all(self) -> None:
+        """Show another case."""
+        self.panel.show_side(self._case.side)
+        self.show_surface()
+
+    def show_surface(self) -> None:
+        """Show the surface and what is drawn on it."""
+        raise NotImplementedError
+
+    def show_marks(self) -> None:
+        """Show outlines, handles, key points and plane."""
+        if self.bounds_mm is None:
+            return
+        record = self._case.shown
+        self.panel.show_outlines(*self._outlines())
+        self.panel.show_handles(self._hand.tool.handles(self._case, self))
+        on_foot = self.subject is Subject.FOOT
+        self.panel.show_key_points(record.annotations.key_points if on_foot else ())
+        self.panel.show_plane(
+            record.annotations.plane, 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
+        )
+
+    def press(self, event: PointerEvent) -> bool:
+        """Begin a gesture of the tool."""
+        return self._hand.press(event, self)
+
+    def move(self, event: PointerEvent) -> None:
+        """Continue it."""
+        self._hand.drag(event)
+
+    def release(self, event: PointerEvent) -> None:
+        """End it."""
+        self._hand.drag(event)
+
+    def cancel(self) -> bool:
+        """Give it up."""
+        return self._hand.cancel()
+
+    def wheel(self, event: PointerEvent, steps: float) -> bool:
+        """Let the tool act on the wheel."""
+        return self._hand.wheel(event, steps)
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
+        """Let the tool act on an arrow key."""
+        return self._hand.nudge(event, right, up)
+
+    def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
+        design = self._case.shown.design
+        pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
+        lines: dict[bool, list[FloatArray]] = {True: [], False: []}
+        for pad in pads:
+            if pad.enabled:
+                lines[pad.id == self._case.selection].append(self._outline(pad))
+        return lines[False], lines[True]
+
+    def _outline(self, pad: Pelott) -> FloatArray:
+        around = egg_outline(pad, OUTLINE_POINTS)
+        closed = np.concatenate([around, around[:1]])
+        return np.array([self.place(x, y) for x, y in closed])
+
+
+class FootPresenter(ModelPresenter):
+    """The coloured foot."""
+
+    subject = Subject.FOOT
+
+    @property
+    def bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of the foot."""
+        foot = self._case.foot
+        return None if foot is None else _box(foot.mesh)
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place onto the sole: the insole without its thickness lies there."""
+        design = self._case.shown.design
+        thickness = design.thickness_mm if design is not None else 0.0
+        return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm) - thickness
+
+    def show_all(self) -> None:
+        """Show another foot."""
+        super().show_all()
+        foot = self._case.foot
+        if foot is None:
+            self.panel.show_empty(
+                tr("No scan yet. Open a recorded session, or the mesh of a foot."),
+                {"open_session": tr("Open session…"), "open_mesh": tr("Open mesh…")},
+            )
+            return
+        self.panel.show_mesh(foot.mesh)
+        self.panel.show_directions(foot.side, _box(foot.mesh))
+        self.show_marks()
+
+    def show_surface(self) -> None:
+        """The foot stays; what is drawn on it follows the insole."""
+        self.show_marks()
+
+
+class InsolePresenter(ModelPresenter):
+    """The preview of the insole, shaded or as a map of its height."""
+
+    subject = Subject.INSOLE
+
+    def __init__(self, panel: ModelPanel, case: Case, surface: InsoleSurface, hand: Hand) -> None:
+        super().__init__(panel, case, surface, hand)
+        self._map_shown = False
+        surface.failed.connect(self.panel.show_warning)
+
+    @property
+    def bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of the insole."""
+        mesh = self._surface.mesh
+        return None if mesh is None else _box(mesh)
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place onto the contact surface."""
+        return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm)
+
+    def show_map(self, shown: bool) -> None:
+        """Colour the insole by its height, or not."""
+        self._map_shown = shown
+        self._show_mesh_anew()
+
+    def show_surface(self) -> None:
+        """Follow the surface."""
+        mesh = self._surface.mesh
+        if mesh is None:
+            self._show_why_empty()
+        elif not self._map_shown and self.panel.move_mesh(mesh):
+            self.show_marks()
+        else:
+            self._show_mesh_anew()
+
+    def _show_mesh_anew(self) -> None:
+        mesh, side = self._surface.mesh, self._case.side
+        if mesh is None or side is None:
+            return
+        heights = mesh.vertices[:, 2] if self._map_shown else None
+        limits = (0.0, float(mesh.vertices[:, 2].max())) if self._map_shown else None
+        self.panel.show_mesh(mesh, heights, limits)
+        self.panel.show_directions(side, _box(mesh))
+        self.show_marks()
+
+    def _show_why_empty(self) -> None:
+        if self._case.foot is None:
+            self.panel.show_empty(tr("The insole appears here as soon as there is a foot."), {})
+        else:
+            self.panel.show_empty(tr("The insole is being built…"), {})
+
+
+def _box(mesh: TriangleMesh) -> FloatArray:
+    return np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])

@@ -1,0 +1,180 @@
+"""The panel around one 3-D view: title, side, camera presets, scale, legend, and the empty page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.cases.record import KeyPoint, ReferencePlane
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_studio.scene.camera import Preset, Subject
+from insole_studio.scene.pointer import Handle
+from insole_studio.scene.view import SceneView
+from insole_studio.texts import tr
+from insole_studio.widgets.empty_page import EmptyPage
+from insole_studio.widgets.legend import Legend
+from insole_studio.widgets.scale_bar import ScaleBar
+from insole_studio.widgets.side_badge import SideBadge
+
+VIRIDIS = ("#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725")
+
+
+class ModelView(QWidget):
+    """Lays out one view and shows what its presenter says."""
+
+    preset_requested = Signal(object)
+    offer_chosen = Signal(str)
+
+    def __init__(
+        self, subject: Subject, title: str, dark: bool, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.scene = SceneView(subject, dark)
+        self.scene.camera_changed.connect(self.show_scale)
+        self._badge = SideBadge()
+        self._warning = QLabel()
+        self._warning.setObjectName("warning")
+        self._warning.setWordWrap(True)
+        self._warning.hide()
+        self._scale = ScaleBar()
+        self._legend = Legend(VIRIDIS)
+        self._empty = EmptyPage()
+        self._empty.chosen.connect(self.offer_chosen)
+        self._pages = QStackedLayout()
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(self.scene)
+        layout = QVBoxLayout()
+        layout.setContentsMargins(8, 4, 8, 4)
+        layout.setSpacing(4)
+        layout.addLayout(self._header())
+        layout.addWidget(self._warning)
+        layout.addLayout(self._pages, 1)
+        layout.addLayout(self._footer())
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        if title:
+            whole.addWidget(_strip(title))
+        whole.addLayout(layout)
+
+    def show_side(self, side: Side | None) -> None:
+        """Show the badge, and let medial and lateral follow it."""
+        self._badge.show_side(side)
+        self._presets.setVisible(side is not None)
+        if side is not None:
+            self.scene.side = side
+
+    def show_empty(self, sentence: str, offers: dict[str, str]) -> None:
+        """Say what comes next instead of a scene."""
+        self._empty.show_offers(sentence, offers)
+        self._pages.setCurrentWidget(self._empty)
+        self._scale.show_scale(0)
+
+    def show_mesh(
+        self,
+        mesh: TriangleMesh,
+        values: FloatArray | None = None,
+        limits: tuple[float, float] | None = None,
+    ) -> None:
+        """Show a surface, and a legend where it is coloured by numbers."""
+        self._pages.setCurrentWidget(self.scene)
+        self._legend.show_limits(limits if values is not None else None)
+        self.scene.show_mesh(mesh, values, limits or (0.0, 1.0))
+        self.show_scale()
+
+    def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool:
+        """Move the surface that is shown; False when it is another."""
+        return self.scene.move_mesh(mesh, values)
+
+    def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:
+        """Draw the outlines of the corrections, the selected one stronger."""
+        scheme = self.scene.painter.scheme
+        self.scene.painter.show_lines("outlines", lines, scheme.mark, 2.0)
+        self.scene.painter.show_lines("selected", selected, scheme.accent, 3.0)
+        self.scene.request_render()
+
+    def show_handles(self, handles: tuple[Handle, ...]) -> None:
+        """Show what can be grabbed."""
+        self.scene.show_handles(handles)
+
+    def show_key_points(self, points: Sequence[KeyPoint]) -> None:
+        """Show named places."""
+        self.scene.painter.show_key_points(points)
+        self.scene.request_render()
+
+    def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
+        """Show the reference plane."""
+        self.scene.painter.show_plane(plane, size_mm)
+        self.scene.request_render()
+
+    def show_directions(self, side: Side, bounds_mm: FloatArray) -> None:
+        """Write the anatomical words around the box."""
+        self.scene.painter.show_directions(side, bounds_mm)
+        self.scene.request_render()
+
+    def show_warning(self, text: str) -> None:
+        """Say what is wrong, above the view; empty hides it."""
+        self._warning.setText(text[:1].upper() + text[1:])
+        self._warning.setVisible(bool(text))
+
+    def _header(self) -> QHBoxLayout:
+        self._presets = QWidget()
+        row = QHBoxLayout(self._presets)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        for preset, text in _preset_texts().items():
+            button = QToolButton()
+            button.setText(text)
+            button.setAutoRaise(True)
+            button.setProperty("preset", preset.value)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.clicked.connect(self._request_preset)
+            row.addWidget(button)
+        header = QHBoxLayout()
+        header.setSpacing(8)
+        header.addWidget(self._badge)
+        header.addStretch(1)
+        header.addWidget(self._presets)
+        return header
+
+    def _footer(self) -> QHBoxLayout:
+        footer = QHBoxLayout()
+        footer.addWidget(self._scale)
+        footer.addStretch(1)
+        footer.addWidget(self._legend)
+        return footer
+
+    def _request_preset(self) -> None:
+        self.preset_requested.emit(Preset(self.sender().property("preset")))
+
+    def show_scale(self) -> None:
+        """Show the ruler for the camera of now."""
+        shown = self._pages.currentWidget() is self.scene
+        self._scale.show_scale(self.scene.look.mm_per_px if shown else 0)
+
+
+def _strip(title: str) -> QLabel:
+    """A title like those of the docks."""
+    strip = QLabel(title)
+    strip.setObjectName("panel-strip")
+    return strip
+
+
+def _preset_texts() -> dict[Preset, str]:
+    return {
+        Preset.PLANTAR: tr("Plantar"),
+        Preset.MEDIAL: tr("Medial"),
+        Preset.LATERAL: tr("Lateral"),
+        Preset.POSTERIOR: tr("Posterior"),
+    }

@@ -1,0 +1,110 @@
+"""The parameters panel: the numbers of what is selected, and those of the insole."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_studio.stages.design.rows import FieldGroup, FieldSpec
+from insole_studio.widgets.number_field import NumberField
+
+ROWS = 2
+
+
+class ParametersView(QScrollArea):
+    """Lays out groups of number fields beside each other."""
+
+    field_edited = Signal(str, float)
+    offer_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shape: tuple[object, ...] = ()
+        self._fields: dict[str, NumberField] = {}
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumHeight(112)
+
+    def show_groups(self, groups: Sequence[FieldGroup]) -> None:
+        """Show groups; while only values differ, the fields stay where they are."""
+        shape = tuple(group.shape for group in groups)
+        if shape != self._shape:
+            self._shape = shape
+            self._lay_out(groups)
+        for group in groups:
+            for spec in group.fields:
+                self._fields[spec.key].show_value(spec.value)
+
+    def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
+        self._fields = {}
+        content = QWidget()
+        row = QHBoxLayout(content)
+        row.setContentsMargins(8, 8, 8, 8)
+        row.setSpacing(24)
+        for group in groups:
+            row.addLayout(self._group(group))
+        row.addStretch(1)
+        self.setWidget(content)
+
+    def _group(self, group: FieldGroup) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(4)
+        for text, name in ((group.title, "heading"), (group.note, "quiet")):
+            if text:
+                label = QLabel(text)
+                label.setObjectName(name)
+                column.addWidget(label)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(4)
+        for number, spec in enumerate(group.fields):
+            self._add_field(grid, spec, number)
+        self._add_offers(grid, group)
+        column.addLayout(grid)
+        column.addStretch(1)
+        return column
+
+    def _add_field(self, grid: QGridLayout, spec: FieldSpec, number: int) -> None:
+        field = NumberField(
+            spec.unit,
+            least=spec.least,
+            greatest=spec.greatest,
+            step=spec.step,
+            decimals=spec.decimals,
+        )
+        field.setProperty("key", spec.key)
+        field.setAccessibleName(spec.label)
+        field.setFixedWidth(104)
+        field.edited.connect(self._edited)
+        self._fields[spec.key] = field
+        label = QLabel(spec.label)
+        label.setBuddy(field)
+        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row, column = number % ROWS, 2 * (number // ROWS)
+        grid.addWidget(label, row, column)
+        grid.addWidget(field, row, column + 1)
+
+    def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> None:
+        column = 2 * ((len(group.fields) + ROWS - 1) // ROWS)
+        for number, offer in enumerate(group.offers):
+            button = QPushButton(offer.text)
+            button.setProperty("offer", offer.key)
+            button.clicked.connect(self._choose)
+            grid.addWidget(button, number % ROWS, column + number // ROWS)
+
+    def _edited(self, value: float) -> None:
+        self.field_edited.emit(self.sender().property("key"), value)
+
+    def _choose(self) -> None:
+        self.offer_chosen.emit(self.sender().property("offer"))

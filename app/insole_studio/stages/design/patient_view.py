@@ -1,0 +1,193 @@
+"""The patient panel: fields of the case, measures, and the list of corrections."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QFocusEvent
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QScrollArea,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.side import Side
+from insole_studio.stages.design.rows import CorrectionRow, Measure
+from insole_studio.texts import tr
+from insole_studio.widgets.icons import icon
+from insole_studio.widgets.side_badge import SideBadge
+
+
+class PatientView(QScrollArea):
+    """Lays out the patient panel."""
+
+    field_edited = Signal(str, str)
+    correction_selected = Signal(str)
+    correction_toggled = Signal(str)
+    correction_removed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._fields = {key: QLineEdit() for key in ("name", "born", "visit")}
+        self._fields["born"].setPlaceholderText(tr("YYYY-MM-DD"))
+        self._fields["visit"].setPlaceholderText(tr("YYYY-MM-DD"))
+        for key, field in self._fields.items():
+            field.setProperty("key", key)
+            field.editingFinished.connect(self._line_edited)
+        self._notes = _Notes()
+        self._notes.left.connect(self._notes_edited)
+        self._badge = SideBadge()
+        self._no_side = QLabel(tr("with the scan"))
+        self._measures = QFormLayout()
+        self._corrections = QVBoxLayout()
+        self._corrections.setSpacing(2)
+        self.setWidget(self._content())
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumWidth(216)
+
+    def show_fields(self, values: dict[str, str]) -> None:
+        """Show the fields; what is being typed stays."""
+        for key, field in self._fields.items():
+            if field.text() != values[key]:
+                field.setText(values[key])
+        if self._notes.toPlainText() != values["notes"]:
+            with QSignalBlocker(self._notes):
+                self._notes.setPlainText(values["notes"])
+
+    def show_side(self, side: Side | None) -> None:
+        """Show the side."""
+        self._badge.show_side(side)
+        self._no_side.setVisible(side is None)
+
+    def show_measures(self, measures: Sequence[Measure]) -> None:
+        """Show the measures of the foot."""
+        while self._measures.rowCount():
+            self._measures.removeRow(0)
+        for measure in measures:
+            value = QLabel(measure.value)
+            value.setAlignment(Qt.AlignmentFlag.AlignRight)
+            self._measures.addRow(measure.name, value)
+
+    def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
+        """Show the corrections, a line each."""
+        while (item := self._corrections.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for row in rows:
+            self._corrections.addWidget(self._correction_line(row))
+        if not rows:
+            empty = QLabel(tr("None yet. Choose the pelott tool and click on the sole."))
+            empty.setWordWrap(True)
+            empty.setObjectName("quiet")
+            self._corrections.addWidget(empty)
+
+    def focus_first(self) -> None:
+        """Put the cursor into the first field."""
+        self._fields["name"].setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _content(self) -> QWidget:
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setVerticalSpacing(8)
+        form.addRow(tr("Name"), self._fields["name"])
+        form.addRow(tr("Born"), self._fields["born"])
+        side = QHBoxLayout()
+        side.addWidget(self._badge)
+        side.addWidget(self._no_side)
+        side.addStretch()
+        form.addRow(tr("Side"), side)
+        form.addRow(tr("Visit"), self._fields["visit"])
+        form.addRow(tr("Notes"), self._notes)
+        content = QWidget()
+        layout = QVBoxLayout(content)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(8)
+        layout.addLayout(form)
+        layout.addWidget(_heading(tr("Measures")))
+        layout.addLayout(self._measures)
+        layout.addWidget(_heading(tr("Corrections")))
+        layout.addLayout(self._corrections)
+        layout.addStretch()
+        return content
+
+    def _correction_line(self, row: CorrectionRow) -> QWidget:
+        eye = _button(row, "eye" if row.enabled else "eye-off", tr("Switch on or off"))
+        eye.clicked.connect(self._toggle)
+        name = QToolButton()
+        name.setText(row.text)
+        name.setProperty("correction", row.id)
+        name.setCheckable(True)
+        name.setChecked(row.selected)
+        name.setAutoRaise(True)
+        name.setToolTip(row.text)
+        name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
+        name.clicked.connect(self._select)
+        remove = _button(row, "remove", tr("Remove"))
+        remove.clicked.connect(self._remove)
+        line = QWidget()
+        layout = QHBoxLayout(line)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
+        layout.addWidget(eye)
+        layout.addWidget(name, 1)
+        layout.addWidget(remove)
+        return line
+
+    def _line_edited(self) -> None:
+        field = self.sender()
+        assert isinstance(field, QLineEdit)
+        self.field_edited.emit(field.property("key"), field.text())
+
+    def _notes_edited(self) -> None:
+        self.field_edited.emit("notes", self._notes.toPlainText())
+
+    def _select(self) -> None:
+        self.correction_selected.emit(self.sender().property("correction"))
+
+    def _toggle(self) -> None:
+        self.correction_toggled.emit(self.sender().property("correction"))
+
+    def _remove(self) -> None:
+        self.correction_removed.emit(self.sender().property("correction"))
+
+
+class _Notes(QPlainTextEdit):
+    """A few lines of text; Tab leaves them."""
+
+    left = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabChangesFocus(True)
+        self.setFixedHeight(64)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Tell that the text may be another one."""
+        super().focusOutEvent(event)
+        self.left.emit()
+
+
+def _heading(text: str) -> QLabel:
+    heading = QLabel(text)
+    heading.setObjectName("heading")
+    return heading
+
+
+def _button(row: CorrectionRow, icon_name: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(icon_name))
+    button.setAutoRaise(True)
+    button.setToolTip(tip)
+    button.setAccessibleName(f"{tip}: {row.text}")
+    button.setProperty("correction", row.id)
+    return button

@@ -1,0 +1,60 @@
+"""What the panels list, as plain values between presenter and view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One measure of the foot, ready to be read."""
+
+    name: str
+    value: str
+
+
+@dataclass(frozen=True)
+class CorrectionRow:
+    """One correction in the list."""
+
+    id: str
+    text: str
+    enabled: bool
+    selected: bool
+
+
+@dataclass(frozen=True)
+class FieldSpec:
+    """One number that can be edited."""
+
+    key: str
+    label: str
+    unit: str
+    value: float
+    least: float
+    greatest: float
+    step: float
+    decimals: int = 1
+
+
+@dataclass(frozen=True)
+class Offer:
+    """A button: what it does by key, and its text."""
+
+    key: str
+    text: str
+
+
+@dataclass(frozen=True)
+class FieldGroup:
+    """Numbers that belong together, under a title, with what can be done to them."""
+
+    title: str
+    fields: tuple[FieldSpec, ...] = ()
+    offers: tuple[Offer, ...] = ()
+    note: str = ""
+
+    @property
+    def shape(self) -> tuple[object, ...]:
+        """Everything but the values: equal shapes need no other fields."""
+        return (self.title, tuple(field.key for field in self.fields), self.offers, self.note)

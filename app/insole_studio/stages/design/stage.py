@@ -1,0 +1,159 @@
+"""The design stage: four panels of thesis 6.3.3, their presenters, and the link of the cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from insole_studio.scene.camera import Camera, Preset, Subject
+from insole_studio.scene.pointer import PointerEvent
+from insole_studio.stages.design.model_presenter import (
+    FootPresenter,
+    InsolePresenter,
+    ModelPresenter,
+)
+from insole_studio.stages.design.model_view import ModelView
+from insole_studio.stages.design.parameters_presenter import ParametersPresenter
+from insole_studio.stages.design.parameters_view import ParametersView
+from insole_studio.stages.design.patient_presenter import PatientPresenter
+from insole_studio.stages.design.patient_view import PatientView
+from insole_studio.texts import tr
+from insole_studio.tools.hand import Hand
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.pad_library import PadSize
+
+
+class DesignStage(QObject):
+    """Owns the panels; the window only gives them their places."""
+
+    offer_chosen = Signal(str)
+    pointed = Signal(str)
+    hint_changed = Signal(str)
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        surface: InsoleSurface,
+        hand: Hand,
+        sizes: Sequence[PadSize],
+        dark: bool,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._hand = hand
+        self.linked = True
+        self.patient = PatientView()
+        self.parameters = ParametersView()
+        self.foot = ModelView(Subject.FOOT, "", dark)
+        self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
+        self.foot_presenter = FootPresenter(self.foot, case, surface, hand)
+        self.insole_presenter = InsolePresenter(self.insole, case, surface, hand)
+        self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
+            Subject.FOOT: (self.foot, self.foot_presenter),
+            Subject.INSOLE: (self.insole, self.insole_presenter),
+        }
+        self._patient_presenter = PatientPresenter(self.patient, case)
+        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, sizes)
+        for view, presenter in self._presenters.values():
+            self._connect(view, presenter)
+        self._fit_when_shown = False
+        case.opened.connect(self._fit_later)
+        surface.changed.connect(self._fit_insole_once)
+        case.selection_changed.connect(self._show_hint)
+        case.changed.connect(self._show_hint)
+        hand.tool_changed.connect(self._show_hint)
+
+    def look(self, preset: Preset) -> None:
+        """Look at both subjects from a named direction, whole."""
+        for view, presenter in self._presenters.values():
+            if presenter.bounds_mm is not None:
+                view.scene.set_camera(view.scene.aim_at(preset, presenter.bounds_mm))
+        if self.linked:
+            self._link_to_larger()
+        self._announce_cameras()
+
+    def fit(self) -> None:
+        """Show everything from where one looks now."""
+        self.look(self.foot.scene.camera.preset)
+
+    def set_linked(self, linked: bool) -> None:
+        """Let the cameras move together, or each for itself."""
+        self.linked = linked
+        if linked:
+            self.insole.scene.set_camera(self.foot.scene.camera)
+
+    def set_dark(self, dark: bool) -> None:
+        """Change the scheme of the scenes."""
+        for view, presenter in self._presenters.values():
+            view.scene.painter.set_dark(dark)
+            presenter.show_all()
+            view.scene.request_render()
+
+    def close(self) -> None:
+        """Free the renderers."""
+        for view, _ in self._presenters.values():
+            view.scene.close_scene()
+
+    def _connect(self, view: ModelView, presenter: ModelPresenter) -> None:
+        view.scene.sink = presenter
+        view.scene.camera_changed.connect(self._follow)
+        view.scene.hovered.connect(self._point)
+        view.preset_requested.connect(self.look)
+        view.offer_chosen.connect(self.offer_chosen)
+        presenter.show_all()
+
+    def _follow(self, camera: Camera) -> None:
+        if not self.linked:
+            return
+        for view, _ in self._presenters.values():
+            if view.scene is not self.sender():
+                view.scene.set_camera(camera)
+
+    def _link_to_larger(self) -> None:
+        """One camera for both that shows the larger of the two whole."""
+        cameras = [
+            view.scene.camera for view, p in self._presenters.values() if p.bounds_mm is not None
+        ]
+        if cameras:
+            widest = max(cameras, key=lambda camera: camera.height_mm)
+            for view, _ in self._presenters.values():
+                view.scene.set_camera(widest)
+
+    def _fit_later(self) -> None:
+        self._fit_when_shown = True
+        self.look(Preset.PLANTAR)
+        self._show_hint()
+
+    def _fit_insole_once(self) -> None:
+        if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:
+            self._fit_when_shown = False
+            self.look(Preset.PLANTAR)
+
+    def _announce_cameras(self) -> None:
+        for view, _ in self._presenters.values():
+            view.show_scale()
+
+    def _show_hint(self) -> None:
+        hint = self._hand.tool.hint(self._case) if self._case.foot is not None else ""
+        self.hint_changed.emit(hint)
+
+    def _point(self, event: PointerEvent) -> None:
+        self.pointed.emit(_describe(event))
+        view, _ = self._presenters[event.subject]
+        grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
+        if grabbed is not None:
+            self.hint_changed.emit(grabbed.hint)
+        else:
+            self._show_hint()
+
+
+def _describe(event: PointerEvent) -> str:
+    if event.surface_mm is None:
+        return ""
+    x, y, z = np.round(event.surface_mm, 1) + 0.0
+    return f"x {x:.1f}   y {y:.1f}   " + tr("height") + f" {z:.1f} mm"

@@ -1,0 +1,33 @@
+"""An error: one sentence, the details behind a disclosure, and a button that copies both."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
+
+from insole_studio.texts import tr
+
+
+class ErrorDialog(QMessageBox):
+    """Does not block the program: it opens, and everything else goes on."""
+
+    def __init__(self, sentence: str, details: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._report = f"{sentence}\n\n{details}".strip()
+        self.setWindowTitle(tr("Insole Studio"))
+        self.setIcon(QMessageBox.Icon.Warning)
+        self.setText(sentence[:1].upper() + sentence[1:])
+        if details:
+            self.setDetailedText(details)
+        self.setModal(True)
+        close = self.addButton(tr("Close"), QMessageBox.ButtonRole.AcceptRole)
+        self.setDefaultButton(close)
+        self.setEscapeButton(close)
+        self._copy: QPushButton = self.addButton(tr("Copy"), QMessageBox.ButtonRole.ActionRole)
+        # A message box closes on every button; copying should not end the reading.
+        self._copy.clicked.disconnect()
+        self._copy.clicked.connect(self.copy_report)
+
+    def copy_report(self) -> None:
+        """Put sentence and details onto the clipboard."""
+        QGuiApplication.clipboard().setText(self._report)

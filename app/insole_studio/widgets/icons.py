@@ -1,0 +1,40 @@
+"""One family of icons, by what they mean here."""
+
+from __future__ import annotations
+
+import qtawesome
+from PySide6.QtGui import QIcon
+
+_NAMES = {
+    "open": "mdi6.folder-open-outline",
+    "session": "mdi6.folder-image",
+    "mesh": "mdi6.cube-outline",
+    "save": "mdi6.content-save-outline",
+    "export": "mdi6.printer-3d-nozzle-outline",
+    "undo": "mdi6.undo",
+    "redo": "mdi6.redo",
+    "orbit": "mdi6.rotate-orbit",
+    "key_point": "mdi6.map-marker-outline",
+    "pelott": "mdi6.egg-outline",
+    "posting": "mdi6.angle-acute",
+    "plane": "mdi6.square-opacity",
+    "eye": "mdi6.eye-outline",
+    "eye-off": "mdi6.eye-off-outline",
+    "remove": "mdi6.close",
+    "link": "mdi6.link-variant",
+    "map": "mdi6.palette-outline",
+    "fit": "mdi6.fit-to-screen-outline",
+    "dark": "mdi6.theme-light-dark",
+}
+
+
+def icon(name: str) -> QIcon:
+    """Give an icon in the colours of the palette.
+
+    Raises
+    ------
+    KeyError
+        When the name is not one of ours.
+    """
+    found: QIcon = qtawesome.icon(_NAMES[name])
+    return found

@@ -1,0 +1,78 @@
+"""A field for one length or angle: typed with comma or point, nudged, or scrolled."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
+from PySide6.QtWidgets import QDoubleSpinBox, QWidget
+
+COARSE = 10.0
+FINE = 0.1
+
+
+class NumberField(QDoubleSpinBox):
+    """A number with its unit. Shift makes a step ten times as large, Ctrl a tenth."""
+
+    edited = Signal(float)
+    """The user, not the program, gave another value."""
+
+    def __init__(
+        self,
+        unit: str,
+        *,
+        least: float,
+        greatest: float,
+        step: float,
+        decimals: int = 1,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setRange(least, greatest)
+        self.setDecimals(decimals)
+        self.setSingleStep(step)
+        self.setSuffix(f" {unit}" if unit else "")
+        self.setKeyboardTracking(False)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.valueChanged.connect(self.edited)
+
+    def show_value(self, value: float) -> None:
+        """Show a value without `edited`; what is being typed stays."""
+        if self.value() != value:
+            with QSignalBlocker(self):
+                self.setValue(value)
+
+    def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
+        """Accept comma and point alike."""
+        return super().validate(self._localised(text), position)
+
+    def valueFromText(self, text: str) -> float:
+        """Read comma and point alike."""
+        return super().valueFromText(self._localised(text))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Nudge by the arrow keys."""
+        direction = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
+        if direction is None:
+            super().keyPressEvent(event)
+        else:
+            self._nudge(direction, event.modifiers())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Nudge by the wheel; Shift and Alt may turn it sideways."""
+        turn = event.angleDelta().y() or event.angleDelta().x()
+        self._nudge(turn / 120, event.modifiers())
+        event.accept()
+
+    def _nudge(self, steps: float, modifiers: Qt.KeyboardModifier) -> None:
+        factor = 1.0
+        if modifiers & Qt.KeyboardModifier.ShiftModifier:
+            factor = COARSE
+        elif modifiers & Qt.KeyboardModifier.ControlModifier:
+            factor = FINE
+        self.interpretText()
+        self.setValue(self.value() + steps * factor * self.singleStep())
+
+    def _localised(self, text: str) -> str:
+        point = self.locale().decimalPoint()
+        return text.replace(",", point).replace(".", point)

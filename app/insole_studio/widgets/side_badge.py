@@ -1,0 +1,34 @@
+"""Left or right, never in doubt: a coloured badge with the word."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+from insole_core.geometry.side import Side
+from insole_studio.texts import tr
+
+COLORS = {Side.LEFT: "#b3261e", Side.RIGHT: "#1b7a3d"}
+"""Red is left and green is right, as on ships; both carry white text at AA contrast."""
+
+
+class SideBadge(QLabel):
+    """Shows the side of a foot, and nothing before there is one."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Maximum)
+        self.show_side(None)
+
+    def show_side(self, side: Side | None) -> None:
+        """Show another side."""
+        self.setVisible(side is not None)
+        if side is None:
+            self.clear()
+            return
+        self.setText(tr("LEFT") if side is Side.LEFT else tr("RIGHT"))
+        self.setStyleSheet(
+            f"background: {COLORS[side]}; color: white; border-radius: 4px;"
+            " padding: 1px 8px; font-weight: 600;"
+        )

@@ -1,0 +1,156 @@
+"""A copy of the open case on the disk at any time, and its recovery after a crash.
+
+Every running window holds a lock beside its copy. A copy whose lock is free was left by a program
+that did not end on its own: it is offered at the next start.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import uuid
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.record import CaseRecord
+from insole_core.errors import InsoleError
+from insole_core.export.atomic import replacing_file
+from insole_core.progress import Progress
+from insole_studio.jobs import Jobs
+from insole_studio.workbench.case import Case
+
+log = logging.getLogger(__name__)
+
+CHANNEL = "autosave"
+DELAY_MS = 800
+
+
+@dataclass(frozen=True, eq=False)
+class Recovered:
+    """A case that a dead program left.
+
+    Parameters
+    ----------
+    record
+    path
+        The file it was open from; None for a case never saved.
+    copies
+        What to remove once the case is safe.
+    """
+
+    record: CaseRecord
+    path: Path | None
+    copies: tuple[Path, ...]
+
+    def discard(self) -> None:
+        """Remove the copies."""
+        for copy in self.copies:
+            copy.unlink(missing_ok=True)
+
+
+class Autosave(QObject):
+    """Writes the case a moment after each change, beside the window."""
+
+    failed = Signal(str)
+
+    def __init__(self, case: Case, jobs: Jobs, folder: Path, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._jobs = jobs
+        folder.mkdir(parents=True, exist_ok=True)
+        self._stem = folder / uuid.uuid4().hex
+        self._lock = _lock(self._stem)
+        self._lock.tryLock(0)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(DELAY_MS)
+        self._timer.timeout.connect(self._write_beside)
+        case.changed.connect(self._timer.start)
+        case.opened.connect(self._timer.start)
+        case.saved_changed.connect(self._forget_if_saved)
+
+    def write_now(self) -> None:
+        """Write at once, in this thread."""
+        self._timer.stop()
+        self._jobs.cancel(CHANNEL)
+        if self._case.has_unsaved_changes:
+            _write_copy(self._stem, self._case.record, self._case.path)
+
+    def close(self) -> None:
+        """Forget the copy: the program ends on its own."""
+        self._timer.stop()
+        self._jobs.cancel(CHANNEL)
+        self._forget()
+        self._lock.unlock()
+
+    def _write_beside(self) -> None:
+        if not self._case.has_unsaved_changes:
+            return
+        record, path = self._case.record, self._case.path
+
+        def write(_progress: Progress) -> None:
+            _write_copy(self._stem, record, path)
+
+        def fail(error: Exception) -> None:
+            self.failed.emit(str(error))
+
+        self._jobs.start(CHANNEL, write, lambda _nothing: None, fail)
+
+    def _forget_if_saved(self) -> None:
+        if not self._case.has_unsaved_changes:
+            self._timer.stop()
+            self._jobs.cancel(CHANNEL)
+            self._forget()
+
+    def _forget(self) -> None:
+        for copy in _copies(self._stem):
+            copy.unlink(missing_ok=True)
+
+
+def find_recovered(folder: Path) -> list[Recovered]:
+    """Give the cases that programs which are not running any more have left, newest first."""
+    if not folder.is_dir():
+        return []
+    found = []
+    copies = sorted(folder.glob("*.insole"), key=lambda p: p.stat().st_mtime, reverse=True)
+    for copy in copies:
+        stem = copy.with_suffix("")
+        lock = _lock(stem)
+        if not lock.tryLock(0):
+            continue
+        lock.unlock()
+        recovered = _recover(stem)
+        if recovered is not None:
+            found.append(recovered)
+    return found
+
+
+def _recover(stem: Path) -> Recovered | None:
+    record_copy, path_copy = _copies(stem)
+    try:
+        record = read_case(record_copy)
+        path = json.loads(path_copy.read_text(encoding="utf-8")) if path_copy.exists() else None
+    except (InsoleError, OSError, ValueError) as error:
+        log.warning("%s cannot be recovered: %s", record_copy, error)
+        return None
+    return Recovered(record, Path(path) if path else None, (record_copy, path_copy))
+
+
+def _write_copy(stem: Path, record: CaseRecord, path: Path | None) -> None:
+    record_copy, path_copy = _copies(stem)
+    with replacing_file(path_copy) as beside:
+        beside.write_text(json.dumps(str(path) if path else None), encoding="utf-8")
+    write_case(record, record_copy)
+
+
+def _copies(stem: Path) -> tuple[Path, Path]:
+    return stem.with_suffix(".insole"), stem.with_suffix(".json")
+
+
+def _lock(stem: Path) -> QLockFile:
+    lock = QLockFile(str(stem.with_suffix(".lock")))
+    lock.setStaleLockTime(0)  # a lock is stale only when its process is gone
+    return lock
