@@ -28,7 +28,7 @@ _SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.1
 _BALL_BAND = 0.68
 _TOES_START = 0.75
 _BAND = 0.02
-_PATCH, _PATCH_END = 0.03, 4.0
+_PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _PROFILE_STEP = 0.0125
 _TOE_DEPTH = 0.008
 _ROUNDS, _AT_REST_DEG = 40, 0.002
@@ -163,7 +163,9 @@ class _Marks:
         """Height of the sole about a place."""
         far2 = ((self.sole[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
         far2 -= far2.min()
-        near = far2 < _PATCH_END**2
+        near = np.flatnonzero(far2 < _PATCH_END**2)
+        # Noise can turn a piece of the back of the foot upside down.
+        near = near[self.sole[near, 2] < self.sole[near, 2].min() + _PATCH_DEPTH_MM]
         weights = self.sole_areas[near] * np.exp(-0.5 * far2[near])
         return float(weights @ self.sole[near, 2] / weights.sum())
 

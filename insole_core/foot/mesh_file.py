@@ -5,10 +5,9 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 import trimesh
 
 from insole_core.errors import InputError
@@ -16,7 +15,6 @@ from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
 
 Unit = Literal["mm", "m", "inch"]
-_Indices = npt.NDArray[np.signedinteger[Any]]
 
 _SUFFIXES = (".ply", ".stl", ".obj")
 _MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
@@ -135,17 +133,18 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
         return_index=True,
         return_inverse=True,
     )
-    mesh = _picked(mesh, first, merged.ravel()[mesh.triangles])
-    triangles = mesh.triangles[mesh.triangle_normals.any(axis=1)]
-    if len(triangles) == 0:
+    mesh = TriangleMesh(
+        mesh.vertices[first],
+        merged.ravel().astype(np.int32)[mesh.triangles],
+        None if mesh.colors is None else mesh.colors[first],
+    )
+    solid = mesh.triangle_normals.any(axis=1)
+    if not solid.any():
         raise InputError(f"{path} holds only triangles without area; export the scan again.")
-    used, index = np.unique(triangles, return_inverse=True)
-    return _picked(mesh, used, index.reshape(-1, 3))
-
-
-def _picked(mesh: TriangleMesh, vertices: _Indices, triangles: _Indices) -> TriangleMesh:
-    colors = None if mesh.colors is None else mesh.colors[vertices]
-    return TriangleMesh(mesh.vertices[vertices], triangles.astype(np.int32), colors)
+    mesh = replace(mesh, triangles=mesh.triangles[solid])
+    used = np.zeros(len(mesh.vertices), dtype=bool)
+    used[mesh.triangles] = True
+    return mesh.part(used)
 
 
 def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:

@@ -11,6 +11,7 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import LevelFoot, level
+from insole_core.foot.pieces import without_scraps
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -60,6 +61,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     InputError
         When the surface looks like no foot in any pose.
     """
+    mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
     poses = find_poses(mesh, points) if frame == "unknown" else _as_it_lies(points, np.eye(4))
     asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
@@ -77,7 +79,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         # The ways of ground and toes are those of the shape, whatever the side.
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    notes = (_side_note(asked, other), *_pose_notes(asked, frame))
+    notes = (_side_note(asked, other), *_pose_notes(asked, frame), *_scrap_note(scraps))
     return Foot(
         side, mesh.transformed(found.source2insole), found.source2insole, found.length_mm, notes
     )
@@ -135,6 +137,12 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
         )
     elif not found.foot.toes_told_apart:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
+
+
+def _scrap_note(scraps: int) -> Iterator[str]:
+    if scraps:
+        what = "piece that floats" if scraps == 1 else "pieces that float"
+        yield f"{scraps} small {what} beside the foot left out."
 
 
 def _direction(vector: FloatArray) -> str:

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.transforms import transform
 
 
@@ -85,6 +85,13 @@ class TriangleMesh:
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Bring the mesh from frame a to frame b."""
         return replace(self, vertices=transform(a2b, self.vertices))
+
+    def part(self, keep: BoolArray) -> TriangleMesh:
+        """Only the vertices with `keep` (n,) true, and the triangles between them."""
+        index = np.cumsum(keep, dtype=np.int32) - 1
+        triangles = self.triangles[keep[self.triangles].all(axis=1)]
+        colors = None if self.colors is None else self.colors[keep]
+        return TriangleMesh(self.vertices[keep], index[triangles], colors)
 
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""
