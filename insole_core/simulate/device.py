@@ -10,12 +10,13 @@ from scipy.ndimage import gaussian_filter
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.recording.sensor_json import DEPTH_SIZE
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 
 BASELINE_MM = 75.0
-WIDTH, HEIGHT = 640, 480
+_WIDTH, _HEIGHT = DEPTH_SIZE
 _FULL_COLOR_WIDTH = 1280
 _DISTORTION_RMS_RAW = 3.0
 _DISTORTION_DECAY = 0.002
@@ -77,12 +78,12 @@ def make_device(
     """
     focal_px = rng.normal(583.0, 3.0)
     depth_camera = Camera(
-        WIDTH, HEIGHT, focal_px, focal_px, rng.normal(318.0, 3.0), rng.normal(242.0, 3.0)
+        _WIDTH, _HEIGHT, focal_px, focal_px, rng.normal(318.0, 3.0), rng.normal(242.0, 3.0)
     )
     disparity = _disparity(focal_px, rng)
     distortion = _distortion(rng)
     residual = _unit(
-        gaussian_filter(rng.standard_normal((HEIGHT, WIDTH)), _RESIDUAL_CORRELATION_PX)
+        gaussian_filter(rng.standard_normal((_HEIGHT, _WIDTH)), _RESIDUAL_CORRELATION_PX)
     )
     sensor = Sensor(
         model="kinect-v1",
@@ -144,7 +145,7 @@ def _distortion(rng: np.random.Generator) -> FloatArray:
     """A smooth map (480, 640), raw units: a polynomial of degree 4 in both directions."""
     order = np.add.outer(np.arange(5), np.arange(5))
     coefficients = rng.standard_normal((5, 5)) * np.where(order <= 4, 1.0 / (1 + order), 0)
-    v, u = np.linspace(-1, 1, HEIGHT), np.linspace(-1, 1, WIDTH)
+    v, u = np.linspace(-1, 1, _HEIGHT), np.linspace(-1, 1, _WIDTH)
     return _DISTORTION_RMS_RAW * _unit(np.asarray(chebyshev.chebgrid2d(v, u, coefficients)))
 
 

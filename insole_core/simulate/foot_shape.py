@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
+from insole_core.simulate.limits import Limits, check_limits
 
-_LIMITS = {
-    "length_mm": (180.0, 290.0),
-    "ball_width_mm": (70.0, 120.0),
-    "heel_width_mm": (50.0, 80.0),
-    "arch_height_mm": (10.0, 32.0),
-    "rearfoot_eversion_deg": (-15.0, 15.0),
+_LIMITS: Limits = {
+    "length_mm": ("length of the simulated foot (mm)", 180, 290),
+    "ball_width_mm": ("ball width of the simulated foot (mm)", 70, 120),
+    "heel_width_mm": ("heel width of the simulated foot (mm)", 50, 80),
+    "arch_height_mm": ("arch height of the simulated foot (mm)", 10, 32),
+    "rearfoot_eversion_deg": ("rearfoot eversion of the simulated foot (degrees)", -15, 15),
 }
 
 
@@ -51,13 +51,7 @@ class FootShape:
     side: Side = Side.LEFT
 
     def __post_init__(self) -> None:
-        for name, (low, high) in _LIMITS.items():
-            value = getattr(self, name)
-            if not low <= value <= high:
-                raise UsageError(
-                    f"A foot with {name} = {value:g} cannot be simulated; "
-                    f"choose a value from {low:g} to {high:g}."
-                )
+        check_limits(self, _LIMITS)
 
 
 def vary_shape(rng: np.random.Generator, side: Side) -> FootShape:

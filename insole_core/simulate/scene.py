@@ -36,10 +36,10 @@ def build_scene(
 ) -> TriangleMesh:
     """Put the room together: one coloured mesh, mm, reference frame."""
     bricks = (_brick(marker) for marker in reference_system.markers)
-    return join_meshes([foot, *bricks, _bed(rng), *_clutter(rng)])
+    return _join([foot, *bricks, _bed(rng), *_clutter(rng)])
 
 
-def join_meshes(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
+def _join(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
     """Make one mesh of several coloured ones."""
     parts = list(meshes)
     starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
@@ -81,8 +81,7 @@ def _clutter(rng: np.random.Generator) -> list[TriangleMesh]:
     for centre, size, color in things:
         moved = np.array(centre, dtype=float) + rng.uniform(-6, 6, 3) * [1, 1, 0]
         turn = rotation_about(np.array([0.0, 0.0, 1.0]), rng.uniform(-8, 8))
-        box_size = np.array(size, dtype=float)
-        boxes.append(_box(moved, box_size, _six_faces(color), turn))
+        boxes.append(_box(moved, np.array(size, dtype=float), _six_faces(color), turn))
     return boxes
 
 

@@ -11,12 +11,21 @@ from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
-from insole_core.recording.session import Box, CaptureCondition, Manifest, Session, View
+from insole_core.recording.sensor_json import COLOR_SIZES
+from insole_core.recording.session import (
+    Box,
+    CaptureCondition,
+    Manifest,
+    ReferenceSystem,
+    Session,
+    View,
+)
 from insole_core.simulate.color_image import ColorRecording, record_color
 from insole_core.simulate.depth_image import DepthRecording, record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape, vary_shape
+from insole_core.simulate.limits import Limits, check_limits
 from insole_core.simulate.poses import stand_sensor
 from insole_core.simulate.ray_caster import RayCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
@@ -24,13 +33,14 @@ from insole_core.simulate.scene import build_scene, load_reference_system
 _SENSOR_FACES = {"left": "sole", "right": "sole", "top": "achilles"}
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
 _RECORDED_AT = "2026-01-01T00:00:00Z"
-_LIMITS = {
-    "seed": (0, 2**32 - 1),
-    "distance_mm": (500.0, 1500.0),
-    "half_angle_deg": (5.0, 45.0),
-    "bursts": (1, 9),
-    "frames": (1, 999),
-    "color_frames": (1, 999),
+_LIMITS: Limits = {
+    "seed": ("seed of the simulation", 0, 2**32 - 1),
+    "distance_mm": ("distance of the sensors (mm)", 500, 1500),
+    "half_angle_deg": ("angle of the sole sensors (degrees)", 5, 45),
+    "bursts": ("number of places each sensor stands in", 1, 9),
+    "frames": ("number of depth frames", 1, 999),
+    "color_frames": ("number of colour frames", 1, 999),
+    "foot_cell_mm": ("resolution of the foot's surface (mm)", 1, 8),
 }
 
 
@@ -54,7 +64,7 @@ class SimulationOptions:
     half_angle_deg
         Of the two sole sensors' axes against the direction of the leg.
     color_size
-        Width and height of the colour images, px.
+        Width and height of the colour images, px: 1280 x 1024, 1280 x 960 or 640 x 480.
     foot_cell_mm
         Resolution of the foot's surface.
 
@@ -76,13 +86,12 @@ class SimulationOptions:
     foot_cell_mm: float = DEFAULT_CELL_MM
 
     def __post_init__(self) -> None:
-        for name, (low, high) in _LIMITS.items():
-            value = getattr(self, name)
-            if not low <= value <= high:
-                raise UsageError(
-                    f"A session with {name} = {value:g} cannot be simulated; "
-                    f"choose a value from {low:g} to {high:g}."
-                )
+        check_limits(self, _LIMITS)
+        if self.color_size not in COLOR_SIZES:
+            raise UsageError(
+                f"A colour image of {self.color_size[0]} x {self.color_size[1]} px cannot be "
+                "simulated; choose 1280 x 1024, 1280 x 960 or 640 x 480."
+            )
         if self.shape is not None and self.shape.side is not self.side:
             raise UsageError(
                 f"The foot's shape is a {self.shape.side} one, but a {self.side} foot is to be "
@@ -118,8 +127,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     """Simulate one capture."""
     progress.step(0.0, "Shaping the foot")
     rng = np.random.default_rng([options.seed, 0])
-    shape = options.shape or vary_shape(rng, options.side)
-    foot = build_foot(shape, rng, options.foot_cell_mm)
+    foot = build_foot(options.shape or vary_shape(rng, options.side), rng, options.foot_cell_mm)
     reference_system = load_reference_system()
     caster = RayCaster(build_scene(foot.mesh, reference_system, rng))
 
@@ -130,20 +138,15 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     views, poses = [], {}
     for number, (name, sensor) in enumerate(plan):
         progress.step(0.1 + 0.9 * number / len(plan), f"Simulating view {name}")
-        seed = [options.seed, 2, number]
-        poses[name] = stand_sensor(
-            sensor, options.distance_mm, options.half_angle_deg, np.random.default_rng(seed)
+        rng = np.random.default_rng([options.seed, 2, number])
+        poses[name] = stand_sensor(sensor, options.distance_mm, options.half_angle_deg, rng)
+        recorder = _Recorder(
+            record_depth(caster, devices[sensor], poses[name], rng),
+            record_color(caster, devices[sensor].sensor, poses[name]),
+            [options.seed, 3, number],
         )
-        recorder = _record(caster, devices[sensor], poses[name], seed)
         views.append(_view(name, devices[sensor], recorder, options))
-    manifest = Manifest(
-        recorded_at=_RECORDED_AT,
-        side=options.side,
-        reference_system=reference_system,
-        views=tuple(name for name, _ in plan),
-        volume_of_interest=_VOLUME,
-        capture_condition=CaptureCondition(notes=f"Simulated, seed {options.seed}"),
-    )
+    manifest = _manifest(options, reference_system, tuple(poses))
     session = Session(manifest, tuple(views), f"the simulation with seed {options.seed}")
     return SimulatedSession(session, foot, poses)
 
@@ -179,6 +182,19 @@ def _view(name: str, device: Device, recorder: _Recorder, options: SimulationOpt
     )
 
 
+def _manifest(
+    options: SimulationOptions, reference_system: ReferenceSystem, views: tuple[str, ...]
+) -> Manifest:
+    return Manifest(
+        recorded_at=_RECORDED_AT,
+        side=options.side,
+        reference_system=reference_system,
+        views=views,
+        volume_of_interest=_VOLUME,
+        capture_condition=CaptureCondition(notes=f"Simulated, seed {options.seed}"),
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class _Recorder:
     """What one sensor recorded; every frame has its own random stream, so any order will do."""
@@ -192,14 +208,3 @@ class _Recorder:
 
     def read_color(self, frame: int) -> ByteArray:
         return self.color.frame(np.random.default_rng([*self.seed, 2, frame]))
-
-
-def _record(
-    caster: RayCaster, device: Device, sensor2reference: FloatArray, seed: list[int]
-) -> _Recorder:
-    rng = np.random.default_rng([*seed, 0])
-    return _Recorder(
-        record_depth(caster, device, sensor2reference, rng),
-        record_color(caster, device.sensor, sensor2reference),
-        seed,
-    )

@@ -163,13 +163,13 @@ def test_every_drawn_foot_is_closed(seed: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("values", "name"),
+    ("values", "words"),
     [
-        ({"length_mm": 24.5}, "length_mm"),
-        ({"arch_height_mm": float("nan")}, "arch_height_mm"),
-        ({"rearfoot_eversion_deg": 40.0}, "rearfoot_eversion_deg"),
+        ({"length_mm": 24.5}, "length"),
+        ({"arch_height_mm": float("nan")}, "arch height"),
+        ({"rearfoot_eversion_deg": 40.0}, "eversion"),
     ],
 )
-def test_a_shape_that_is_none_of_a_foot_is_refused(values: dict[str, float], name: str) -> None:
-    with pytest.raises(UsageError, match=f"{name}.*choose a value from"):
+def test_a_shape_that_is_none_of_a_foot_is_refused(values: dict[str, float], words: str) -> None:
+    with pytest.raises(UsageError, match=f"{words}.*choose a value from"):
         FootShape(**values)
