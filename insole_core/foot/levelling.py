@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 from scipy.signal import find_peaks
 
+from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -65,6 +66,11 @@ def level(
         To a frame with the toes towards +y and the sole towards -z, right to some 15 degrees.
     covered
         Share of the foot's length that the surface covers from the heel on.
+
+    Raises
+    ------
+    InputError
+        When nothing faces the ground.
     """
     surface = _low_part(mesh, source2rough)
     pose = source2rough
@@ -107,6 +113,11 @@ class _Marks:
         sole = low & (surface.normals @ pose[2, :3] < -0.5)
         self.sole = self.vertices[sole]
         self.sole_areas = surface.areas[sole]
+        if not sole.any():
+            raise InputError(
+                "the surface has no sole: nothing of it faces the ground;"
+                " check that the scan shows the foot from below."
+            )
         self.back = float(self.outline[:, 1].min())
         self.length = float(np.ptp(self.outline[:, 1])) / covered
 

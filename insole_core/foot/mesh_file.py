@@ -112,7 +112,10 @@ def _vertex_colors(loaded: trimesh.Trimesh) -> ByteArray | None:
 def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     """Refuse what is no triangle mesh at all."""
     if len(mesh.triangles) == 0:
-        raise InputError(f"{path} holds no surface; export the scan as a triangle mesh.")
+        raise InputError(
+            f"{path} holds no surface that can be read, as if it were cut off or held points only;"
+            " export it again as a triangle mesh."
+        )
     if mesh.triangles.min() < 0 or mesh.triangles.max() >= len(mesh.vertices):
         raise InputError(
             f"{path} names corners that it does not hold; it is damaged, so export it again."
@@ -140,7 +143,7 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     )
     solid = mesh.triangle_normals.any(axis=1)
     if not solid.any():
-        raise InputError(f"{path} holds only triangles without area; export the scan again.")
+        raise InputError(f"{path} holds only triangles without area; export it again.")
     mesh = replace(mesh, triangles=mesh.triangles[solid])
     used = np.zeros(len(mesh.vertices), dtype=bool)
     used[mesh.triangles] = True
@@ -153,7 +156,7 @@ def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
         if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
             if _depth(mesh) * factor < _LEAST_DEPTH_MM:
                 raise InputError(
-                    f"{path} is flat, which is no surface of a foot; export the scan again."
+                    f"{path} is flat, which is no surface of a foot; export it again."
                 )
             return unit
     raise InputError(

@@ -59,17 +59,17 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     SideMismatchError
         When the shape is clearly that of the other foot, unless `force`.
     InputError
-        When the surface looks like no foot in any pose.
+        When the surface looks like no foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
     poses = find_poses(mesh, points) if frame == "unknown" else _as_it_lies(points, np.eye(4))
-    asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
-    if frame == "unknown" and min(asked.pose.unlikeness, other.pose.unlikeness) > _NO_FOOT:
+    if frame == "unknown" and poses[0].unlikeness > _NO_FOOT:
         raise InputError(
             "the surface looks like no foot, whichever way it is turned;"
             " check that the file holds a foot or its sole, and nothing else."
         )
+    asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
     if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
         if not force:
             raise SideMismatchError(

@@ -12,7 +12,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
-_SWEEPS = 12
+_SWEEPS = 20
 _COARSEST_NODES = 9
 
 

@@ -1,0 +1,38 @@
+"""Simulated feet for every part of the core that stands on a foot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.placing import place_foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
+
+
+@pytest.fixture(scope="session")
+def left_mesh() -> TriangleMesh:
+    """A left foot of 245 mm, reference frame, closed, coarse."""
+    return build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=3.0).mesh
+
+
+@pytest.fixture(scope="session")
+def right_mesh(left_mesh: TriangleMesh) -> TriangleMesh:
+    """The exact mirror image of the left foot."""
+    mirrored = replace(left_mesh, vertices=left_mesh.vertices * [-1, 1, 1])
+    return mirrored.flipped()
+
+
+@pytest.fixture(scope="session")
+def left_foot(left_mesh: TriangleMesh) -> Foot:
+    return place_foot(left_mesh, Side.LEFT, frame="reference")
+
+
+@pytest.fixture(scope="session")
+def right_foot(right_mesh: TriangleMesh) -> Foot:
+    return place_foot(right_mesh, Side.RIGHT, frame="reference")

@@ -1,0 +1,179 @@
+"""Bringing feet to the insole frame: from any pose, of either side, whole or in part."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial.transform import Rotation
+
+from insole_core.errors import InputError
+from insole_core.foot.mesh_file import read_mesh
+from insole_core.foot.placing import SideMismatchError, place_foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import is_rotation, rigid, transform
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import vary_shape
+
+
+def thrown(mesh: TriangleMesh, seed: int) -> TriangleMesh:
+    """The mesh in a pose of chance."""
+    rng = np.random.default_rng(seed)
+    rotation = Rotation.random(rng=rng).as_matrix()
+    return mesh.transformed(rigid(rotation, rng.uniform(-500, 500, 3)))
+
+
+def mirrored(mesh: TriangleMesh) -> TriangleMesh:
+    return replace(mesh, vertices=mesh.vertices * [-1, 1, 1]).flipped()
+
+
+def check_frame(mesh: TriangleMesh, side: Side) -> None:
+    """The insole frame of the contract, seen on the surface itself."""
+    low = mesh.vertices[mesh.vertices[:, 2] < 45]
+    assert mesh.vertices[:, 2].min() == pytest.approx(0, abs=1e-6)
+    assert low[:, 1].min() == pytest.approx(0, abs=0.05)
+    front = low[low[:, 1] > 0.93 * low[:, 1].max(), 0]
+    assert front.mean() * side.medial_sign > 2  # the big toe, longest, lies medially
+    sole = mesh.vertices[mesh.vertex_normals[:, 2] < -0.5]
+    arch = sole[np.abs(sole[:, 1] - 0.42 * low[:, 1].max()) < 5]
+    medial = arch[:, 0] * side.medial_sign > 10
+    lateral = arch[:, 0] * side.medial_sign < -15
+    assert arch[medial, 2].mean() > arch[lateral, 2].mean() + 2
+
+
+def test_foot_of_a_session_is_levelled(left_mesh, left_foot):
+    check_frame(left_foot.mesh, Side.LEFT)
+    assert left_foot.length_mm == pytest.approx(245, abs=2)
+    assert is_rotation(left_foot.source2insole[:3, :3])
+    moved = transform(left_foot.source2insole, left_mesh.vertices)
+    assert np.abs(moved - left_foot.mesh.vertices).max() < 1e-9
+
+
+def test_mirror_image_is_placed_as_mirror_image(left_foot, right_foot):
+    check_frame(right_foot.mesh, Side.RIGHT)
+    assert right_foot.mesh.vertices == pytest.approx(left_foot.mesh.vertices * [-1, 1, 1], abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("side", list(Side))
+def test_pose_of_a_mesh_does_not_matter(left_mesh, left_foot, side, seed):
+    mesh = left_mesh if side is Side.LEFT else mirrored(left_mesh)
+    foot = place_foot(thrown(mesh, seed), side, frame="unknown")
+    expected = left_foot.mesh.vertices * [side.medial_sign, 1, 1]
+    assert np.linalg.norm(foot.mesh.vertices - expected, axis=1).max() < 0.1
+    assert any("toes point" in note for note in foot.notes)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_feet_of_other_shapes_keep_their_side(seed):
+    rng = np.random.default_rng(seed)
+    side = [Side.LEFT, Side.RIGHT][seed % 2]
+    mesh = thrown(build_foot(vary_shape(rng, side), rng, cell_mm=3.5).mesh, seed)
+    check_frame(place_foot(mesh, side, frame="unknown").mesh, side)
+    with pytest.raises(SideMismatchError):
+        place_foot(mesh, side.other, frame="unknown")
+
+
+@pytest.mark.parametrize("frame", ["reference", "unknown"])
+def test_wrong_side_is_refused_and_can_be_forced(left_mesh, left_foot, frame):
+    with pytest.raises(SideMismatchError, match=r"looks like a left foot.*--side left, or --force"):
+        place_foot(left_mesh, Side.RIGHT, frame=frame)
+    forced = place_foot(left_mesh, Side.RIGHT, frame=frame, force=True)
+    assert forced.side is Side.RIGHT
+    assert "by force" in forced.notes[0]
+    apart = np.linalg.norm(forced.mesh.vertices - left_foot.mesh.vertices, axis=1)
+    assert apart.max() < 45  # the same way up and round, whatever its name
+
+
+def sole(mesh: TriangleMesh) -> TriangleMesh:
+    return mesh.part((mesh.vertex_normals[:, 2] < -0.3) & (mesh.vertices[:, 2] < 30))
+
+
+def slipper(mesh: TriangleMesh) -> TriangleMesh:
+    return mesh.part(mesh.vertices[:, 2] < 35)
+
+
+def without_toes(mesh: TriangleMesh) -> TriangleMesh:
+    return mesh.part(mesh.vertices[:, 1] < 60)
+
+
+def with_hole(mesh: TriangleMesh) -> TriangleMesh:
+    x, y, z = mesh.vertices.T
+    return mesh.part((np.hypot(x - 10, y) > 20) & (z < 35))
+
+
+@pytest.mark.parametrize(
+    ("cut", "limit_mm"),
+    # The rearmost point of an open sole lies further ahead than that of the heel.
+    [(sole, 6.0), (slipper, 0.5), (without_toes, 6.0), (with_hole, 0.5)],
+)
+def test_part_of_a_foot_finds_its_place(left_mesh, left_foot, cut, limit_mm):
+    part = cut(left_mesh)
+    scan = thrown(part, 5)
+    foot = place_foot(scan, Side.LEFT, frame="unknown")
+    low = part.vertices[:, 2] < 40
+    apart = (
+        transform(foot.source2insole, scan.vertices)
+        - transform(left_foot.source2insole, part.vertices)
+    )[low]
+    assert np.abs(apart).max() < limit_mm
+
+
+def test_missing_toes_are_said(left_mesh):
+    foot = place_foot(without_toes(left_mesh), Side.LEFT, frame="reference")
+    assert any("toes are missing" in note for note in foot.notes)
+    assert foot.length_mm > np.ptp(foot.mesh.vertices[:, 1])
+
+
+def test_scraps_are_left_out_and_said(left_mesh, left_foot):
+    scrap = trimesh.creation.icosphere(radius=4)
+    mesh = TriangleMesh(
+        np.concatenate([left_mesh.vertices, scrap.vertices + np.array([40, 0, -60])]),
+        np.concatenate([left_mesh.triangles, scrap.faces + len(left_mesh.vertices)]).astype(
+            np.int32
+        ),
+    )
+    foot = place_foot(mesh, Side.LEFT, frame="unknown")
+    assert foot.mesh.vertices == pytest.approx(left_foot.mesh.vertices, abs=0.1)
+    assert any("1 small piece" in note for note in foot.notes)
+
+
+@pytest.mark.parametrize(
+    "thing", [trimesh.creation.icosphere(radius=60), trimesh.creation.box((250, 250, 250))]
+)
+def test_what_is_no_foot_is_refused(thing):
+    mesh = TriangleMesh(np.array(thing.vertices), np.array(thing.faces, np.int32))
+    with pytest.raises(InputError, match="looks like no foot"):
+        place_foot(mesh, Side.LEFT, frame="unknown")
+
+
+def test_back_of_a_foot_alone_is_refused(left_mesh):
+    back = left_mesh.part(left_mesh.vertex_normals[:, 2] > 0.2)
+    with pytest.raises(InputError, match="no sole"):
+        place_foot(back, Side.LEFT, frame="reference")
+
+
+@pytest.mark.shared
+def test_real_plantar_scan_is_a_right_foot(shared_data: Path):
+    mesh = read_mesh(shared_data / "feet" / "plantar_scan.obj").mesh
+    foot = place_foot(mesh, Side.RIGHT, frame="unknown")
+    check_frame(foot.mesh, Side.RIGHT)
+    assert any("sole faces -z" in note and "along +x" in note for note in foot.notes)
+    again = place_foot(thrown(mirrored(mesh), 1), Side.LEFT, frame="unknown")
+    assert again.mesh.vertices == pytest.approx(foot.mesh.vertices * [-1, 1, 1], abs=0.1)
+    with pytest.raises(SideMismatchError, match="looks like a right foot"):
+        place_foot(mesh, Side.LEFT, frame="unknown")
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
+def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
+    mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
+    foot = place_foot(mesh, side, frame="reference")
+    check_frame(foot.mesh, side)
+    again = place_foot(thrown(mesh, 3), side, frame="unknown")
+    assert np.linalg.norm(again.mesh.vertices - foot.mesh.vertices, axis=1).max() < 0.1

@@ -1,0 +1,217 @@
+"""The JSON form of a design: what comes back, what is refused; and its schema says the same."""
+
+from __future__ import annotations
+
+import copy
+import json
+from dataclasses import MISSING, fields
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from insole_core.errors import DesignError, InputError
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.design_json import design_from_json, design_to_json, read_design
+from insole_core.insole.limits import CORRECTION_RANGES, DESIGN_RANGES, Range
+
+SCHEMA = json.loads(
+    (Path(__file__).parents[3] / "docs" / "formats" / "design.schema.json").read_text("utf-8")
+)
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+CONTRACT: dict[str, Any] = {
+    "format": "insole-design", "version": 1, "side": "left",
+    "corrections": [
+        {"type": "pelott", "shape": "egg", "centre_mm": [12.0, 150.0], "length_mm": 60,
+         "width_mm": 40, "height_mm": 6, "turn_deg": 0},
+        {"type": "posting", "rearfoot_deg": 4, "forefoot_deg": 0},
+    ],
+    "thickness_mm": 3.0, "grid_mm": 0.5,
+}  # fmt: skip
+
+
+def within(limits: Range) -> st.SearchStrategy[float]:
+    return st.floats(limits.least, limits.greatest)
+
+
+def correction(kind: type, **extra: Any) -> st.SearchStrategy[Any]:
+    numbers = {k: within(r) for k, r in CORRECTION_RANGES[kind].items() if k not in extra}
+    texts = {"author": st.text(max_size=8), "enabled": st.booleans()}
+    return st.builds(kind, **numbers, **texts, **extra)
+
+
+PELOTT = CORRECTION_RANGES[Pelott]
+designs = st.builds(
+    InsoleDesign,
+    side=st.sampled_from(Side),
+    corrections=st.lists(
+        correction(
+            Pelott,
+            centre_mm=st.tuples(within(PELOTT["centre_mm"]), within(PELOTT["centre_mm"])),
+            sigma_mm=st.none() | st.tuples(within(PELOTT["sigma_mm"]), within(PELOTT["sigma_mm"])),
+        )
+        | correction(Posting),
+        max_size=4,
+    ).map(tuple),
+    **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
+)
+
+
+def changed(*path: Any, value: Any) -> dict[str, Any]:
+    """The contract's example with one value replaced or added."""
+    content = copy.deepcopy(CONTRACT)
+    *way, last = path
+    place: Any = content
+    for step in way:
+        place = place[step]
+    place[last] = value
+    return content
+
+
+def without(key: str) -> dict[str, Any]:
+    return {k: v for k, v in CONTRACT.items() if k != key}
+
+
+def test_example_of_the_contract_is_read():
+    design = design_from_json(CONTRACT)
+    assert design.side is Side.LEFT
+    assert (design.thickness_mm, design.grid_mm) == (3.0, 0.5)
+    pad, posting = design.corrections
+    assert isinstance(pad, Pelott)
+    assert (pad.centre_mm, pad.height_mm, pad.enabled) == ((12.0, 150.0), 6.0, True)
+    assert isinstance(posting, Posting)
+    assert (posting.rearfoot_deg, posting.forefoot_deg) == (4.0, 0.0)
+    VALIDATOR.validate(CONTRACT)
+
+
+@given(design=designs)
+@settings(max_examples=60, deadline=None)
+def test_every_design_comes_back_and_obeys_the_schema(design):
+    content = json.loads(json.dumps(design_to_json(design)))
+    VALIDATOR.validate(content)
+    assert design_from_json(content) == design
+
+
+def test_defaults_of_the_schema_are_those_of_the_values():
+    pairs = [
+        (InsoleDesign, SCHEMA["properties"]),
+        (Pelott, SCHEMA["$defs"]["pelott"]["properties"]),
+        (Posting, SCHEMA["$defs"]["posting"]["properties"]),
+    ]
+    for kind, described in pairs:
+        assert {f.name for f in fields(kind)} == described.keys() - {"format", "version", "type"}
+        for field in fields(kind):
+            if "default" in described[field.name]:
+                assert field.default == described[field.name]["default"]
+            elif field.name not in ("corrections", "sigma_mm"):
+                assert field.default is MISSING
+
+
+def test_ranges_of_the_schema_are_those_of_the_reader():
+    described = [(DESIGN_RANGES, SCHEMA["properties"])] + [
+        (ranges, SCHEMA["$defs"][kind.type]["properties"])
+        for kind, ranges in CORRECTION_RANGES.items()
+    ]
+    for ranges, properties in described:
+        for key, limits in ranges.items():
+            number = properties[key].get("items", properties[key])
+            assert (number["minimum"], number["maximum"]) == (limits.least, limits.greatest)
+        bounded = {k for k, v in properties.items() if "minimum" in v.get("items", v)}
+        assert bounded == ranges.keys()
+
+
+BAD = [
+    ([], "JSON object"),
+    (without("format"), 'format must be "insole-design"'),
+    (without("version"), "version must be 1"),
+    (without("side"), '"side"'),
+    (without("corrections"), '"corrections"'),
+    (changed("version", value=2), "version 2.*newer"),
+    (changed("version", value=True), "version must be 1"),
+    (changed("side", value="both"), 'side must be "left" or "right", and is "both"'),
+    (changed("thickness_mm", value=0.1), "thickness_mm is 0.1, and must be 0.5 to 40 mm"),
+    (changed("thickness_mm", value=41), "thickness_mm is 41"),
+    (changed("thickness_mm", value="3"), 'thickness_mm must be a number, and is "3"'),
+    (changed("thickness_mm", value=True), "thickness_mm must be a number"),
+    (changed("grid_mm", value=0), "grid_mm is 0, and must be 0.25 to 5 mm"),
+    (changed("margin_mm", value=-1), "margin_mm is -1"),
+    (changed("max_height_mm", value=200), "max_height_mm is 200"),
+    (changed("comment", value="x"), '"comment".*does not know'),
+    (changed("corrections", value={}), "corrections must be a list"),
+    (changed("corrections", 0, value=7), r"corrections\[0\] must be a JSON object"),
+    (changed("corrections", 0, "type", value="skive"), r"corrections\[0\].*\"skive\".*\"pelott\""),
+    (changed("corrections", 0, "type", value=["pelott"]), "does not know"),
+    (changed("corrections", 0, "heigth_mm", value=5), '"heigth_mm"'),
+    (
+        changed("corrections", 0, "height_mm", value=25),
+        r"height_mm of corrections\[0\] \(pelott\) is 25, and must be -20 to 20 mm",
+    ),
+    (changed("corrections", 0, "centre_mm", value=[1.0]), "centre_mm.*two numbers"),
+    (changed("corrections", 0, "centre_mm", value=[1.0, 999.0]), "centre_mm.*999"),
+    (changed("corrections", 0, "shape", value="star"), 'shape.*"star"'),
+    (changed("corrections", 0, "egg_ratio", value=1.5), "egg_ratio.*0 to 1;"),
+    (changed("corrections", 0, "enabled", value=1), "enabled.*true or false"),
+    (changed("corrections", 0, "author", value=1), "author.*must be a text"),
+    (
+        changed("corrections", 1, "rearfoot_deg", value=-16),
+        r"rearfoot_deg of corrections\[1\] \(posting\) is -16, and must be -15 to 15 degrees",
+    ),
+    (changed("corrections", 0, value={"type": "pelott"}), 'lacks the key "centre_mm"'),
+]
+
+
+@pytest.mark.parametrize(("content", "reason"), BAD, ids=range(len(BAD)))
+def test_reader_and_schema_refuse_the_same(content, reason):
+    with pytest.raises(DesignError, match=reason):
+        design_from_json(content)
+    assert not VALIDATOR.is_valid(content)
+
+
+def test_ids_must_differ():
+    content = changed("corrections", 0, "id", value="a")
+    content["corrections"][1]["id"] = "a"
+    with pytest.raises(DesignError, match='two corrections have the id "a"'):
+        design_from_json(content)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "no valid JSON"),
+        ('{"format": "insole-design", ', "no valid JSON"),
+        ("[" * 100_000, "no valid JSON"),
+        (json.dumps(CONTRACT).replace("3.0", "NaN"), "NaN is no number"),
+        (json.dumps(CONTRACT).replace("3.0", "1e999"), "thickness_mm is inf"),
+        (json.dumps(CONTRACT).replace("3.0", "1" * 400), "thickness_mm is too large"),
+        (
+            json.dumps(CONTRACT).replace('"grid_mm"', '"thickness_mm"'),
+            '"thickness_mm" stands twice',
+        ),
+        (json.dumps(without("side")), 'lacks the key "side"'),
+    ],
+    ids=range(8),
+)
+def test_file_that_cannot_be_used_is_refused_by_name(tmp_path, text, reason):
+    path = tmp_path / "design.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=rf"(?s)design\.json.*{reason}"):
+        read_design(path)
+
+
+def test_missing_and_binary_files_are_refused(tmp_path):
+    with pytest.raises(InputError, match=r"none\.json cannot be read"):
+        read_design(tmp_path / "none.json")
+    path = tmp_path / "design.json"
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match="no UTF-8 text"):
+        read_design(path)
+
+
+def test_file_of_the_contract_is_read(tmp_path):
+    path = tmp_path / "design.json"
+    path.write_text(json.dumps(CONTRACT), encoding="utf-8")
+    assert read_design(path).corrections[0].type == "pelott"
