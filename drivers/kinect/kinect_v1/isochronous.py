@@ -100,8 +100,8 @@ class _TimeValue(ctypes.Structure):
 
 def load_library(name: str) -> Any:
     """Load an own copy of the bindings, so that argument types do not clash with pyusb's."""
-    kind = ctypes.WinDLL if sys.platform == "win32" else ctypes.CDLL
-    library = kind(name, use_errno=True)
+    bindings = getattr(ctypes, "WinDLL" if sys.platform == "win32" else "CDLL")
+    library = bindings(name, use_errno=True)
     pointer = ctypes.POINTER(_Transfer)
     library.libusb_alloc_transfer.restype = pointer
     library.libusb_alloc_transfer.argtypes = [ctypes.c_int]
@@ -162,7 +162,7 @@ class _Slot:
         self.buffer = np.zeros((packets, packet_bytes), np.uint8)
         address = ctypes.addressof(self.pointer.contents) + _DESCRIPTORS_OFFSET
         raw = (ctypes.c_uint32 * (3 * packets)).from_address(address)
-        self._descriptors = np.frombuffer(raw, np.uint32).reshape(packets, 3)
+        self._descriptors = np.ctypeslib.as_array(raw).reshape(packets, 3)
         self._descriptors[:, 0] = packet_bytes
 
     def block(self) -> PacketBlock:
@@ -232,8 +232,8 @@ class IsochronousStream:
                 library.libusb_cancel_transfer(self._slots[key].pointer)
             if not self._changed.wait_for(lambda: not self._under_way, _CANCEL_LIMIT_S):
                 raise TransferError(
-                    f"USB transfers on bus {self._target.bus} do not end; unplug the sensor and restart "
-                    "the program."
+                    f"USB transfers on bus {self._target.bus} do not end; unplug the sensor and "
+                    "restart the program."
                 )
         for slot in self._slots.values():
             library.libusb_free_transfer(slot.pointer)

@@ -52,11 +52,20 @@ class FoundSensor:
         The cameras of 1473 and Kinect for Windows report zeros; there the audio part's number
         counts, and where that cannot be had, the place it is plugged in.
         """
-        own = self.camera.serial()
-        if own is None or own.strip("0"):
-            return own
-        theirs = self.companion.serial() if self.companion else None
-        return theirs or f"at-{self.camera.place}"
+        try:
+            own = self.camera.serial()
+            if own is None or own.strip("0"):
+                return own
+            theirs = self.companion.serial() if self.companion else None
+            return theirs or f"at-{self.camera.place}"
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """Give both functions back."""
+        self.camera.close()
+        if self.companion is not None:
+            self.companion.close()
 
 
 def find_sensors(bus: UsbBus) -> tuple[list[FoundSensor], list[UsbFunction]]:
@@ -118,10 +127,6 @@ def _describe(sensor: FoundSensor) -> SensorInfo | None:
         serial = sensor.serial()
     except KinectError as error:
         return SensorInfo(None, sensor.model, camera.bus, camera.place, str(error))
-    finally:
-        camera.close()
-        if sensor.companion is not None:
-            sensor.companion.close()
     return SensorInfo(serial, sensor.model, camera.bus, camera.place) if serial else None
 
 
@@ -140,15 +145,32 @@ def find_sensor(bus: UsbBus, serial: str | None) -> tuple[FoundSensor, str]:
         if motors:
             raise NoPowerError(no_power_text(motors[0]))
         raise NoSensorError("No Kinect is plugged in; plug in its USB cable and its 12 V supply.")
-    known = [(sensor, sensor.serial()) for sensor in sensors]
-    named = [(sensor, number) for sensor, number in known if number is not None]
+    named, unreadable = _named(sensors)
     matching = [pair for pair in named if serial in (None, pair[1])]
     if len(matching) == 1:
         return matching[0]
     numbers = ", ".join(sorted(number for _, number in named)) or "none"
     if matching:
         raise NoSensorError(f"Several sensors are plugged in; choose one of: {numbers}.")
+    if unreadable:
+        raise unreadable[0]
     raise NoSensorError(f"No sensor has the number {serial}; plugged in now: {numbers}.")
+
+
+def _named(
+    sensors: list[FoundSensor],
+) -> tuple[list[tuple[FoundSensor, str]], list[KinectError]]:
+    """Read the sensors' numbers; give those that have one, and why others could not be read."""
+    named, unreadable = [], []
+    for sensor in sensors:
+        try:
+            number = sensor.serial()
+        except KinectError as error:
+            unreadable.append(error)
+            continue
+        if number is not None:
+            named.append((sensor, number))
+    return named, unreadable
 
 
 def no_power_text(motor: UsbFunction) -> str:

@@ -166,6 +166,11 @@ class Stream:
                 raise self._failure
         raise self._silent(limit_s)
 
+    def poll(self) -> Frame | None:
+        """Give the next frame if one waits already."""
+        with self._changed:
+            return self._kept.popleft() if self._kept else None
+
     def _pass_on(self, packed: PackedFrame, now: float) -> None:
         image = decode_image(packed.data, self.mode)
         frame = Frame(

@@ -13,6 +13,7 @@ from typing import Any, Protocol
 
 import usb.backend
 import usb.backend.libusb1
+import usb.control
 import usb.core
 import usb.util
 
@@ -66,12 +67,13 @@ class StreamingBackend(usb.backend.IBackend):  # type: ignore[misc] # pyusb is u
 
 
 class LibusbBackend:
-    """pyusb's libusb backend, which remembers open handles so that streams can use them."""
+    """pyusb's libusb backend, which remembers who claimed what so that streams can use it."""
 
     def __init__(self, backend: Any) -> None:
         self._backend = backend
         self._loop = EventLoop(load_library(backend.lib._name), backend.ctx)
-        self._handles: dict[tuple[int, int], Any] = {}
+        self._places: dict[Any, tuple[int, int]] = {}
+        self._claimed: dict[tuple[int, int], Any] = {}
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._backend, name)
@@ -80,12 +82,19 @@ class LibusbBackend:
         """Open a device (pyusb's signature)."""
         handle = self._backend.open_device(device)
         descriptor = self._backend.get_device_descriptor(device)
-        self._handles[descriptor.bus, descriptor.address] = handle
+        self._places[handle] = (descriptor.bus, descriptor.address)
         return handle
+
+    def claim_interface(self, handle: Any, interface: int) -> None:
+        """Claim an interface (pyusb's signature)."""
+        self._backend.claim_interface(handle, interface)
+        self._claimed[self._places[handle]] = handle
 
     def close_device(self, handle: Any) -> None:
         """Close it again (pyusb's signature)."""
-        self._handles = {place: kept for place, kept in self._handles.items() if kept is not handle}
+        place = self._places.pop(handle)
+        if self._claimed.get(place) is handle:
+            del self._claimed[place]
         self._backend.close_device(handle)
 
     def start_stream(
@@ -96,7 +105,7 @@ class LibusbBackend:
         receiver: PacketReceiver,
     ) -> RunningStream:
         """Queue overlapped transfers."""
-        handle = self._handles[place].handle
+        handle = self._claimed[place].handle
         target = StreamTarget(handle, endpoint, packet_bytes, bus=place[0])
         return IsochronousStream(self._loop, target, receiver)
 
@@ -175,10 +184,17 @@ class UsbFunction:
         if not index:
             return None
         with _translating(self):
-            try:
-                return str(usb.util.get_string(self._device, index))
-            except ValueError as error:  # pyusb: no string could be read at all
-                raise UsbError(str(error), None, errno.EACCES) from error
+            languages = self._read_string(0, 0)
+            return self._read_string(index, int.from_bytes(languages[:2], "little")).decode(
+                "utf-16-le"
+            )
+
+    def _read_string(self, index: int, language: int) -> bytes:
+        """Read a string descriptor without its head; pyusb's own reader hides what went wrong."""
+        raw = usb.control.get_descriptor(
+            self._device, 255, usb.util.DESC_TYPE_STRING, index, language
+        )
+        return bytes(raw[2 : raw[0]])
 
     @property
     def place(self) -> str:

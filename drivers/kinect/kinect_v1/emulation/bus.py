@@ -236,6 +236,8 @@ class EmulatedBus(StreamingBackend):
             plugged = next((p for p in self._plugged if (p.bus, p.address) == place), None)
             if plugged is None:
                 raise _failure(errno.ENODEV)
+            if plugged.function.alternate != plugged.kinect.model.streaming_alternate:
+                raise _failure(errno.ENOENT)
             self._reserve(plugged, endpoint)
         return _PlayingStream(plugged, endpoint, packet_bytes, receiver, self._speed)
 

@@ -49,8 +49,8 @@ def configuration_descriptor(interfaces: tuple[Interface, ...], power_ma: int) -
     body = b""
     for number, alternates in enumerate(interfaces):
         for alternate, endpoints in enumerate(alternates):
-            head = (9, 4, number, alternate, len(endpoints), 0xFF, 0xFF, 0xFF, 0)
-            body += struct.pack("9B", *head) + b"".join(e.encode() for e in endpoints)
+            body += bytes((9, 4, number, alternate, len(endpoints), 0xFF, 0xFF, 0xFF, 0))
+            body += b"".join(endpoint.encode() for endpoint in endpoints)
     head = (9, 2, 9 + len(body), len(interfaces), 1, 0, 0xC0, power_ma // 2)
     return struct.pack("<BBHBBBBB", *head) + body
 

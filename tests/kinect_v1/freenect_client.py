@@ -1,0 +1,156 @@
+"""What Debian's unmodified libfreenect gets from the sensors on a bus; the standard library only.
+
+Usage: freenect_client.py REQUEST OUT. The request (JSON) names serial numbers, formats and a number
+of frames; frames and tables are written to the folder OUT, and what happened to OUT/result.json.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+LIBRARY = "libfreenect.so.0.5"
+DEPTH_FORMATS = {"depth-11": 0, "depth-10": 1, "registered": 4, "mm": 5}
+VIDEO_FORMATS = {
+    "rgb-640x480": (1, 0),
+    "bayer-640x480": (1, 1),
+    "bayer-1280x1024": (2, 1),
+    "ir-640x488": (1, 3),
+    "ir-1280x1024": (2, 3),
+}
+CAMERA_ONLY = 2
+LIMIT_S = 15.0
+
+
+class Mode(ctypes.Structure):
+    _fields_ = [
+        ("reserved", ctypes.c_uint32),
+        ("resolution", ctypes.c_int),
+        ("format", ctypes.c_int32),
+        ("bytes", ctypes.c_int32),
+        ("width", ctypes.c_int16),
+        ("height", ctypes.c_int16),
+        ("bits", ctypes.c_int8),
+        ("padding_bits", ctypes.c_int8),
+        ("framerate", ctypes.c_int8),
+        ("is_valid", ctypes.c_int8),
+    ]
+
+
+class Registration(ctypes.Structure):
+    _fields_ = [
+        ("info", ctypes.c_int32 * 29),
+        ("padding", ctypes.c_uint16 * 3),
+        ("zero_plane", ctypes.c_float * 4),
+        ("const_shift", ctypes.c_double),
+        ("raw_to_mm", ctypes.c_void_p),
+        ("shift", ctypes.c_void_p),
+        ("table", ctypes.c_void_p),
+    ]
+
+
+class TimeValue(ctypes.Structure):
+    _fields_ = [("seconds", ctypes.c_long), ("microseconds", ctypes.c_long)]
+
+
+Callback = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32)
+
+
+def load() -> Any:
+    library = ctypes.CDLL(LIBRARY)
+    for name in ("freenect_find_video_mode", "freenect_find_depth_mode"):
+        getattr(library, name).restype = Mode
+    library.freenect_copy_registration.restype = Registration
+    for kind in ("depth", "video"):
+        getattr(library, f"freenect_set_{kind}_mode").argtypes = [ctypes.c_void_p, Mode]
+        getattr(library, f"freenect_set_{kind}_callback").argtypes = [ctypes.c_void_p, Callback]
+        getattr(library, f"freenect_start_{kind}").argtypes = [ctypes.c_void_p]
+        getattr(library, f"freenect_stop_{kind}").argtypes = [ctypes.c_void_p]
+    library.freenect_copy_registration.argtypes = [ctypes.c_void_p]
+    library.freenect_close_device.argtypes = [ctypes.c_void_p]
+    return library
+
+
+class Device:
+    """One sensor, open and streaming."""
+
+    def __init__(self, library: Any, context: Any, serial: str, request: dict[str, Any]) -> None:
+        self.library = library
+        self.serial = serial
+        self.frames: dict[str, list[bytes]] = {"depth": [], "video": []}
+        self.callbacks = []
+        self.handle = ctypes.c_void_p()
+        code = library.freenect_open_device_by_camera_serial(
+            context, ctypes.byref(self.handle), serial.encode()
+        )
+        if code != 0:
+            raise SystemExit(f"{serial} cannot be opened: {code}")
+        if "depth" in request:
+            mode = library.freenect_find_depth_mode(1, DEPTH_FORMATS[request["depth"]])
+            self.start("depth", mode)
+        if "video" in request:
+            mode = library.freenect_find_video_mode(*VIDEO_FORMATS[request["video"]])
+            self.start("video", mode)
+
+    def start(self, kind: str, mode: Mode) -> None:
+        def keep(_device: Any, data: int, _time: int) -> None:
+            self.frames[kind].append(ctypes.string_at(data, mode.bytes))
+
+        callback = Callback(keep)
+        self.callbacks.append(callback)
+        getattr(self.library, f"freenect_set_{kind}_callback")(self.handle, callback)
+        for verb in ("set", "start"):
+            name = f"freenect_set_{kind}_mode" if verb == "set" else f"freenect_start_{kind}"
+            arguments = (self.handle, mode) if verb == "set" else (self.handle,)
+            if getattr(self.library, name)(*arguments) != 0:
+                raise SystemExit(f"{name} failed on {self.serial}")
+
+    def close(self, kinds: list[str]) -> None:
+        for kind in kinds:
+            getattr(self.library, f"freenect_stop_{kind}")(self.handle)
+        self.library.freenect_close_device(self.handle)
+
+    def save_tables(self, folder: Path) -> dict[str, Any]:
+        found = self.library.freenect_copy_registration(self.handle)
+        sizes = {"raw_to_mm": 2048 * 2, "shift": 10000 * 4, "table": 640 * 480 * 2 * 4}
+        for name, size in sizes.items():
+            data = ctypes.string_at(getattr(found, name), size)
+            (folder / f"{self.serial}-{name}").write_bytes(data)
+        return {
+            "info": list(found.info),
+            "padding": list(found.padding),
+            "zero_plane": list(found.zero_plane),
+            "const_shift": found.const_shift,
+        }
+
+
+def run(request: dict[str, Any], folder: Path) -> None:
+    library = load()
+    context = ctypes.c_void_p()
+    if library.freenect_init(ctypes.byref(context), None) != 0:
+        raise SystemExit("freenect_init failed")
+    library.freenect_select_subdevices(context, CAMERA_ONLY)
+    kinds = [kind for kind in ("depth", "video") if kind in request]
+    devices = [Device(library, context, serial, request) for serial in request["serials"]]
+    wanted = request.get("frames", 0) if kinds else 0
+    deadline = time.monotonic() + request.get("limit_s", LIMIT_S)
+    while any(len(d.frames[kind]) < wanted for d in devices for kind in kinds):
+        if time.monotonic() > deadline:
+            break
+        library.freenect_process_events_timeout(context, ctypes.byref(TimeValue(0, 20_000)))
+    result = {}
+    for device in devices:
+        result[device.serial] = device.save_tables(folder)
+        for kind in kinds:
+            for number, frame in enumerate(device.frames[kind]):
+                (folder / f"{device.serial}-{kind}-{number}").write_bytes(frame)
+        device.close(kinds)
+    (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    run(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

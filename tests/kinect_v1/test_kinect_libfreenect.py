@@ -1,0 +1,218 @@
+"""An independent witness: Debian's unmodified libfreenect on the same emulated bus (level 3).
+
+What it gets shows that the emulated device speaks the protocol, and that it would notice if not.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from emulated_usbfs import (
+    HERE,
+    SYSTEM_PYTHON,
+    describe_kinect,
+    emulated_usbfs,
+    require_libfreenect,
+)
+from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+from kinect_v1.calibration import RGB_DISTANCE_CM, decode_zero_plane, encode_zero_plane
+from kinect_v1.depth import DepthRegistration, millimetre_table, registration_table, shift_table
+from kinect_v1.emulation.playback import make_footage
+from kinect_v1.models import Model
+from kinect_v1.modes import MODES
+from kinect_v1.pixels import demosaic, mosaic
+
+WANTED = 3
+CLIENT = HERE / "freenect_client.py"
+
+
+@pytest.fixture(autouse=True)
+def _libfreenect() -> None:
+    require_libfreenect()
+
+
+def run_client(
+    folder: Path, kinects: list[dict[str, Any]], request: dict[str, Any]
+) -> subprocess.CompletedProcess[str]:
+    request = {"serials": [kinect["serial"] for kinect in kinects], **request}
+    (folder / "request.json").write_text(json.dumps(request), encoding="utf-8")
+    with emulated_usbfs(folder, *kinects) as usbfs:
+        return usbfs.run(SYSTEM_PYTHON, CLIENT, folder / "request.json", folder)
+
+
+def ask_libfreenect(
+    folder: Path, kinects: list[dict[str, Any]], request: dict[str, Any]
+) -> dict[str, Any]:
+    done = run_client(folder, kinects, request)
+    assert done.returncode == 0, done.stderr
+    result: dict[str, Any] = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    return result
+
+
+def received(folder: Path, serial: str, kind: str, mode: str) -> list[np.ndarray]:
+    """The first frames that libfreenect passed on."""
+    shape = (MODES[mode].height, MODES[mode].width)
+    dtype = np.uint8 if mode.startswith("bayer") else np.uint16
+    files = sorted(folder.glob(f"{serial}-{kind}-[0-9]*"), key=lambda f: int(f.name.split("-")[-1]))
+    return [np.fromfile(file, dtype).reshape(shape) for file in files][:WANTED]
+
+
+@pytest.mark.parametrize(
+    "modes",
+    [
+        {"depth": "depth-11", "video": "bayer-1280x1024"},
+        {"depth": "depth-10", "video": "bayer-640x480"},
+        {"video": "ir-640x488"},
+        {"video": "ir-1280x1024"},
+    ],
+    ids=lambda modes: "+".join(modes.values()),
+)
+def test_it_gets_every_frame_and_the_calibration(
+    modes: dict[str, str], tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    kinects = [
+        describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1)
+        for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
+    ]
+    result = ask_libfreenect(tmp_path, kinects, {"frames": WANTED, **modes})
+    for i, serial in enumerate(SERIALS):
+        for kind, mode in modes.items():
+            sent = images[serial][mode]
+            got = received(tmp_path, serial, kind, mode)
+            numbers = [
+                next((n for n, image in enumerate(sent) if np.array_equal(image, frame)), -1)
+                for frame in got
+            ]
+            assert len(numbers) == WANTED
+            assert -1 not in numbers
+            assert all((b - a) % FRAMES == 1 for a, b in pairwise(numbers))
+        expected = make_calibration(i)
+        plane = expected.zero_plane
+        found = result[serial]
+        assert found["info"] == list(vars(expected.registration).values())
+        assert found["const_shift"] == expected.constant_shift
+        assert found["zero_plane"] == [
+            plane.emitter_distance_cm,
+            float(np.float32(RGB_DISTANCE_CM)),
+            plane.reference_distance_cm,
+            plane.reference_pixel_cm,
+        ]
+
+
+def test_our_tables_are_its_tables_for_random_calibrations(tmp_path: Path) -> None:
+    serials = [f"A{number:015d}A"[:16] for number in range(100, 106)]
+    kinects = [
+        describe_kinect(tmp_path, Model.XBOX_1414, serial, {}, seed=50 + i, controller=i + 1)
+        for i, serial in enumerate(serials)
+    ]
+    ask_libfreenect(tmp_path, kinects, {})
+    for i, serial in enumerate(serials):
+        sent = make_calibration(50 + i)
+        # what a driver reads: with the colour camera's distance that libfreenect puts in too
+        ours = type(sent)(
+            decode_zero_plane(encode_zero_plane(sent.zero_plane, 322)),
+            sent.registration,
+            sent.padding,
+            sent.constant_shift,
+        )
+        theirs = {
+            name: np.fromfile(tmp_path / f"{serial}-{name}", dtype)
+            for name, dtype in {"raw_to_mm": "u2", "shift": "i4", "table": "i4"}.items()
+        }
+        millimetres = millimetre_table(ours)
+        valid = millimetres > 0
+        assert valid.sum() > 900
+        np.testing.assert_array_equal(millimetres[valid], theirs["raw_to_mm"][valid])
+        np.testing.assert_array_equal(shift_table(ours)[1:], theirs["shift"][1:])
+        np.testing.assert_array_equal(
+            registration_table(ours), theirs["table"].reshape(480, 640, 2)
+        )
+        assert len(np.unique(registration_table(ours))) > 10_000
+
+
+def test_registered_depth_is_its_registered_depth(tmp_path: Path) -> None:
+    v, u = np.mgrid[:480, :640]
+    raw = (600 + u // 4 + 60 * ((u // 40 + v // 40) % 2)).astype(np.uint16)
+    raw[200:220, 100:130] = 2047
+    serial = SERIALS[0]
+    kinect = describe_kinect(
+        tmp_path, Model.XBOX_1414, serial, {serial: make_footage([raw])}, seed=9
+    )
+    ask_libfreenect(tmp_path, [kinect], {"depth": "registered", "frames": 1})
+    theirs = np.fromfile(tmp_path / f"{serial}-depth-0", np.uint16).reshape(480, 640)
+    sent = make_calibration(9)
+    plane = decode_zero_plane(encode_zero_plane(sent.zero_plane, 322))
+    ours = type(sent)(plane, sent.registration, sent.padding, sent.constant_shift)
+    assert (theirs > 0).mean() > 0.5
+    np.testing.assert_array_equal(DepthRegistration(ours).register(raw), theirs)
+
+
+def make_color_card() -> np.ndarray:
+    """A smooth picture, red to the left and blue to the right, bright below."""
+    v, u = np.mgrid[:480, :640]
+    return np.stack([220 - u // 4, 60 + v // 6, 40 + u // 4], axis=-1).astype(np.uint8)
+
+
+@pytest.mark.parametrize("swapped", [False, True], ids=["right", "rows swapped"])
+def test_colours_are_where_it_expects_them(swapped: bool, tmp_path: Path) -> None:
+    card = make_color_card()
+    bayer = mosaic(card)
+    if swapped:
+        bayer = np.roll(bayer, 1, axis=0)
+    serial = SERIALS[0]
+    footage = {serial: make_footage(mosaics=[bayer])}
+    kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage)
+    ask_libfreenect(tmp_path, [kinect], {"video": "rgb-640x480", "frames": 1})
+    theirs = np.fromfile(tmp_path / f"{serial}-video-0", np.uint8).reshape(480, 640, 3)
+    inner = (slice(4, -4), slice(4, -4))
+    error = np.abs(theirs[inner].astype(int) - card[inner]).mean()
+    assert (error > 20) == swapped
+    if not swapped:
+        ours = demosaic(bayer).astype(int)
+        assert np.abs(ours[inner] - theirs[inner]).max() <= 2
+
+
+def reverse_bits(frames: list[bytes]) -> list[bytes]:
+    """Pack least significant bit first."""
+    flipped = np.packbits(np.unpackbits(np.arange(256, dtype=np.uint8)[:, None], axis=1)[:, ::-1])
+    return [cv2.LUT(np.frombuffer(frame, np.uint8), flipped).tobytes() for frame in frames]
+
+
+@pytest.mark.parametrize(
+    "flaw",
+    ["none", "bit order", "payload", "flag", "sequence", "calibration offset", "reply tag"],
+)
+def test_it_notices_planted_errors(
+    flaw: str, tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    serial = SERIALS[0]
+    frames = footage[serial]["depth-11"]
+    sent = {"depth-11": reverse_bits(frames) if flaw == "bit order" else frames}
+    kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, {serial: sent}, seed=3, flaw=flaw)
+    request = {"depth": "depth-11", "frames": 1, "limit_s": 1.5}
+    done = run_client(tmp_path, [kinect], request)
+    assert noticed(done, tmp_path, serial, images) == (flaw != "none")
+
+
+def noticed(
+    done: subprocess.CompletedProcess[str], folder: Path, serial: str, images: Images
+) -> bool:
+    """Whether it complained, or got something other than what was sent."""
+    if done.returncode != 0:
+        return True
+    plane = json.loads((folder / "result.json").read_text(encoding="utf-8"))[serial]["zero_plane"]
+    expected = make_calibration(3).zero_plane
+    got = received(folder, serial, "depth", "depth-11")
+    right_plane = plane[0] == expected.emitter_distance_cm
+    sent = images[serial]["depth-11"]
+    right_frames = bool(got) and all(
+        any(np.array_equal(frame, image) for image in sent) for frame in got
+    )
+    return not (right_plane and right_frames)

@@ -1,0 +1,141 @@
+"""The real libusb and the real asynchronous engine, on an emulated usbfs (level 2)."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from emulated_usbfs import HERE, EmulatedUsbfs, describe_kinect, emulated_usbfs, require_usbfs
+from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+from kinect_v1.calibration import RGB_DISTANCE_CM
+from kinect_v1.models import Model
+
+WANTED = 4
+CLIENT = HERE / "driver_client.py"
+
+
+@pytest.fixture(autouse=True)
+def _usbfs() -> None:
+    require_usbfs()
+
+
+@pytest.fixture
+def three(tmp_path: Path, footage: Footage) -> list[dict[str, Any]]:
+    """One sensor of each model, each on a controller of its own."""
+    return [
+        describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1)
+        for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
+    ]
+
+
+def run_driver(
+    usbfs: EmulatedUsbfs, verb: str, request: dict[str, Any], folder: Path
+) -> dict[str, Any]:
+    (folder / "request.json").write_text(json.dumps(request), encoding="utf-8")
+    done = usbfs.run(sys.executable, CLIENT, verb, folder / "request.json", folder)
+    assert done.returncode == 0, done.stderr
+    assert not done.stderr
+    answer: dict[str, Any] = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    return answer
+
+
+def find(image: np.ndarray, sent: list[np.ndarray]) -> int:
+    """Tell which of the sent pictures this is; -1 where it is none."""
+    return next((i for i, other in enumerate(sent) if np.array_equal(image, other)), -1)
+
+
+@pytest.mark.parametrize(
+    "modes",
+    [
+        {"depth": "depth-11", "video": "bayer-1280x1024"},
+        {"depth": "depth-10", "video": "bayer-640x480"},
+        {"depth": "depth-11", "video": "ir-640x488"},
+        {"video": "ir-1280x1024"},
+    ],
+    ids=lambda modes: "+".join(modes.values()),
+)
+def test_every_frame_of_three_sensors_is_what_was_sent(
+    modes: dict[str, str], three: list[dict[str, Any]], tmp_path: Path, images: Images
+) -> None:
+    with emulated_usbfs(tmp_path, *three) as usbfs:
+        request = {"serials": SERIALS, "frames": WANTED, **modes}
+        found = run_driver(usbfs, "stream", request, tmp_path)
+    for serial in SERIALS:
+        assert all(number == 0 for number in found[serial]["discarded"].values())
+        for kind, mode in modes.items():
+            delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
+            numbers = [find(image, images[serial][mode]) for image in delivered]
+            assert numbers == [i % FRAMES for i in range(WANTED)]
+
+
+def test_models_and_calibration_of_each_sensor(three: list[dict[str, Any]], tmp_path: Path) -> None:
+    with emulated_usbfs(tmp_path, *three) as usbfs:
+        found = run_driver(usbfs, "stream", {"serials": SERIALS, "frames": 0}, tmp_path)
+    for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True)):
+        expected = make_calibration(i).as_dict()
+        expected["zero_plane"]["rgb_distance_cm"] = RGB_DISTANCE_CM
+        assert found[serial]["model"] == model.value
+        assert found[serial]["calibration"] == expected
+
+
+def test_two_sensors_share_a_controller_one_after_the_other(
+    tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    pair = [
+        describe_kinect(tmp_path, Model.XBOX_1414, serial, footage, controller=3)
+        for serial in SERIALS[:2]
+    ]
+    with emulated_usbfs(tmp_path, *pair) as usbfs:
+        request = {"serials": SERIALS[:2], "depth": "depth-11", "video": "bayer-640x480"}
+        found = run_driver(usbfs, "share_controller", request, tmp_path)
+    kind, text = found["together"]
+    assert kind == "BandwidthError"
+    assert "bus 3" in text
+    assert "PCIe" in text
+    assert find(np.load(tmp_path / "alone.npy"), images[SERIALS[1]]["depth-11"]) == 0
+
+
+def test_unplug_while_streaming_and_replug(
+    tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    serial = SERIALS[0]
+    kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage, controller=2)
+    (tmp_path / "request.json").write_text(json.dumps({"serials": [serial]}), encoding="utf-8")
+    with emulated_usbfs(tmp_path, kinect) as usbfs:
+        arguments = ("survive_unplug", tmp_path / "request.json", tmp_path)
+        with usbfs.start(sys.executable, CLIENT, *arguments) as client:
+            assert client.stdout
+            assert client.stdin
+            assert client.stdout.readline() == "streaming\n"
+            usbfs.tell("unplug", serial)
+            assert client.stdout.readline() == "lost\n"
+            usbfs.tell("plug", serial)
+            client.stdin.write("plugged\n")
+            client.stdin.flush()
+            assert client.wait(30) == 0
+    found = json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
+    assert found["lost"][0] == "UnpluggedError"
+    sent = images[serial]["depth-11"]
+    assert all(find(image, sent) >= 0 for image in np.load(tmp_path / "before.npy"))
+    assert find(np.load(tmp_path / "after.npy"), sent) == 0
+
+
+def test_the_command_line_on_the_real_libusb(three: list[dict[str, Any]], tmp_path: Path) -> None:
+    with emulated_usbfs(tmp_path, *three) as usbfs:
+        listed = usbfs.run(sys.executable, "-m", "kinect_v1", "list")
+        info = usbfs.run(sys.executable, "-m", "kinect_v1", "info", "--serial", SERIALS[2])
+    assert [line.split("\t")[:2] for line in listed.stdout.splitlines()] == [
+        [serial, model.value] for serial, model in zip(SERIALS, Model, strict=True)
+    ]
+    assert json.loads(info.stdout)["serial"] == SERIALS[2]
+
+
+def test_no_sensor_is_said_in_one_sentence(tmp_path: Path) -> None:
+    with emulated_usbfs(tmp_path) as usbfs:
+        done = usbfs.run(sys.executable, "-m", "kinect_v1", "list")
+    assert done.returncode == 1
+    assert done.stderr == ("No Kinect is plugged in; plug in its USB cable and its 12 V supply.\n")
