@@ -1,0 +1,22 @@
+"""From a recorded session to one coloured foot in the reference frame."""
+
+from insole_core.reconstruct.reconstruction import reconstruct
+from insole_core.reconstruct.registration import MarkerFix, RegistrationLimits
+from insole_core.reconstruct.result import (
+    Method,
+    Reconstruction,
+    Residuals,
+    ViewResult,
+    report_json,
+)
+
+__all__ = [
+    "MarkerFix",
+    "Method",
+    "Reconstruction",
+    "RegistrationLimits",
+    "Residuals",
+    "ViewResult",
+    "reconstruct",
+    "report_json",
+]

@@ -1,0 +1,273 @@
+"""Which point seen is which marker, from nothing but the distances between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.horn import rotation_from_covariance
+
+_REFINEMENTS = 3
+_CHUNK = 2000
+_REFINED = 400
+
+
+@dataclass(frozen=True)
+class AssignmentLimits:
+    """When an assignment is trusted.
+
+    Parameters
+    ----------
+    near_mm
+        A marker is explained by a point so near to it.
+    found_mm
+        A point so near to a marker is still that marker, but measured too badly to be used.
+    least_markers, least_share
+        So many markers, and such a share of them, must be explained.
+    margin
+        The best assignment explains so many markers more than any that puts the sensor elsewhere.
+    least_width_mm
+        Spread (standard deviation) of the explained markers across their main direction.
+    narrowest_triple_mm
+        Height of the flattest triangle of markers that a search starts from.
+    elsewhere_mm
+        From this displacement of the markers on, a pose is another one.
+    """
+
+    near_mm: float = 6.0
+    found_mm: float = 12.0
+    least_markers: int = 4
+    least_share: float = 0.5
+    margin: int = 2
+    least_width_mm: float = 15.0
+    narrowest_triple_mm: float = 20.0
+    elsewhere_mm: float = 15.0
+
+
+@dataclass(frozen=True, eq=False)
+class Assignment:
+    """Pairs of points and markers.
+
+    Parameters
+    ----------
+    points, markers : (k,) int64
+        Index of the point and of its marker.
+    used : (k,) bool
+        Whether the pair agrees well enough to determine the pose.
+    """
+
+    points: IntArray
+    markers: IntArray
+    used: BoolArray
+
+
+@dataclass(frozen=True, eq=False)
+class _Poses:
+    """Many candidate poses with what each explains, all along the first axis."""
+
+    rotations: FloatArray
+    translations: FloatArray
+    nearest: IntArray  # (t, m) the point nearest to every marker
+    explained: BoolArray  # (t, m)
+    squared: FloatArray  # (t, m) mm²
+
+    @property
+    def counts(self) -> IntArray:
+        return np.asarray(self.explained.sum(1))
+
+    @property
+    def rms_mm(self) -> FloatArray:
+        total = np.where(self.explained, self.squared, 0).sum(1)
+        return np.asarray(np.sqrt(total / np.maximum(self.counts, 1)))
+
+    def take(self, index: IntArray | BoolArray) -> _Poses:
+        return _Poses(
+            self.rotations[index],
+            self.translations[index],
+            self.nearest[index],
+            self.explained[index],
+            self.squared[index],
+        )
+
+
+def assign(
+    points: FloatArray,
+    markers: FloatArray,
+    limits: AssignmentLimits = AssignmentLimits(),
+) -> Assignment:
+    """Find the one pose in which most markers have a point, whatever else was seen.
+
+    Every triangle of markers is compared with every triangle of points of the same side lengths;
+    each agreement gives a pose (Horn), and the pose that explains most markers, then the one with
+    the least error, is refined on all that it explains. Exhaustive, so the answer does not depend
+    on chance; a mirrored arrangement cannot be turned onto the markers and is refused.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, depth camera frame
+        Marker candidates; some may be none.
+    markers : (m, 3) float64, mm, reference frame
+        The markers that this view can see; some may be hidden.
+
+    Raises
+    ------
+    ReconstructionError
+        When too few markers are explained, or when another pose explains almost as many.
+    """
+    poses = _candidate_poses(points, markers, limits)
+    most = int(poses.counts.max(initial=0))
+    _check_mirrored(points, markers, most, limits)
+    _check_enough(most, len(points), len(markers), limits)
+    best = poses.take(np.lexsort((poses.rms_mm, -poses.counts))[:1])
+    _check_width(markers[best.explained[0]], limits)
+    _check_rivals(poses.counts[_elsewhere(poses, best, markers, limits)], most, limits)
+    found = _explain(best.rotations, best.translations, points, markers, limits.found_mm)
+    pairs = np.flatnonzero(found.explained[0])
+    return Assignment(found.nearest[0, pairs], pairs, best.explained[0, pairs])
+
+
+def _candidate_poses(points: FloatArray, markers: FloatArray, limits: AssignmentLimits) -> _Poses:
+    """Give refined candidate poses, those that explain most."""
+    three_points, three_markers = _congruent_triples(points, markers, limits)
+    parts = []
+    for start in range(0, max(len(three_points), 1), _CHUNK):
+        chunk = slice(start, start + _CHUNK)
+        source, target = points[three_points[chunk]], markers[three_markers[chunk]]
+        rotations, translations = _fit(source, target, np.ones(source.shape[:2]))
+        parts.append(_explain(rotations, translations, points, markers, limits.near_mm))
+    poses = _joined(parts)
+    poses = poses.take(np.argsort(-poses.counts, kind="stable")[:_REFINED])
+    for _ in range(_REFINEMENTS):
+        poses = poses.take(poses.counts >= 3)
+        rotations, translations = _fit(
+            points[poses.nearest],
+            np.broadcast_to(markers, (len(poses.counts), *markers.shape)),
+            poses.explained.astype(float),
+        )
+        poses = _explain(rotations, translations, points, markers, limits.near_mm)
+    return poses.take(_looks_at_foot(poses.rotations))
+
+
+def _joined(parts: list[_Poses]) -> _Poses:
+    return _Poses(
+        *(
+            np.concatenate([getattr(part, name) for part in parts])
+            for name in ("rotations", "translations", "nearest", "explained", "squared")
+        )
+    )
+
+
+def _looks_at_foot(rotations: FloatArray) -> BoolArray:
+    """Tell which poses look towards +z or +y, as the sensors do that see the markers' faces."""
+    axis = rotations[..., :, 2]
+    return np.asarray(np.maximum(axis[..., 1], axis[..., 2]) > 0.3)
+
+
+def _congruent_triples(
+    points: FloatArray, markers: FloatArray, limits: AssignmentLimits
+) -> tuple[IntArray, IntArray]:
+    """Give (t, 3) indices of points and of markers whose triangles have the same sides."""
+    between_points = np.linalg.norm(points[:, None] - points[None], axis=2)
+    between_markers = np.linalg.norm(markers[:, None] - markers[None], axis=2)
+    fits = np.abs(between_points - between_markers[..., None, None]) < limits.near_mm
+    three_points, three_markers = [np.empty((0, 3), np.int64)], [np.empty((0, 3), np.int64)]
+    for k, l, p in combinations(range(len(markers)), 3):  # noqa: E741
+        if _height(markers[[k, l, p]]) < limits.narrowest_triple_mm:
+            continue
+        first, second = np.nonzero(fits[k, l])
+        pair, third = np.nonzero(fits[k, p][first] & fits[l, p][second])
+        found = np.stack([first[pair], second[pair], third], axis=1)
+        three_points.append(found)
+        three_markers.append(np.broadcast_to([k, l, p], found.shape))
+    return np.concatenate(three_points), np.concatenate(three_markers)
+
+
+def _height(triangle: FloatArray) -> float:
+    """Smallest height of a triangle (3, 3)."""
+    sides = np.linalg.norm(triangle - np.roll(triangle, 1, axis=0), axis=1)
+    doubled_area = np.linalg.norm(np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0]))
+    return float(doubled_area / max(sides.max(), 1e-9))
+
+
+def _fit(
+    source: FloatArray, target: FloatArray, weight: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Fit many weighted point sets (t, k, 3) at once, Horn; gives rotations and translations."""
+    share = (weight / weight.sum(1, keepdims=True))[..., None]
+    mean_source, mean_target = (share * source).sum(1), (share * target).sum(1)
+    covariance = np.swapaxes(share * (source - mean_source[:, None]), 1, 2) @ (
+        target - mean_target[:, None]
+    )
+    rotations = rotation_from_covariance(covariance)
+    return rotations, mean_target - np.einsum("tij,tj->ti", rotations, mean_source)
+
+
+def _explain(
+    rotations: FloatArray,
+    translations: FloatArray,
+    points: FloatArray,
+    markers: FloatArray,
+    near_mm: float,
+) -> _Poses:
+    """See which markers have a point near them; a point explains one marker at most."""
+    moved = points @ np.swapaxes(rotations, 1, 2) + translations[:, None]
+    squared = ((moved[:, :, None] - markers) ** 2).sum(3)
+    if len(points) == 0:
+        squared = np.full((len(rotations), 1, len(markers)), np.inf)
+    nearest, nearest_marker = squared.argmin(1), squared.argmin(2)
+    own = np.take_along_axis(nearest_marker, nearest, axis=1) == np.arange(len(markers))
+    least = squared.min(1)
+    return _Poses(rotations, translations, nearest, own & (least < near_mm**2), least)
+
+
+def _elsewhere(
+    poses: _Poses, best: _Poses, markers: FloatArray, limits: AssignmentLimits
+) -> BoolArray:
+    """Tell which poses would put the points of the markers elsewhere than the best does."""
+    seen = (markers - best.translations[0]) @ best.rotations[0]
+    moved = seen @ np.swapaxes(poses.rotations, 1, 2) + poses.translations[:, None]
+    return np.asarray(np.linalg.norm(moved - markers, axis=2).mean(1) > limits.elsewhere_mm)
+
+
+def _check_mirrored(
+    points: FloatArray, markers: FloatArray, most: int, limits: AssignmentLimits
+) -> None:
+    mirrored = _candidate_poses(points * [-1.0, 1.0, 1.0], markers, limits)
+    if int(mirrored.counts.max(initial=0)) >= max(_needed(len(markers), limits), most + 1):
+        raise ReconstructionError(
+            "the blue spots are the mirror image of the markers; check whether the pictures of "
+            "this view were flipped; as they stand they fit no pose"
+        )
+
+
+def _needed(markers: int, limits: AssignmentLimits) -> int:
+    return max(limits.least_markers, int(np.ceil(limits.least_share * markers)))
+
+
+def _check_enough(most: int, points: int, markers: int, limits: AssignmentLimits) -> None:
+    needed = _needed(markers, limits)
+    if most < needed:
+        raise ReconstructionError(
+            f"only {most} of the {points} blue spots fit the {markers} markers, and {needed} are "
+            "needed; check that it is the right reference system and that most markers are seen"
+        )
+
+
+def _check_rivals(rivals: IntArray, most: int, limits: AssignmentLimits) -> None:
+    if int(rivals.max(initial=0)) > most - limits.margin:
+        raise ReconstructionError(
+            f"the blue spots fit the markers in two ways, {most} and {rivals.max()} of them; "
+            "see that more markers are in view"
+        )
+
+
+def _check_width(markers: FloatArray, limits: AssignmentLimits) -> None:
+    spread = np.linalg.svd(markers - markers.mean(0), compute_uv=False) / np.sqrt(len(markers))
+    if spread[1] < limits.least_width_mm:
+        raise ReconstructionError(
+            "the markers that are seen lie almost on one line, so the sensor's place is uncertain"
+        )

@@ -1,0 +1,152 @@
+"""Blue blobs in a colour image: the thesis's algorithm 3, without its hand-drawn region."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray, IndexArray
+
+LABEL = np.int32
+
+
+@dataclass(frozen=True)
+class BlobLimits:
+    """Which blue components can be markers at all.
+
+    Parameters
+    ----------
+    levels
+        Thresholds, as shares of the strongest blue in the image. A component that is no marker at
+        one level is looked at again at the next, where it may have come apart.
+    least_blue
+        Below this blueness (0 to 255) there is only noise, however dark the image.
+    least_area_px
+    largest_width_share
+        Widest marker as a share of the image width.
+    largest_eccentricity
+        0 is a disc, 1 a line; a square seen at 60 degrees has 0.87.
+    most
+        So many of the largest are kept.
+    """
+
+    levels: tuple[float, ...] = (0.4, 0.6, 0.8)
+    least_blue: float = 12.0
+    least_area_px: int = 16
+    largest_width_share: float = 0.1
+    largest_eccentricity: float = 0.92
+    most: int = 40
+
+
+@dataclass(frozen=True, eq=False)
+class Blobs:
+    """The marker candidates of one colour image.
+
+    Parameters
+    ----------
+    centroids : (n, 2) float64, px, (u, v)
+        Weighted with the blueness, so finer than a pixel.
+    areas : (n,) float64, px²
+    labels : (height, width) int32
+        Index of the blob that a pixel belongs to, -1 elsewhere.
+    """
+
+    centroids: FloatArray
+    areas: FloatArray
+    labels: IndexArray
+
+    def __len__(self) -> int:
+        return len(self.areas)
+
+
+def blueness(color: ByteArray) -> Float32Array:
+    """I = B - max(R, G), thesis (24); negative values become 0.
+
+    Parameters
+    ----------
+    color : (height, width, 3) uint8, RGB
+    """
+    red, green, blue = cv2.split(np.ascontiguousarray(color))
+    return np.asarray(cv2.subtract(blue, cv2.max(red, green)), dtype=np.float32)
+
+
+def find_blobs(color: ByteArray, limits: BlobLimits = BlobLimits()) -> Blobs:
+    """Find the blue components that could be markers (thesis algorithm 3).
+
+    Parameters
+    ----------
+    color : (height, width, 3) uint8, RGB
+    """
+    blue = blueness(color)
+    labels = np.full(blue.shape, -1, dtype=LABEL)
+    found: list[FloatArray] = []
+    for level in limits.levels:
+        _add_blobs(blue, _threshold(blue, level, limits), labels, found, limits)
+    features = np.concatenate([np.empty((0, 3)), *found])
+    return _largest(features, labels, limits.most)
+
+
+def _threshold(blue: Float32Array, level: float, limits: BlobLimits) -> float:
+    # The strongest hundred or so pixels: a marker is larger, a defective pixel smaller.
+    rank = max(blue.size - blue.size // 10_000, 1) - 1
+    peak = float(np.partition(blue, rank, axis=None)[rank])
+    return max(limits.least_blue, level * peak)
+
+
+def _add_blobs(
+    blue: Float32Array,
+    threshold: float,
+    labels: IndexArray,
+    found: list[FloatArray],
+    limits: BlobLimits,
+) -> None:
+    """Take the components above a threshold that look like markers and are not taken yet."""
+    _, components, stats, _ = cv2.connectedComponentsWithStats(
+        (blue > threshold).astype(np.uint8), connectivity=8, ltype=cv2.CV_32S
+    )
+    v, u = np.nonzero(components)
+    component = components[v, u]
+    features, eccentricity = _features(component, u, v, blue[v, u], len(stats))
+    widest = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    good = (features[:, 2] >= limits.least_area_px) & (eccentricity <= limits.largest_eccentricity)
+    good &= widest <= limits.largest_width_share * blue.shape[1]
+    good[np.unique(component[labels[v, u] >= 0])] = False
+    good[0] = False
+    index = np.full(len(stats), -1, dtype=LABEL)
+    index[good] = sum(map(len, found)) + np.arange(good.sum())
+    free = labels[v, u] < 0
+    labels[v[free], u[free]] = index[component[free]]
+    found.append(features[good])
+
+
+def _features(
+    component: IndexArray,
+    u: np.ndarray[tuple[int], np.dtype[np.intp]],
+    v: np.ndarray[tuple[int], np.dtype[np.intp]],
+    weight: Float32Array,
+    count: int,
+) -> tuple[FloatArray, FloatArray]:
+    """Centroid and area (count, 3), and eccentricity (count,), of every component."""
+
+    def total(values: np.ndarray[tuple[int], np.dtype[np.floating]]) -> FloatArray:
+        return np.asarray(np.bincount(component, values, minlength=count), dtype=np.float64)
+
+    area = np.bincount(component, minlength=count).astype(float)
+    mass = np.maximum(total(weight), 1e-9)
+    center_u, center_v = total(weight * u) / mass, total(weight * v) / mass
+    du, dv = u - center_u[component], v - center_v[component]
+    uu, vv, uv = (total(weight * product) / mass for product in (du * du, dv * dv, du * dv))
+    middle, half = (uu + vv) / 2, np.hypot((uu - vv) / 2, uv)
+    # A pixel is a square: its own second moment keeps a one-pixel line from having no width.
+    smallest, largest = middle - half + 1 / 12, middle + half + 1 / 12
+    return np.stack([center_u, center_v, area], axis=1), np.sqrt(1 - smallest / largest)
+
+
+def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
+    """Keep the largest blobs, thesis algorithm 3, step 7."""
+    kept = np.sort(np.argsort(-features[:, 2], kind="stable")[:most])
+    index = np.full(len(features) + 1, -1, dtype=LABEL)
+    index[kept] = np.arange(len(kept))
+    return Blobs(features[kept, :2], features[kept, 2], index[labels])

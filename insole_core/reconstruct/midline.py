@@ -1,0 +1,83 @@
+"""The thesis's way to one surface: cut the views where they overlap (6.2.4)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.reconstruct.sheet import Sheet
+
+_SOLE_HEIGHT_MM = 50.0
+_SLICE_MM = 10.0
+
+
+def cut_at_midline(sheets: list[Sheet]) -> list[Sheet]:
+    """Cut the sheets so that each part of the foot comes from the view that faces it.
+
+    Of the views that face the sole, those at the left (x < 0) keep what lies left of the foot's
+    mid-line and those at the right the rest, as long as there are both. A view that faces the
+    Achilles tendon keeps what lies behind and above the lower rear edge of the foot.
+    """
+    sole = [sheet for sheet in sheets if _faces_sole(sheet)]
+    back = [sheet for sheet in sheets if not _faces_sole(sheet)]
+    if not sole:
+        return back
+    return [*_cut_left_and_right(sole), *(_cut_below_heel(sheet, sole) for sheet in back)]
+
+
+def fit_midline(points: FloatArray) -> tuple[float, float]:
+    """Fit the line x = offset + slope * y halfway between the sides of the sole.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, reference frame
+
+    Returns
+    -------
+    offset, slope
+    """
+    low = points[points[:, 2] < points[:, 2].min() + _SOLE_HEIGHT_MM]
+    piece = np.floor((low[:, 1] - low[:, 1].min()) / _SLICE_MM).astype(np.int64)
+    leftmost, rightmost = np.full(piece.max() + 1, np.inf), np.full(piece.max() + 1, -np.inf)
+    np.minimum.at(leftmost, piece, low[:, 0])
+    np.maximum.at(rightmost, piece, low[:, 0])
+    full = np.flatnonzero(np.isfinite(leftmost))
+    y = low[:, 1].min() + (full + 0.5) * _SLICE_MM
+    middle = (leftmost[full] + rightmost[full]) / 2
+    if len(full) == 1:
+        return float(middle[0]), 0.0
+    slope, offset = np.polyfit(y, middle, 1)
+    return float(offset), float(slope)
+
+
+def _faces_sole(sheet: Sheet) -> bool:
+    axis = sheet.sensor2reference[:3, 2]
+    return bool(axis[2] > axis[1])
+
+
+def _cut_left_and_right(sheets: list[Sheet]) -> list[Sheet]:
+    at_left = [bool(sheet.sensor2reference[0, 3] < 0) for sheet in sheets]
+    if all(at_left) or not any(at_left):
+        return sheets
+    corners = np.concatenate([sheet.corners.reshape(-1, 3) for sheet in sheets])
+    if len(corners) == 0:
+        return sheets
+    offset, slope = fit_midline(corners)
+    cut = []
+    for sheet, left in zip(sheets, at_left, strict=True):
+        centers = sheet.corners.mean(1)
+        cut.append(sheet.keeping((centers[:, 0] < offset + slope * centers[:, 1]) == left))
+    return cut
+
+
+def _cut_below_heel(sheet: Sheet, sole: list[Sheet]) -> Sheet:
+    """Drop what a view from behind sees of the sole, at a grazing angle.
+
+    What remains lies above the plane that rises by 45 degrees from the foot's lower rear edge.
+    """
+    corners = np.concatenate([part.corners.reshape(-1, 3) for part in sole])
+    if len(corners) == 0:
+        return sheet
+    height = sheet.corners.mean(1)[:, 2] - corners[:, 2].min()
+    forward = sheet.corners.mean(1)[:, 1] - corners[:, 1].min()
+    return sheet.keeping(height > forward)

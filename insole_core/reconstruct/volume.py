@@ -1,0 +1,34 @@
+"""The part of space where the foot is (thesis 6.2.3)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.recording.session import Box, Manifest, ReferenceSystem
+
+_BLOCK_MM = 24.0
+"""A marker's block, its mounting and a little air; the foot keeps so far inside of them."""
+_BELOW_SOLE_MM = 30.0
+
+
+def volume_of_interest(manifest: Manifest) -> Box:
+    """Give the manifest's volume, or else the space that the reference system encloses."""
+    if manifest.volume_of_interest is not None:
+        return manifest.volume_of_interest
+    return _enclosed(manifest.reference_system)
+
+
+def is_inside(points: FloatArray, box: Box) -> BoolArray:
+    """Tell which points (..., 3) in the reference frame lie in the box; NaN does not."""
+    low, high = np.array(box.min_mm), np.array(box.max_mm)
+    return np.asarray(((points >= low) & (points <= high)).all(-1))
+
+
+def _enclosed(system: ReferenceSystem) -> Box:
+    positions = np.array([marker.position_mm for marker in system.markers])
+    low, high = positions.min(0), positions.max(0)
+    return Box(
+        (low[0] + _BLOCK_MM, low[1], low[2] - _BELOW_SOLE_MM),
+        (high[0] - _BLOCK_MM, high[1], high[2]),
+    )
