@@ -11,7 +11,7 @@ import numpy as np
 import trimesh
 
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 
 Unit = Literal["mm", "m", "inch"]
@@ -129,16 +129,10 @@ def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
 
 def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     """Merge equal vertices; drop triangles without area and vertices without triangle."""
-    colors = np.zeros((len(mesh.vertices), 0)) if mesh.colors is None else mesh.colors
-    _, first, merged = np.unique(
-        np.concatenate([mesh.vertices, colors], axis=1),
-        axis=0,
-        return_index=True,
-        return_inverse=True,
-    )
+    first, merged = _equal_vertices(mesh)
     mesh = TriangleMesh(
         mesh.vertices[first],
-        merged.ravel().astype(np.int32)[mesh.triangles],
+        merged[mesh.triangles],
         None if mesh.colors is None else mesh.colors[first],
     )
     solid = mesh.triangle_normals.any(axis=1)
@@ -150,14 +144,23 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     return mesh.part(used)
 
 
+def _equal_vertices(mesh: TriangleMesh) -> tuple[IntArray, IndexArray]:
+    """First vertex of each kind (place and colour), and for every vertex its kind."""
+    columns = list(mesh.vertices.T) + ([] if mesh.colors is None else list(mesh.colors.T))
+    order = np.lexsort(columns)
+    is_new = np.ones(len(order), dtype=bool)
+    is_new[1:] = np.any([column[order[1:]] != column[order[:-1]] for column in columns], axis=0)
+    kind = np.empty(len(order), dtype=np.int32)
+    kind[order] = np.cumsum(is_new) - 1
+    return order[is_new], kind
+
+
 def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
     extent = float(np.ptp(mesh.vertices, axis=0).max())
     for unit, factor in _MM_PER_UNIT.items():
         if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
             if _depth(mesh) * factor < _LEAST_DEPTH_MM:
-                raise InputError(
-                    f"{path} is flat, which is no surface of a foot; export it again."
-                )
+                raise InputError(f"{path} is flat, which is no surface of a foot; export it again.")
             return unit
     raise InputError(
         f"{path} measures {extent:g} in its longest direction, which is no foot in millimetres,"

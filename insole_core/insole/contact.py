@@ -18,7 +18,7 @@ from insole_core.insole.posting import posted_mesh, posting_angles
 from insole_core.progress import SILENT, Progress
 
 _FACING = -0.34  # z of a normal that still counts as plantar: walls up to 70 degrees
-_SAMPLES_PER_STEP = 2.0
+_SAMPLES_PER_STEP = 1.5  # from sqrt 2 on, every node of a large triangle gets one
 _LAYER_MM = 3.0  # what lies higher over the lowest layer of a node belongs to another layer
 _COVERED = 0.3  # share of a node's cell that the foot must cover
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
@@ -142,7 +142,6 @@ def _snapped_samples(
 
 def _plantar_part(mesh: TriangleMesh, max_height_mm: float) -> TriangleMesh:
     """Triangles that face the ground and lie low: neither dorsum nor leg nor ankle."""
-    lowest = mesh.vertices[:, 2].min()
-    low = (mesh.vertices[:, 2] < lowest + max_height_mm)[mesh.triangles].all(axis=1)
-    keep = low & (mesh.triangle_normals[:, 2] < _FACING)
-    return replace(mesh, triangles=mesh.triangles[keep])
+    low = mesh.vertices[:, 2] < mesh.vertices[:, 2].min() + max_height_mm
+    part = mesh.part(low)
+    return replace(part, triangles=part.triangles[part.triangle_normals[:, 2] < _FACING])
