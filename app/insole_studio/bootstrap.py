@@ -179,6 +179,7 @@ class ScriptedStudio:
         _error: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:
+        self.app.autosave.forget()
         self.app.close()
         self._qt.processEvents()
 

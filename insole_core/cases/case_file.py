@@ -9,6 +9,7 @@ import io
 import json
 import zipfile
 import zlib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import is_rotation
+from insole_core.insole.design import InsoleDesign
 from insole_core.insole.design_json import design_from_json, design_to_json
 from insole_core.json_object import JsonObject
 
@@ -66,16 +68,18 @@ def read_case(path: Path) -> CaseRecord:
         raise InputError(f"{path} holds no {CASE_NAME}, so it is no case; choose an .insole file.")
     case = JsonObject.parse(f"{path}: {CASE_NAME}", parts[CASE_NAME])
     _check_version(case)
-    try:
-        return CaseRecord(
-            patient=_patient(case.object("patient")),
-            annotations=_annotations(case.object("annotations")),
-            source=_source(case.object("source")) if case.has("source") else None,
-            foot=_foot(case.object("foot"), parts, path) if case.has("foot") else None,
-            design=design_from_json(case.value("design")) if case.has("design") else None,
-        )
-    except DesignError as error:
-        raise InputError(f"{path}: {CASE_NAME}: design: {error}") from error
+    record = CaseRecord(
+        patient=_patient(case.object("patient")),
+        annotations=_annotations(case.object("annotations")),
+    )
+    if not case.has("foot"):
+        return record
+    return replace(
+        record,
+        source=_source(case.object("source")),
+        foot=(foot := _foot(case.object("foot"), parts, path)),
+        design=_design(case, foot.side),
+    )
 
 
 def _case_to_json(record: CaseRecord) -> dict[str, Any]:
@@ -85,16 +89,14 @@ def _case_to_json(record: CaseRecord) -> dict[str, Any]:
         "patient": vars(record.patient).copy(),
         "annotations": _annotations_to_json(record.annotations),
     }
-    if record.source is not None:
+    if record.foot is not None and record.source is not None and record.design is not None:
         content["source"] = vars(record.source).copy()
-    if record.foot is not None:
         content["foot"] = {
             "side": str(record.foot.side),
             "length_mm": record.foot.length_mm,
             "source2insole": record.foot.source2insole.tolist(),
             "notes": list(record.foot.notes),
         }
-    if record.design is not None:
         content["design"] = design_to_json(record.design)
     return content
 
@@ -150,6 +152,19 @@ def _annotations(annotations: JsonObject) -> Annotations:
     plane = annotations.object("plane")
     pitch, roll = plane.number("pitch_deg", -90, 90), plane.number("roll_deg", -90, 90)
     return Annotations(points, ReferencePlane(_point(plane, "origin_mm"), pitch, roll))
+
+
+def _design(case: JsonObject, side: Side) -> InsoleDesign:
+    try:
+        design = design_from_json(case.value("design"))
+    except DesignError as error:
+        raise InputError(f"{case.file}: design: {error}") from error
+    if design.side is not side:
+        raise InputError(
+            f"{case.file}: the design is for a {design.side} foot and the foot is a {side} one; "
+            "restore the file from a backup."
+        )
+    return design
 
 
 def _point(values: JsonObject, key: str) -> Point:

@@ -106,6 +106,7 @@ class ImageCanvas(Canvas):
         ratio = self.devicePixelRatioF()
         size = [max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)]
         self.plotter.window_size = size
+        self.plotter.render()
         image = _image(self.plotter.screenshot(return_img=True))
         image.setDevicePixelRatio(ratio)
         return image

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.raycast import RayCaster
+from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Camera, Look, Preset, Subject, fitted, look
 from insole_studio.scene.canvas import make_canvas
@@ -72,7 +72,7 @@ class SceneView(QWidget):
         self.camera = Camera()
         self.handles: tuple[Handle, ...] = ()
         self._mesh: TriangleMesh | None = None
-        self._caster: RayCaster | None = None
+        self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
         self._last = QPointF()
         self._canvas = make_canvas(self)
@@ -85,6 +85,11 @@ class SceneView(QWidget):
         surface.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         surface.installEventFilter(self)
         self.setFocusProxy(surface)
+
+    @property
+    def surface(self) -> QWidget:
+        """The widget that receives mouse and keys."""
+        return self._canvas.surface
 
     @property
     def look(self) -> Look:
@@ -168,7 +173,7 @@ class SceneView(QWidget):
     def _take(self, mesh: TriangleMesh | None) -> None:
         self._mesh = mesh
         if self._dragging != "tool":
-            self._caster = None
+            self._picker = None
 
     def _pressed(self, event: QMouseEvent) -> None:
         self._canvas.surface.setFocus(Qt.FocusReason.MouseFocusReason)
@@ -195,7 +200,7 @@ class SceneView(QWidget):
         was_tool, self._dragging = self._dragging == "tool", None
         if was_tool and self.sink is not None:
             self.sink.release(self._event(Phase.RELEASE, event))
-            self._caster = None
+            self._picker = None
 
     def _double_clicked(self, event: QMouseEvent) -> None:
         hit = self._hit(event.position())
@@ -265,9 +270,9 @@ class SceneView(QWidget):
     def _hit(self, position: QPointF) -> FloatArray | None:
         if self._mesh is None or len(self._mesh.triangles) == 0:
             return None
-        if self._caster is None:
-            self._caster = RayCaster(self._mesh)
-        return self._caster.first_hit(*self.look.ray_at(position.x(), position.y()))
+        if self._picker is None:
+            self._picker = SurfacePicker(self._mesh)
+        return self._picker.pick(*self.look.ray_at(position.x(), position.y()))
 
     def _handle_at(self, position: QPointF) -> str | None:
         if not self.handles:

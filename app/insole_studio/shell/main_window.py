@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QToolButton, QWidget
@@ -82,14 +80,13 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Let the studio decide."""
-        if self._may_close:
-            event.accept()
-        else:
-            event.ignore()
+        if not self._may_close:
             self.close_requested.emit()
+        event.setAccepted(self._may_close)
 
     def _make_action(self, record: ActionRecord) -> QAction:
         action = QAction(record.text(), self)
+        action.setObjectName(record.key)
         action.setToolTip(_tip(record))
         action.setStatusTip(record.tip())
         action.setCheckable(record.checkable)
@@ -98,8 +95,11 @@ class MainWindow(QMainWindow):
         if record.shortcut:
             action.setShortcut(QKeySequence(record.shortcut))
         signal = action.toggled if record.checkable else action.triggered
-        signal.connect(partial(self.action_triggered.emit, record.key))
+        signal.connect(self._pass_on)
         return action
+
+    def _pass_on(self, checked: bool = False) -> None:
+        self.action_triggered.emit(self.sender().objectName(), checked)
 
     def _group_actions(self) -> None:
         groups: dict[str, QActionGroup] = {}

@@ -71,8 +71,7 @@ class Studio(QObject):
         self._autosave = autosave
         self._settings = settings
         self._actions = {record.key: record for record in ACTIONS}
-        self._dialogs: list[ErrorDialog] = []
-        self._recovered: Recovered | None = None
+        self.dialogs: list[ErrorDialog] = []
         window.action_triggered.connect(self.run_action)
         window.close_requested.connect(self.quit)
         stage.offer_chosen.connect(self._take_offer)
@@ -150,7 +149,6 @@ class Studio(QObject):
         def saved(_nothing: None) -> None:
             self.case.mark_saved(record, path)
             self._settings.remember(path)
-            self._discard_recovered()
             then()
 
         self._jobs.start(SAVING, write, saved, self.show_error)
@@ -246,8 +244,7 @@ class Studio(QObject):
         self._show_dialog(sentence, "")
 
     def offer_recovered(self, recovered: Recovered) -> None:
-        """Open what a crash has left; it stays unsaved, and its copy stays until it is saved."""
-        self._recovered = recovered
+        """Open what a crash has left; it stays unsaved, under a copy of this window's own."""
         self.case.open(recovered.record, recovered.path, unsaved=True)
         self.window.statusBar().showMessage(
             tr("Work that was not saved when Insole Studio ended last time is open again."), 15000
@@ -261,6 +258,7 @@ class Studio(QObject):
 
     def _close(self) -> None:
         self._hand.cancel()
+        self._autosave.forget()
         layout = self.window.layout_state()
         self._settings.window_geometry, self._settings.window_docks = layout
         self.window.close_for_good()
@@ -332,11 +330,6 @@ class Studio(QObject):
     def _take_offer(self, key: str) -> None:
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
-    def _discard_recovered(self) -> None:
-        if self._recovered is not None:
-            self._recovered.discard()
-            self._recovered = None
-
     def _show_state(self) -> None:
         case, window = self.case, self.window
         window.show_title(self._name(), case.has_unsaved_changes)
@@ -356,12 +349,14 @@ class Studio(QObject):
 
     def _show_dialog(self, sentence: str, details: str) -> None:
         dialog = ErrorDialog(sentence, details, self.window)
-        self._dialogs.append(dialog)
-        dialog.finished.connect(partial(self._forget_dialog, dialog))
+        self.dialogs.append(dialog)
+        dialog.finished.connect(self._forget_dialog)
         dialog.open()
 
-    def _forget_dialog(self, dialog: ErrorDialog, _result: int) -> None:
-        self._dialogs.remove(dialog)
+    def _forget_dialog(self) -> None:
+        dialog = self.sender()
+        assert isinstance(dialog, ErrorDialog)
+        self.dialogs.remove(dialog)
         dialog.deleteLater()
 
     def _name(self) -> str:

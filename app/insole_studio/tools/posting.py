@@ -8,6 +8,7 @@ import numpy as np
 
 from insole_core.insole.design import InsoleDesign, Posting
 from insole_core.insole.limits import CORRECTION_RANGES
+from insole_core.insole.posting import posting_angles
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, Ground, rise_mm, rounded, with_number
@@ -99,9 +100,10 @@ def _tilt(case: Case, design: InsoleDesign, part: str, press: PointerEvent) -> G
         event = yield
         changed = tilted(design, part, rise_mm(press, event) * DEG_PER_MM, new)
         case.preview(changed)
-    if posting_of(changed) != posting_of(design):
+    if posting_angles(changed) != posting_angles(design):
         case.apply(changed, _SENTENCES[part]())
-    case.end_preview()
+    else:
+        case.end_preview()
 
 
 _HINTS: dict[str, Callable[[], str]] = {

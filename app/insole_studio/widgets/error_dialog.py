@@ -13,7 +13,7 @@ class ErrorDialog(QMessageBox):
 
     def __init__(self, sentence: str, details: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._report = f"{sentence}\n\n{details}".strip()
+        self.report = f"{sentence}\n\n{details}".strip()
         self.setWindowTitle(tr("Insole Studio"))
         self.setIcon(QMessageBox.Icon.Warning)
         self.setText(sentence[:1].upper() + sentence[1:])
@@ -30,4 +30,4 @@ class ErrorDialog(QMessageBox):
 
     def copy_report(self) -> None:
         """Put sentence and details onto the clipboard."""
-        QGuiApplication.clipboard().setText(self._report)
+        QGuiApplication.clipboard().setText(self.report)

@@ -71,7 +71,8 @@ class NumberField(QDoubleSpinBox):
         elif modifiers & Qt.KeyboardModifier.ControlModifier:
             factor = FINE
         self.interpretText()
-        self.setValue(self.value() + steps * factor * self.singleStep())
+        smallest = 10.0 ** -self.decimals()
+        self.setValue(self.value() + steps * max(factor * self.singleStep(), smallest))
 
     def _localised(self, text: str) -> str:
         point = self.locale().decimalPoint()

@@ -61,6 +61,7 @@ class Autosave(QObject):
         self._case = case
         self._jobs = jobs
         folder.mkdir(parents=True, exist_ok=True)
+        self._wanted = True
         self._stem = folder / uuid.uuid4().hex
         self._lock = _lock(self._stem)
         self._lock.tryLock(0)
@@ -79,11 +80,19 @@ class Autosave(QObject):
         if self._case.has_unsaved_changes:
             _write_copy(self._stem, self._case.record, self._case.path)
 
-    def close(self) -> None:
-        """Forget the copy: the program ends on its own."""
+    def forget(self) -> None:
+        """Remove the copy for good: the user has saved the case, or does not want it."""
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
-        self._forget()
+        self._wanted = False
+
+    def close(self) -> None:
+        """End, once the jobs have ended; unsaved work that nobody gave up stays on the disk."""
+        if self._wanted and self._case.has_unsaved_changes:
+            self.write_now()
+        else:
+            self._remove_copies()
+        self._timer.stop()
         self._lock.unlock()
 
     def _write_beside(self) -> None:
@@ -103,9 +112,9 @@ class Autosave(QObject):
         if not self._case.has_unsaved_changes:
             self._timer.stop()
             self._jobs.cancel(CHANNEL)
-            self._forget()
+            self._remove_copies()
 
-    def _forget(self) -> None:
+    def _remove_copies(self) -> None:
         for copy in _copies(self._stem):
             copy.unlink(missing_ok=True)
 

@@ -1,4 +1,4 @@
-"""Where rays meet a surface; embree does the casting."""
+"""What lies under the pointer: the first meeting of a ray with a surface, cast by embree."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
 
-class RayCaster:
-    """Casts rays against one mesh.
+class SurfacePicker:
+    """Finds what a ray meets first on one mesh.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class RayCaster:
         self._intersector = RayMeshIntersector(body, scale_to_box=False)
         self._corners = mesh.vertices[mesh.triangles]
 
-    def first_hit(self, origin: FloatArray, direction: FloatArray) -> FloatArray | None:
+    def pick(self, origin: FloatArray, direction: FloatArray) -> FloatArray | None:
         """Give the first point (3,) that a ray meets, in the frame of the mesh; None for none."""
         triangle = int(self._intersector.intersects_first(origin[None], direction[None])[0])
         if triangle < 0:

@@ -1,0 +1,231 @@
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from insole_core.cases.case_file import CASE_NAME, FOOT_NAME, read_case, write_case
+from insole_core.cases.record import (
+    Annotations,
+    CaseRecord,
+    KeyPoint,
+    Patient,
+    ReferencePlane,
+    Source,
+)
+from insole_core.errors import InputError, OutputError
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
+
+SAMPLE = Path(__file__).parents[2] / "data" / "cases" / "version_1.insole"
+
+
+def wedge() -> TriangleMesh:
+    vertices = np.array([[0.1, 0, 0], [80, 0, 0], [0, 250, 0], [0, 0, 1 / 3]], dtype=float)
+    triangles = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], dtype=np.int32)
+    return TriangleMesh(vertices, triangles, np.arange(12, dtype=np.uint8).reshape(4, 3))
+
+
+@pytest.fixture
+def record() -> CaseRecord:
+    pose = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), 3.0), np.array([1.0, 2.0, 3.0]))
+    return CaseRecord(
+        patient=Patient("Änna B.", "1970-01-02", "2026-11-20", "first\nsecond"),
+        annotations=Annotations(
+            (KeyPoint("Heel", (0.0, 1.5, 2.0)),), ReferencePlane((0.0, 100.0, 5.0), 2.0, -3.5)
+        ),
+        source=Source("session", "/clinic/left_a", "0f" * 32, "2026-11-20T10:00:00Z"),
+        foot=Foot(Side.LEFT, wedge(), pose, 241.5, ("Placed by its markers.",)),
+        design=InsoleDesign(
+            Side.LEFT,
+            (Pelott(centre_mm=(12.0, 150.0), sigma_mm=(9.0, 12.0)), Posting(rearfoot_deg=4.0)),
+            thickness_mm=4.0,
+        ),
+    )
+
+
+@pytest.fixture
+def case(record: CaseRecord, tmp_path: Path) -> Path:
+    path = tmp_path / "anna.insole"
+    write_case(record, path)
+    return path
+
+
+def test_what_is_written_comes_back_to_the_bit(record: CaseRecord, case: Path) -> None:
+    again = read_case(case)
+    assert (again.patient, again.annotations) == (record.patient, record.annotations)
+    assert (again.source, again.design) == (record.source, record.design)
+    assert again.foot is not None
+    assert record.foot is not None
+    for name in ("vertices", "triangles", "colors"):
+        assert np.array_equal(getattr(again.foot.mesh, name), getattr(record.foot.mesh, name))
+    assert np.array_equal(again.foot.source2insole, record.foot.source2insole)
+    assert again.foot.notes == record.foot.notes
+    assert again.side is Side.LEFT
+
+
+def test_a_case_without_a_foot_is_a_case(tmp_path: Path) -> None:
+    record = CaseRecord(patient=Patient(name="Anna"))
+    write_case(record, tmp_path / "a.insole")
+    again = read_case(tmp_path / "a.insole")
+    assert (again.patient, again.foot, again.design) == (record.patient, None, None)
+
+
+def test_equal_cases_are_equal_files(record: CaseRecord, case: Path, tmp_path: Path) -> None:
+    write_case(record, tmp_path / "again.insole")
+    assert (tmp_path / "again.insole").read_bytes() == case.read_bytes()
+
+
+def test_a_case_of_version_1_is_read() -> None:
+    record = read_case(SAMPLE)
+    assert record.patient.name == "Sample of version 1"
+    assert record.side is Side.RIGHT
+    assert record.foot is not None
+    assert record.foot.mesh.is_closed
+    assert record.design is not None
+    assert [c.type for c in record.design.corrections] == ["pelott", "posting"]
+    assert record.annotations.plane is not None
+
+
+def test_a_full_or_missing_place_leaves_the_old_file(record: CaseRecord, tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="folder does not exist"):
+        write_case(record, tmp_path / "missing" / "a.insole")
+
+
+def change(case: Path, edit: Callable[[dict[str, Any]], object]) -> None:
+    """Edit case.json inside the archive."""
+    with zipfile.ZipFile(case) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    content = json.loads(parts[CASE_NAME])
+    edit(content)
+    parts[CASE_NAME] = json.dumps(content).encode()
+    pack(case, parts)
+
+
+def pack(case: Path, parts: dict[str, bytes]) -> None:
+    with zipfile.ZipFile(case, "w") as archive:
+        for name, part in parts.items():
+            archive.writestr(name, part)
+
+
+BAD: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+    "another format": (lambda c: c.update(format="other"), "format"),
+    "no version": (lambda c: c.pop("version"), "version is missing"),
+    "a newer version": (lambda c: c.update(version=2), "version 2.*newer Insole Studio"),
+    "no patient": (lambda c: c.pop("patient"), "patient is missing"),
+    "a name that is a number": (lambda c: c["patient"].update(name=5), "patient.name"),
+    "a point in 2-D": (
+        lambda c: c["annotations"]["key_points"][0].update(position_mm=[1, 2]),
+        "position_mm has 2 numbers",
+    ),
+    "two points of a name": (
+        lambda c: c["annotations"]["key_points"].append(c["annotations"]["key_points"][0]),
+        "twice",
+    ),
+    "a side that is none": (lambda c: c["foot"].update(side="both"), "foot.side"),
+    "a mirrored pose": (
+        lambda c: c["foot"]["source2insole"][0].__setitem__(0, -1.0),
+        "source2insole is no rigid transform",
+    ),
+    "three rows": (lambda c: c["foot"]["source2insole"].pop(), "source2insole must have four"),
+    "a pelott out of range": (
+        lambda c: c["design"]["corrections"][0].update(height_mm=500),
+        "height_mm",
+    ),
+    "a source of no kind": (lambda c: c["source"].update(kind="dream"), "source.kind"),
+    "a foot of another side than the design": (
+        lambda c: c["foot"].update(side="right"),
+        "design is for a left foot",
+    ),
+    "a foot without a design": (lambda c: c.pop("design"), "design is missing"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_violation_is_one_sentence(case: Path, name: str) -> None:
+    edit, sentence = BAD[name]
+    change(case, edit)
+    with pytest.raises(InputError, match=sentence) as caught:
+        read_case(case)
+    assert case.name in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("content", [b"", b"no zip", b"PK\x03\x04 cut off"])
+def test_no_archive_is_no_case(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "a.insole").write_bytes(content)
+    with pytest.raises(InputError, match="no readable case file"):
+        read_case(tmp_path / "a.insole")
+
+
+def test_a_missing_file_is_said(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="does not exist"):
+        read_case(tmp_path / "a.insole")
+
+
+def test_a_cut_off_file_is_refused(case: Path) -> None:
+    case.write_bytes(case.read_bytes()[:-40])
+    with pytest.raises(InputError, match=case.name):
+        read_case(case)
+
+
+def test_a_flipped_bit_is_noticed(case: Path) -> None:
+    content = bytearray(case.read_bytes())
+    content[len(content) // 2] ^= 1
+    case.write_bytes(bytes(content))
+    with pytest.raises(InputError):
+        read_case(case)
+
+
+def test_a_session_is_no_case(tmp_path: Path) -> None:
+    pack(tmp_path / "a.insole", {"manifest.json": b"{}"})
+    with pytest.raises(InputError, match=r"holds no case\.json"):
+        read_case(tmp_path / "a.insole")
+
+
+def test_a_case_that_lost_its_foot_is_refused(case: Path) -> None:
+    with zipfile.ZipFile(case) as archive:
+        text = archive.read(CASE_NAME)
+    pack(case, {CASE_NAME: text})
+    with pytest.raises(InputError, match=r"lost its foot\.npz"):
+        read_case(case)
+
+
+def _npz(**arrays: Any) -> bytes:
+    packed = io.BytesIO()
+    np.savez(packed, **arrays)
+    return packed.getvalue()
+
+
+MESH = wedge()
+BAD_FEET = {
+    "no archive": b"123",
+    "a missing array": _npz(vertices=MESH.vertices),
+    "a triangle beyond the vertices": _npz(
+        vertices=MESH.vertices, triangles=MESH.triangles + np.int32(1)
+    ),
+    "not a number": _npz(vertices=MESH.vertices * np.nan, triangles=MESH.triangles),
+    "flat vertices": _npz(vertices=MESH.vertices[:, :2], triangles=MESH.triangles),
+    "pickled objects": _npz(vertices=np.array([{}]), triangles=MESH.triangles),
+    "colours of others": _npz(
+        vertices=MESH.vertices, triangles=MESH.triangles, colors=np.zeros((2, 3), np.uint8)
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BAD_FEET)
+def test_a_damaged_foot_is_refused(case: Path, name: str) -> None:
+    with zipfile.ZipFile(case) as archive:
+        text = archive.read(CASE_NAME)
+    pack(case, {CASE_NAME: text, FOOT_NAME: BAD_FEET[name]})
+    with pytest.raises(InputError, match=r"foot\.npz is damaged"):
+        read_case(case)

@@ -1,0 +1,137 @@
+"""What the tests of the window share: a small foot, a whole application, and a check for leaks."""
+
+from __future__ import annotations
+
+import gc
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.shell.questions import Answer
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import Source
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+
+LENGTH_MM = 250.0
+
+
+def plantar_foot(side: Side) -> Foot:
+    """A sole of 80 × 250 mm that faces the ground, its arch on the medial side only."""
+    x, y = np.meshgrid(np.linspace(-40, 40, 41), np.linspace(0, LENGTH_MM, 126))
+    medial = side.medial_sign * x / 40
+    arch = 12 * np.exp(-(((y - 110) / 40) ** 2)) * np.clip(medial, 0, 1)
+    vertices = np.stack([x.ravel(), y.ravel(), arch.ravel()], axis=1)
+    index = np.arange(x.size, dtype=np.int32).reshape(x.shape)
+    a, b = index[:-1, :-1].ravel(), index[:-1, 1:].ravel()
+    c, d = index[1:, 1:].ravel(), index[1:, :-1].ravel()
+    triangles = np.concatenate([np.stack([a, c, b], 1), np.stack([a, d, c], 1)])
+    colors = np.full(vertices.shape, (220, 180, 160), dtype=np.uint8)
+    return Foot(side, TriangleMesh(vertices, triangles, colors), np.eye(4), LENGTH_MM)
+
+
+class CannedQuestions:
+    """Answers without asking; a test sets what."""
+
+    def __init__(self) -> None:
+        self.side: Side | None = Side.LEFT
+        self.anyway = False
+        self.unsaved = Answer.DISCARD
+        self.path: Path | None = None
+        self.asked: list[str] = []
+
+    def which_side(self, _path: Path) -> Side | None:
+        self.asked.append("side")
+        return self.side
+
+    def open_anyway(self, sentence: str) -> bool:
+        self.asked.append(sentence)
+        return self.anyway
+
+    def about_unsaved(self, _name: str) -> Answer:
+        self.asked.append("unsaved")
+        return self.unsaved
+
+    def folder_to_open(self) -> Path | None:
+        return self.path
+
+    def file_to_open(self, _kinds: str) -> Path | None:
+        return self.path
+
+    def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
+        return self.path
+
+
+@pytest.fixture(autouse=True)
+def no_leaks() -> Iterator[None]:
+    """No widget and no thread survives its test."""
+    before = set(threading.enumerate())
+    yield
+    if QApplication.instance() is not None:
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        gc.collect()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        assert QApplication.topLevelWidgets() == []
+    left = [thread.name for thread in set(threading.enumerate()) - before if thread.is_alive()]
+    assert [name for name in left if name.startswith("studio-job")] == []
+
+
+@pytest.fixture
+def places(tmp_path: Path) -> Places:
+    return Places(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
+
+
+@pytest.fixture
+def make_foot() -> Callable[[Side], Foot]:
+    return plantar_foot
+
+
+@pytest.fixture
+def small_session() -> Path:
+    return Path(__file__).parents[1] / "data" / "sessions" / "left_small.zip"
+
+
+@pytest.fixture
+def questions() -> CannedQuestions:
+    return CannedQuestions()
+
+
+@pytest.fixture
+def app(
+    qapp: QApplication, qtbot: QtBot, places: Places, questions: CannedQuestions
+) -> Iterator[Application]:
+    """The whole application on an empty case, shown."""
+    built = build_application(qapp, places)
+    built.studio.questions = questions  # type: ignore[assignment]
+    built.window.show()
+    qtbot.waitExposed(built.window)
+    yield built
+    for dialog in list(built.studio.dialogs):
+        dialog.done(0)
+    built.autosave.forget()
+    built.close()
+
+
+@pytest.fixture
+def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
+    """Wait until all background work is done and delivered."""
+
+    def wait() -> None:
+        qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
+
+    return wait
+
+
+@pytest.fixture
+def opened(app: Application, settle: Callable[[], None]) -> Application:
+    """The application with a left foot on the bench and its insole built."""
+    app.case.open_foot(plantar_foot(Side.LEFT), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    settle()
+    return app

@@ -1,0 +1,125 @@
+"""The painter on an off-screen plotter, looked at pixel by pixel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from insole_studio.scene.camera import Camera, Preset, Subject, fitted, look
+from insole_studio.scene.painter import Painter, direction_words
+from insole_studio.scene.pointer import Handle
+
+from insole_core.cases.record import KeyPoint, ReferencePlane
+from insole_core.geometry.side import Side
+
+SIZE = (300, 400)
+
+
+@pytest.fixture
+def plotter() -> Iterator[Any]:
+    plotter = pv.Plotter(off_screen=True, window_size=list(SIZE))
+    yield plotter
+    plotter.close()
+
+
+@pytest.fixture
+def painter(plotter: Any) -> Painter:
+    return Painter(plotter)
+
+
+def aim(painter: Painter, mesh: Any) -> Any:
+    box = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
+    seen = look(fitted(Camera(Preset.PLANTAR), box, SIZE), Subject.FOOT, Side.LEFT, SIZE)
+    painter.aim(seen)
+    return seen
+
+
+def pixels(plotter: Any) -> Any:
+    plotter.render()
+    return plotter.screenshot(return_img=True).astype(int)
+
+
+def test_the_foot_appears_in_its_own_colours(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    seen = aim(painter, mesh)
+    painter.show_surface(mesh)
+    image = pixels(plotter)
+    x, y = seen.pixels_of(np.array([-20.0, 200.0, 0.0]))[0].astype(int)
+    red, green, blue = image[y, x]
+    assert red > green > blue
+    assert red - blue > 40
+    beside = image[5, 5]
+    assert np.ptp(beside) < 12
+
+
+def test_a_handle_is_where_the_camera_says_and_in_front(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    seen = aim(painter, mesh)
+    painter.show_surface(mesh)
+    inside = (10.0, 120.0, 30.0)
+    painter.show_handles((Handle("move", inside, kind="move"),))
+    x, y = seen.pixels_of(np.array(inside))[0].astype(int)
+    red, _green, blue = pixels(plotter)[y, x]
+    assert blue > red + 60
+
+
+def test_a_moved_surface_keeps_its_triangles(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    aim(painter, mesh)
+    painter.show_surface(mesh)
+    moved = mesh.transformed(np.eye(4))
+    assert painter.move_surface(moved, None)
+    assert not painter.move_surface(mesh.flipped(), None)
+
+
+def test_an_unseen_painter_moves_nothing(painter: Painter, make_foot: Any) -> None:
+    assert not painter.move_surface(make_foot(Side.LEFT).mesh, None)
+
+
+def test_a_map_runs_from_dark_to_light(painter: Painter, plotter: Any, make_foot: Any) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    seen = aim(painter, mesh)
+    painter.show_surface(mesh, mesh.vertices[:, 1], (0.0, 250.0))
+    image = pixels(plotter)
+    low, high = (
+        image[tuple(seen.pixels_of(np.array([-20.0, y, 0.0]))[0].astype(int)[::-1])]
+        for y in (10.0, 240.0)
+    )
+    assert high.sum() > low.sum() + 100
+
+
+def test_marks_appear_and_go(painter: Painter, plotter: Any, make_foot: Any) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    aim(painter, mesh)
+    painter.show_surface(mesh)
+    bare = pixels(plotter)
+    box = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
+    painter.show_key_points([KeyPoint("Heel", (0.0, 20.0, 0.0))])
+    painter.show_plane(ReferencePlane((0.0, 120.0, -20.0)), 100.0)
+    painter.show_lines("outlines", [mesh.vertices[:40]], "red", 2.0)
+    painter.show_directions(Side.LEFT, box)
+    assert (pixels(plotter) != bare).any()
+    painter.show_key_points([])
+    painter.show_plane(None, 100.0)
+    painter.show_lines("outlines", [], "red", 2.0)
+    painter.show_directions(None, None)
+    assert np.abs(pixels(plotter) - bare).max() <= 2
+
+
+@pytest.mark.parametrize("side", list(Side))
+def test_medial_is_written_on_the_side_of_the_big_toe(side: Side) -> None:
+    box = np.array([[-40.0, 0.0, 0.0], [45.0, 250.0, 100.0]])
+    places, words = direction_words(side, box)
+    where = dict(zip(words, places, strict=True))
+    assert np.sign(where["Medial"][0]) == side.medial_sign
+    assert np.sign(where["Lateral"][0]) == -side.medial_sign
+    assert where["Toes"][1] > 250 > where["Heel"][1]

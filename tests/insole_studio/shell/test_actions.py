@@ -1,0 +1,56 @@
+from __future__ import annotations
+
+from collections import Counter
+
+from insole_studio.bootstrap import Application
+from insole_studio.shell.actions import ACTIONS, MENUS, SEPARATOR, TOOLBAR
+
+KEYS = [record.key for record in ACTIONS]
+
+
+def test_keys_texts_and_shortcuts_are_unique() -> None:
+    for values in (
+        KEYS,
+        [record.text() for record in ACTIONS],
+        [record.shortcut for record in ACTIONS if record.shortcut],
+    ):
+        assert [value for value, count in Counter(values).items() if count > 1] == []
+
+
+def test_every_action_is_in_exactly_one_menu() -> None:
+    listed = [key for _, keys in MENUS for key in keys if key != SEPARATOR]
+    assert sorted(listed) == sorted(KEYS)
+
+
+def test_toolbar_actions_exist_and_have_icons() -> None:
+    records = {record.key: record for record in ACTIONS}
+    assert all(records[key].icon for part in TOOLBAR for key in part)
+
+
+def test_every_action_explains_itself() -> None:
+    assert all(record.tip() for record in ACTIONS)
+
+
+def test_icons_are_drawn(app: Application) -> None:
+    for record in ACTIONS:
+        if record.icon:
+            assert not app.window.actions_by_key[record.key].icon().isNull(), record.key
+
+
+def test_without_a_foot_nothing_that_needs_one_is_offered(app: Application) -> None:
+    enabled = {key for key, action in app.window.actions_by_key.items() if action.isEnabled()}
+    assert enabled.isdisjoint({r.key for r in ACTIONS if r.needs_foot} | {"undo", "redo"})
+    assert {"open_session", "open_archive", "open"} <= enabled
+
+
+def test_exactly_one_tool_is_checked(opened: Application) -> None:
+    for record in ACTIONS:
+        if record.group == "tools":
+            opened.window.actions_by_key[record.key].trigger()
+            checked = [
+                r.key
+                for r in ACTIONS
+                if r.group == "tools" and opened.window.actions_by_key[r.key].isChecked()
+            ]
+            assert checked == [record.key]
+            assert record.key == f"tool_{opened.hand.tool.key}"

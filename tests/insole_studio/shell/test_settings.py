@@ -1,0 +1,42 @@
+from __future__ import annotations
+
+import json
+import logging
+from pathlib import Path
+
+import pytest
+from insole_studio.settings import RECENT_COUNT, Settings, load_settings, save_settings
+
+
+def test_what_is_saved_comes_back(tmp_path: Path) -> None:
+    settings = Settings(theme="dark", linked_views=False, recent=["a"])
+    save_settings(settings, tmp_path / "new" / "settings.json")
+    assert load_settings(tmp_path / "new" / "settings.json") == settings
+
+
+def test_absent_settings_are_the_defaults(tmp_path: Path) -> None:
+    assert load_settings(tmp_path / "none.json") == Settings()
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1]", "\x00"])
+def test_unreadable_settings_are_the_defaults(tmp_path: Path, text: str) -> None:
+    (tmp_path / "settings.json").write_text(text)
+    assert load_settings(tmp_path / "settings.json") == Settings()
+
+
+def test_a_bad_entry_costs_a_warning(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    stored = {"theme": "pink", "linked_views": False, "recent": [1], "unknown": 1}
+    (tmp_path / "settings.json").write_text(json.dumps(stored))
+    with caplog.at_level(logging.WARNING):
+        settings = load_settings(tmp_path / "settings.json")
+    assert settings == Settings(linked_views=False)
+    assert "theme" in caplog.text
+
+
+def test_recent_files_are_few_and_newest_first() -> None:
+    settings = Settings()
+    for number in range(RECENT_COUNT + 3):
+        settings.remember(Path(f"/case-{number}"))
+    settings.remember(Path("/case-5"))
+    assert settings.recent[0] == str(Path("/case-5"))
+    assert len(settings.recent) == len(set(settings.recent)) == RECENT_COUNT

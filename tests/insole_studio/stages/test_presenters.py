@@ -1,0 +1,316 @@
+"""Presenters with mocked views: what they show, and what they make of intents."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from insole_studio.jobs import Jobs
+from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
+from insole_studio.stages.design.parameters_presenter import ParametersPresenter
+from insole_studio.stages.design.patient_presenter import PatientPresenter
+from insole_studio.stages.design.rows import FieldGroup
+from insole_studio.tools.hand import Hand
+from insole_studio.tools.key_point import KeyPointTool
+from insole_studio.tools.orbit import OrbitTool
+from insole_studio.tools.pelott import PelottTool
+from insole_studio.tools.plane import PlaneTool
+from insole_studio.tools.posting import PostingTool
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.pad_library import load_pelott_sizes
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott
+
+
+class MockView:
+    """Remembers the last arguments of every ``show_…``; signals can be fired by hand."""
+
+    def __init__(self) -> None:
+        self.shown: dict[str, tuple[Any, ...]] = {}
+        self.can_move = False
+        for name in (
+            "field_edited",
+            "offer_chosen",
+            "correction_selected",
+            "correction_toggled",
+            "correction_removed",
+        ):
+            setattr(self, name, MockSignal())
+
+    def move_mesh(self, *arguments: Any) -> bool:
+        self.shown["move_mesh"] = arguments
+        return self.can_move
+
+    def __getattr__(self, name: str) -> Callable[..., None]:
+        if not name.startswith("show_"):
+            raise AttributeError(name)
+
+        def show(*arguments: Any) -> None:
+            self.shown[name] = arguments
+
+        return show
+
+
+class MockSignal:
+    def __init__(self) -> None:
+        self._slots: list[Callable[..., None]] = []
+
+    def connect(self, slot: Callable[..., None]) -> None:
+        self._slots.append(slot)
+
+    def emit(self, *values: Any) -> None:
+        for slot in self._slots:
+            slot(*values)
+
+
+@pytest.fixture
+def view() -> Any:
+    return MockView()
+
+
+@pytest.fixture
+def case() -> Case:
+    return Case()
+
+
+@pytest.fixture
+def hand(case: Case) -> Hand:
+    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
+    return Hand(case, tools)
+
+
+@pytest.fixture
+def surface(case: Case, qapp: QApplication) -> Iterator[InsoleSurface]:
+    jobs = Jobs()
+    yield InsoleSurface(case, jobs)
+    jobs.close()
+
+
+@pytest.fixture
+def open_foot(case: Case, make_foot: Any) -> Callable[[], None]:
+    def open_it(side: Side = Side.LEFT) -> None:
+        case.open_foot(make_foot(side), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+
+    return open_it
+
+
+def add_pelott(case: Case, **values: Any) -> Pelott:
+    assert case.record.design is not None
+    pad = Pelott(centre_mm=(0.0, 150.0), **values)
+    case.apply(case.record.design.with_added(pad), "Place")
+    return pad
+
+
+def groups(view: Any) -> dict[str, FieldGroup]:
+    return {group.title: group for group in view.shown["show_groups"][0]}
+
+
+class TestPatient:
+    @pytest.fixture
+    def presenter(self, view: Any, case: Case) -> PatientPresenter:
+        return PatientPresenter(view, case)
+
+    def test_an_empty_case_has_no_side_and_no_measure(
+        self, view: Any, presenter: PatientPresenter
+    ) -> None:
+        assert view.shown["show_side"] == (None,)
+        assert view.shown["show_measures"] == ([],)
+
+    def test_typing_is_one_step(self, view: Any, case: Case, presenter: PatientPresenter) -> None:
+        view.field_edited.emit("name", " Anna B. ")
+        assert case.record.patient == Patient(name="Anna B.")
+        view.field_edited.emit("name", "Anna B.")
+        assert len(case.history) == 1
+
+    def test_measures_and_distances_are_listed(
+        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
+        case.apply(Annotations(points), "Mark")
+        values = {m.name: m.value for m in view.shown["show_measures"][0]}
+        assert values == {"Foot length": "250.0 mm", "Heel – Arch": "50.0 mm"}
+
+    def test_the_eye_switches_and_the_cross_removes(
+        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        pad = add_pelott(case)
+        view.correction_toggled.emit(pad.id)
+        assert case.record.design is not None
+        assert not case.record.design.corrections[0].enabled
+        assert not view.shown["show_corrections"][0][0].enabled
+        view.correction_removed.emit(pad.id)
+        assert case.record.design.corrections == ()
+
+    def test_selecting_a_row_selects_everywhere(
+        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        pad = add_pelott(case)
+        view.correction_selected.emit(pad.id)
+        assert case.selection == pad.id
+        assert view.shown["show_corrections"][0][0].selected
+
+
+class TestParameters:
+    @pytest.fixture
+    def presenter(self, view: Any, case: Case, hand: Hand) -> ParametersPresenter:
+        return ParametersPresenter(view, case, hand, load_pelott_sizes())
+
+    def test_numbers_of_the_selected_pelott(
+        self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        pad = add_pelott(case, height_mm=7.0)
+        case.select(pad.id)
+        fields = {field.key: field.value for field in groups(view)["Pelott"].fields}
+        assert fields["pelott.height_mm"] == 7.0
+        assert fields["pelott.y"] == 150.0
+
+    def test_edits_of_one_field_are_one_undo(
+        self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        pad = add_pelott(case)
+        case.select(pad.id)
+        for height in (6.5, 7.0, 7.5):
+            view.field_edited.emit("pelott.height_mm", height)
+        view.field_edited.emit("pelott.x", 4.0)
+        assert len(case.history) == 3
+        assert case.record.design is not None
+        (edited,) = case.record.design.corrections
+        assert isinstance(edited, Pelott)
+        assert (edited.height_mm, edited.centre_mm) == (7.5, (4.0, 150.0))
+
+    def test_a_size_of_the_library_is_taken(
+        self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        case.select(add_pelott(case).id)
+        view.offer_chosen.emit("size.M")
+        assert case.record.design is not None
+        (pad,) = case.record.design.corrections
+        assert isinstance(pad, Pelott)
+        assert (pad.length_mm, pad.width_mm, pad.height_mm) == (70, 50, 8)
+
+    def test_the_pelott_tool_shows_and_takes_the_next_size(
+        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        hand.take("pelott")
+        view.offer_chosen.emit("size.L")
+        view.field_edited.emit("template.height_mm", 5.0)
+        assert isinstance(hand.tool, PelottTool)
+        assert (hand.tool.template.width_mm, hand.tool.template.height_mm) == (60, 5)
+        assert len(case.history) == 0
+
+    def test_posting_by_numbers(
+        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        hand.take("posting")
+        view.field_edited.emit("posting.rearfoot_deg", 4.0)
+        view.field_edited.emit("posting.forefoot_deg", -2.0)
+        (group,) = [g for title, g in groups(view).items() if "Pronation" in title]
+        assert [field.value for field in group.fields] == [4.0, -2.0]
+        assert case.record.design is not None
+        assert len(case.record.design.corrections) == 1
+
+    def test_the_insole_has_its_numbers_always(
+        self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        view.field_edited.emit("insole.thickness_mm", 5.0)
+        assert case.record.design is not None
+        assert case.record.design.thickness_mm == 5.0
+        assert groups(view)["Insole"].fields[0].value == 5.0
+
+    def test_the_plane_by_numbers_and_gone(
+        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+    ) -> None:
+        open_foot()
+        case.apply(Annotations(plane=ReferencePlane((1.0, 2.0, 3.0))), "Place")
+        hand.take("plane")
+        view.field_edited.emit("plane.z", 9.0)
+        view.field_edited.emit("plane.roll_deg", -5.0)
+        assert case.record.annotations.plane == ReferencePlane((1.0, 2.0, 9.0), roll_deg=-5.0)
+        view.offer_chosen.emit("remove.plane")
+        assert case.record.annotations.plane is None
+
+
+class TestModels:
+    def test_no_foot_offers_what_comes_next(
+        self, view: Any, case: Case, surface: InsoleSurface, hand: Hand
+    ) -> None:
+        FootPresenter(view, case, surface, hand).show_all()
+        sentence, offers = view.shown["show_empty"]
+        assert "No scan yet" in sentence
+        assert list(offers) == ["open_session", "open_mesh"]
+
+    @pytest.mark.parametrize("side", list(Side))
+    def test_the_foot_appears_with_its_side(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        hand: Hand,
+        open_foot: Any,
+        side: Side,
+    ) -> None:
+        presenter = FootPresenter(view, case, surface, hand)
+        open_foot(side)
+        assert case.foot is not None
+        assert view.shown["show_mesh"] == (case.foot.mesh,)
+        assert view.shown["show_side"] == (side,)
+        assert view.shown["show_directions"][0] is side
+        assert presenter.side is side
+
+    def test_a_pelott_raises_the_insole_at_its_place(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        hand: Hand,
+        open_foot: Any,
+        qtbot: QtBot,
+    ) -> None:
+        presenter = InsolePresenter(view, case, surface, hand)
+        open_foot()
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        before = surface.height_mm(0.0, 150.0)
+        far = surface.height_mm(0.0, 40.0)
+        case.select(add_pelott(case, height_mm=6.0).id)
+        assert surface.height_mm(0.0, 150.0) == pytest.approx(before + 6.0, abs=0.05)
+        assert surface.height_mm(0.0, 40.0) == far
+        (mesh, _) = (*view.shown["show_mesh"][:1], None)
+        assert mesh.is_closed
+        _others, selected = view.shown["show_outlines"]
+        assert len(selected) == 1
+        assert {h.name for h in view.shown["show_handles"][0]} >= {"move", "length", "width"}
+        assert presenter.place(0.0, 150.0)[2] == pytest.approx(before + 6.0, abs=0.05)
+
+    def test_a_posting_is_built_beside_the_window(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        hand: Hand,
+        open_foot: Any,
+        qtbot: QtBot,
+    ) -> None:
+        ParametersPresenter(view, case, hand, ())
+        open_foot()
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        flat = surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0)
+        hand.take("posting")
+        view.field_edited.emit("posting.rearfoot_deg", 4.0)
+        qtbot.waitUntil(lambda: surface.is_current, timeout=20_000)
+        # A left foot's medial side is +x; a varus post raises it.
+        assert surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0) > flat + 3.0

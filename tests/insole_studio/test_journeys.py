@@ -1,0 +1,185 @@
+"""Real mouse and key events in the views of the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from insole_studio.bootstrap import Application, grab_window
+from insole_studio.scene.camera import Preset
+from insole_studio.scene.view import SceneView
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from insole_core.insole.design import Pelott
+
+LEFT = Qt.MouseButton.LeftButton
+MIDDLE = Qt.MouseButton.MiddleButton
+
+
+def pixel(view: SceneView, x_mm: float, y_mm: float) -> QPoint:
+    x, y = view.look.pixels_of(np.array([x_mm, y_mm, 0.0]))[0]
+    return QPoint(round(x), round(y))
+
+
+def drag(view: SceneView, start: QPoint, end: QPoint, button: Qt.MouseButton = LEFT) -> None:
+    QTest.mousePress(view.surface, button, pos=start)
+    for share in (0.25, 0.5, 0.75, 1.0):
+        place = start + (end - start) * share
+        QTest.mouseMove(view.surface, place)
+        QApplication.processEvents()
+    QTest.mouseRelease(view.surface, button, pos=end)
+
+
+def only_pelott(app: Application) -> Pelott:
+    assert app.case.record.design is not None
+    (pad,) = app.case.record.design.corrections
+    assert isinstance(pad, Pelott)
+    return pad
+
+
+@pytest.fixture(params=["foot", "insole"])
+def view(request: pytest.FixtureRequest, opened: Application) -> SceneView:
+    return getattr(opened.stage, request.param).scene  # type: ignore[no-any-return]
+
+
+def test_a_pelott_is_clicked_dragged_and_undone(opened: Application, view: SceneView) -> None:
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    QTest.mouseClick(view.surface, LEFT, pos=pixel(view, 5.0, 150.0))
+    assert only_pelott(opened).centre_mm == pytest.approx((5.0, 150.0), abs=1.0)
+    start, end = pixel(view, 5.0, 150.0), pixel(view, -5.0, 170.0)
+    drag(view, start, end)
+    assert only_pelott(opened).centre_mm == pytest.approx((-5.0, 170.0), abs=1.5)
+    assert len(opened.case.history) == 2
+    opened.window.actions_by_key["undo"].trigger()
+    assert only_pelott(opened).centre_mm == pytest.approx((5.0, 150.0), abs=1.0)
+
+
+def test_the_same_handles_are_in_both_views(opened: Application, view: SceneView) -> None:
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    QTest.mouseClick(view.surface, LEFT, pos=pixel(view, 0.0, 150.0))
+    foot, insole = opened.stage.foot.scene, opened.stage.insole.scene
+    assert [h.name for h in foot.handles] == [h.name for h in insole.handles] != []
+
+
+def test_escape_gives_a_drag_up(opened: Application, view: SceneView) -> None:
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    QTest.mousePress(view.surface, LEFT, pos=pixel(view, 0.0, 150.0))
+    QTest.mouseMove(view.surface, pixel(view, 10.0, 160.0))
+    QTest.keyClick(view.surface, Qt.Key.Key_Escape)
+    QTest.mouseRelease(view.surface, LEFT, pos=pixel(view, 10.0, 160.0))
+    assert opened.case.record.design is not None
+    assert opened.case.record.design.corrections == ()
+    assert len(opened.case.history) == 0
+
+
+def test_beside_the_foot_the_drag_turns_both_views(opened: Application, view: SceneView) -> None:
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    drag(view, QPoint(8, 8), QPoint(58, 8))
+    foot, insole = opened.stage.foot.scene.camera, opened.stage.insole.scene.camera
+    assert foot == insole
+    assert foot.azimuth_deg == pytest.approx(-20.0, abs=1.0)
+    assert len(opened.case.history) == 0
+
+
+def test_unlinked_views_turn_alone(opened: Application) -> None:
+    opened.window.actions_by_key["linked"].trigger()
+    drag(opened.stage.foot.scene, QPoint(8, 8), QPoint(58, 8))
+    assert opened.stage.insole.scene.camera.azimuth_deg == 0.0
+    opened.window.actions_by_key["linked"].trigger()
+    assert opened.stage.insole.scene.camera == opened.stage.foot.scene.camera
+
+
+def test_the_middle_button_pans(opened: Application, view: SceneView) -> None:
+    before = pixel(view, 0.0, 150.0)
+    drag(view, QPoint(100, 100), QPoint(130, 80), MIDDLE)
+    assert pixel(view, 0.0, 150.0) - before == QPoint(30, -20)
+
+
+def test_the_wheel_zooms_at_the_pointer(opened: Application, view: SceneView) -> None:
+    place = pixel(view, 10.0, 100.0)
+    height = view.camera.height_mm
+    QApplication.sendEvent(
+        view.surface,
+        QWheelEvent(
+            QPointF(place),
+            QPointF(view.surface.mapToGlobal(place)),
+            QPoint(),
+            QPoint(0, 120),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        ),
+    )
+    assert view.camera.height_mm < height
+    assert (pixel(view, 10.0, 100.0) - place).manhattanLength() <= 1
+
+
+def test_double_click_centres(opened: Application, view: SceneView) -> None:
+    QTest.mouseDClick(view.surface, LEFT, pos=pixel(view, 10.0, 60.0))
+    assert view.camera.focal_mm[:2] == pytest.approx((10.0, 60.0), abs=1.0)
+
+
+@pytest.mark.parametrize(
+    ("key", "preset"), list(zip("123456", Preset, strict=True)), ids=[p.value for p in Preset]
+)
+def test_number_keys_are_the_presets(opened: Application, key: str, preset: Preset) -> None:
+    opened.window.activateWindow()
+    QTest.keyClick(opened.window, Qt.Key(ord(key)))
+    assert opened.stage.foot.scene.camera.preset is preset
+    assert opened.stage.insole.scene.camera.preset is preset
+
+
+def test_arrow_keys_nudge_the_selected_pelott(opened: Application, view: SceneView) -> None:
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    QTest.mouseClick(view.surface, LEFT, pos=pixel(view, 0.0, 150.0))
+    before = only_pelott(opened).centre_mm
+    QTest.keyClick(view.surface, Qt.Key.Key_Up)
+    assert only_pelott(opened).centre_mm == pytest.approx((before[0], before[1] + 0.5))
+
+
+def test_the_status_line_says_where_the_pointer_is(opened: Application, view: SceneView) -> None:
+    heard: list[str] = []
+    opened.stage.pointed.connect(heard.append)
+    QTest.mouseMove(view.surface, pixel(view, 10.0, 60.0))
+    QApplication.processEvents()
+    assert any("mm" in text for text in heard)
+
+
+@pytest.mark.display
+def test_a_pelott_changes_the_picture_of_both_views(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    """With real GL: the picture of each view is another one round the pelott, and only there."""
+    views = (opened.stage.foot.scene, opened.stage.insole.scene)
+    before = [_pixels(view) for view in views]
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    QTest.mouseClick(views[0].surface, LEFT, pos=pixel(views[0], 0.0, 150.0))
+    settle()
+    for view, old in zip(views, before, strict=True):
+        new = _pixels(view)
+        x, y = pixel(view, 0.0, 150.0).toTuple()
+        changed = (np.abs(new - old).max(axis=2) > 20).astype(int)
+        assert changed[y - 20 : y + 20, x - 20 : x + 20].sum() > 50
+        assert changed[-40:].sum() == 0
+
+
+@pytest.mark.display
+def test_the_window_grabbed_holds_its_scenes(opened: Application) -> None:
+    image = grab_window(opened)
+    scene = opened.stage.foot.scene
+    corner = scene.mapTo(opened.window, QPoint(0, 0))
+    middle = pixel(scene, -20.0, 200.0) + corner
+    color = image.pixelColor(middle)
+    assert color.red() > color.blue() + 30
+
+
+def _pixels(view: SceneView) -> np.ndarray:
+    image = view.picture()
+    raw = np.frombuffer(image.constBits(), np.uint8)
+    rows = raw.reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()]
+    return rows.reshape(image.height(), image.width(), 3).astype(int)

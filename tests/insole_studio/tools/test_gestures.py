@@ -1,0 +1,289 @@
+"""Tools by pointer events alone: no window, no renderer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+from insole_studio.scene.camera import Camera, Preset, Subject, look
+from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.tools.hand import Hand
+from insole_studio.tools.key_point import NAMES, KeyPointTool, distances
+from insole_studio.tools.orbit import OrbitTool
+from insole_studio.tools.pelott import PelottTool
+from insole_studio.tools.plane import PlaneTool
+from insole_studio.tools.posting import PostingTool, posting_of
+from insole_studio.workbench.case import Case
+
+from insole_core.cases.record import ReferencePlane, Source
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
+
+CAMERA = Camera(height_mm=400.0)
+SIZE = (400, 400)
+
+
+@dataclass(frozen=True)
+class FlatGround:
+    subject: Subject = Subject.FOOT
+    side: Side = Side.LEFT
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        return x_mm, y_mm, 0.0
+
+    def covers(self, x_mm: float, y_mm: float) -> bool:
+        return abs(x_mm) < 45 and 0 < y_mm < 260
+
+
+GROUND = FlatGround()
+
+
+def at(
+    phase: Phase, x_mm: float, y_mm: float, handle: str | None = None, **more: Any
+) -> PointerEvent:
+    """A pointer over the sole, seen from below, one pixel a millimetre."""
+    place = np.array([x_mm, y_mm, 0.0])
+    seen = look(CAMERA, Subject.FOOT, Side.LEFT, SIZE)
+    x_px, y_px = seen.pixels_of(place)[0]
+    return PointerEvent(phase, Subject.FOOT, seen, (x_px, y_px), place, handle, **more)
+
+
+@pytest.fixture
+def case(make_foot: Any) -> Case:
+    case = Case()
+    case.open_foot(make_foot(Side.LEFT), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    return case
+
+
+@pytest.fixture
+def hand(case: Case) -> Hand:
+    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
+    return Hand(case, tools)
+
+
+def drag(hand: Hand, *places: tuple[float, float], handle: str | None = None) -> None:
+    hand.press(at(Phase.PRESS, *places[0], handle=handle), GROUND)
+    for place in places[1:]:
+        hand.drag(at(Phase.MOVE, *place))
+    hand.drag(at(Phase.RELEASE, *places[-1]))
+
+
+def design(case: Case) -> InsoleDesign:
+    assert case.record.design is not None
+    return case.record.design
+
+
+def only_pelott(case: Case) -> Pelott:
+    (pad,) = design(case).corrections
+    assert isinstance(pad, Pelott)
+    return pad
+
+
+def test_a_click_places_a_pelott_there(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (3.0, 150.0))
+    assert only_pelott(case).centre_mm == (3.0, 150.0)
+    assert case.selection == only_pelott(case).id
+    assert len(case.history) == 1
+
+
+def test_dragging_a_pelott_is_one_undo(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    drag(hand, (2.0, 152.0), (5.0, 160.0), (12.0, 162.0))
+    assert only_pelott(case).centre_mm == (10.0, 160.0)
+    assert len(case.history) == 2
+    case.undo()
+    assert only_pelott(case).centre_mm == (0.0, 150.0)
+
+
+def test_the_picture_follows_the_hand(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    hand.drag(at(Phase.MOVE, 4.0, 150.0))
+    assert case.shown.design is not None
+    (shown,) = case.shown.design.corrections
+    assert isinstance(shown, Pelott)
+    assert shown.centre_mm == (4.0, 150.0)
+    assert only_pelott(case).centre_mm == (0.0, 150.0)
+
+
+@pytest.mark.parametrize("tool", ["pelott", "key_point", "posting", "plane"])
+def test_escape_restores(case: Case, hand: Hand, tool: str) -> None:
+    hand.take(tool)
+    record = case.record
+    assert hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    hand.drag(at(Phase.MOVE, 8.0, 180.0))
+    assert hand.cancel()
+    assert case.shown is case.record is record
+    assert len(case.history) == 0
+    assert case.selection is None
+    assert not hand.cancel()
+
+
+@pytest.mark.parametrize(
+    ("handle", "start", "end", "name", "value"),
+    [
+        ("width", (20.0, 150.0), (25.0, 150.0), "width_mm", 50.0),
+        ("turn", (0.0, 190.0), (-40.0, 190.0), "turn_deg", 45.0),
+        ("height", (0.0, 120.0), (0.0, 128.0), "height_mm", 8.0),
+        ("move", (0.0, 150.0), (-7.0, 148.0), "centre_mm", (-7.0, 148.0)),
+    ],
+)
+def test_handles_reshape_the_pelott(
+    case: Case, hand: Hand, handle: str, start: Any, end: Any, name: str, value: Any
+) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    drag(hand, start, end, handle=handle)
+    assert getattr(only_pelott(case), name) == pytest.approx(value)
+    assert len(case.history) == 2
+
+
+def test_the_length_handle_keeps_to_the_tip(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    handles = {h.name: h for h in hand.tool.handles(case, GROUND)}
+    tip = handles["length"].position_mm[1]
+    drag(hand, (0.0, tip), (0.0, 150.0 + 1.5 * (tip - 150.0)), handle="length")
+    assert only_pelott(case).length_mm == pytest.approx(90.0)
+    moved = {h.name: h for h in hand.tool.handles(case, GROUND)}["length"].position_mm[1]
+    assert moved == pytest.approx(150.0 + 1.5 * (tip - 150.0), abs=0.3)
+
+
+def test_sizes_stay_in_their_range(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    drag(hand, (20.0, 150.0), (-30.0, 150.0), handle="width")
+    assert only_pelott(case).width_mm == 5.0
+
+
+def test_the_wheel_raises_by_half_a_millimetre_in_one_undo(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    for _ in range(3):
+        assert hand.wheel(at(Phase.MOVE, 1.0, 150.0), 1.0)
+    assert only_pelott(case).height_mm == 7.5
+    assert len(case.history) == 2
+    assert not hand.wheel(at(Phase.MOVE, 35.0, 30.0), 1.0)
+
+
+def test_arrows_nudge_as_one_sees(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    # From below, the right of the picture is -x.
+    assert hand.nudge(at(Phase.MOVE, 0.0, 0.0), 1, 0)
+    assert only_pelott(case).centre_mm == (-0.5, 150.0)
+    hand.nudge(at(Phase.MOVE, 0.0, 0.0, coarse=True), 0, 1)
+    hand.nudge(at(Phase.MOVE, 0.0, 0.0, fine=True), 0, 1)
+    assert only_pelott(case).centre_mm == (-0.5, 155.05)
+
+
+def test_no_pelott_beside_the_insole_or_on_the_back_of_the_foot(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    assert not hand.press(at(Phase.PRESS, 0.0, 300.0), GROUND)
+    seen = look(Camera(Preset.DORSAL), Subject.FOOT, Side.LEFT, SIZE)
+    above = PointerEvent(Phase.PRESS, Subject.FOOT, seen, (9, 9), np.array([0.0, 150.0, 60.0]))
+    assert not hand.press(above, GROUND)
+    assert design(case).corrections == ()
+
+
+def test_a_press_on_a_pelott_selects_the_topmost(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    drag(hand, (0.0, 60.0))
+    first, second = design(case).corrections
+    hand.take("orbit")
+    assert not hand.press(at(Phase.PRESS, 5.0, 150.0), GROUND)
+    assert case.selection == first.id
+    hand.press(at(Phase.PRESS, 5.0, 60.0), GROUND)
+    assert case.selection == second.id
+    hand.press(at(Phase.PRESS, 35.0, 220.0), GROUND)
+    assert case.selection is None
+
+
+@pytest.mark.parametrize(
+    ("start", "rearfoot", "forefoot"), [((0.0, 40.0), 4.0, 0.0), ((0.0, 200.0), 0.0, 4.0)]
+)
+def test_dragging_up_raises_the_medial_edge(
+    case: Case, hand: Hand, start: tuple[float, float], rearfoot: float, forefoot: float
+) -> None:
+    hand.take("posting")
+    drag(hand, start, (start[0], start[1] + 20.0))
+    posting = posting_of(design(case))
+    assert isinstance(posting, Posting)
+    assert (posting.rearfoot_deg, posting.forefoot_deg) == (rearfoot, forefoot)
+    assert len(case.history) == 1
+
+
+def test_a_posting_stays_one_and_in_its_range(case: Case, hand: Hand) -> None:
+    hand.take("posting")
+    drag(hand, (0.0, 40.0), (0.0, 50.0))
+    drag(hand, (0.0, 40.0), (0.0, 240.0))
+    assert len(design(case).corrections) == 1
+    posting = posting_of(design(case))
+    assert posting is not None
+    assert posting.rearfoot_deg == 15.0
+
+
+def test_a_click_without_a_drag_makes_no_posting(case: Case, hand: Hand) -> None:
+    hand.take("posting")
+    drag(hand, (0.0, 40.0))
+    assert design(case).corrections == ()
+    assert len(case.history) == 0
+
+
+def test_key_points_take_their_names_in_turn(case: Case, hand: Hand) -> None:
+    hand.take("key_point")
+    drag(hand, (0.0, 0.0))
+    drag(hand, (30.0, 40.0))
+    points = case.record.annotations.key_points
+    assert [point.name for point in points] == list(NAMES[:2])
+    assert distances(case.record.annotations) == [(NAMES[0], NAMES[1], pytest.approx(50.0))]
+
+
+def test_a_key_point_can_be_carried(case: Case, hand: Hand) -> None:
+    hand.take("key_point")
+    drag(hand, (0.0, 0.0))
+    drag(hand, (0.0, 0.0), (5.0, 3.0), handle=f"point:{NAMES[0]}")
+    (point,) = case.record.annotations.key_points
+    assert point.position_mm == (5.0, 3.0, 0.0)
+    assert len(case.history) == 2
+
+
+def test_the_plane_is_put_raised_and_turned(case: Case, hand: Hand) -> None:
+    hand.take("plane")
+    drag(hand, (10.0, 100.0))
+    assert case.record.annotations.plane == ReferencePlane((10.0, 100.0, 0.0))
+    drag(hand, (10.0, 100.0), (10.0, 106.0), handle="plane-raise")
+    drag(hand, (10.0, 170.0), (10.0, 180.0), handle="plane-pitch")
+    assert case.record.annotations.plane == ReferencePlane((10.0, 100.0, 6.0), pitch_deg=5.0)
+    assert len(case.history) == 3
+
+
+def test_turning_the_plane_lifts_the_end_that_was_grabbed(case: Case, hand: Hand) -> None:
+    hand.take("plane")
+    drag(hand, (0.0, 100.0))
+    for name, axis in (("plane-pitch", 1), ("plane-roll", 0)):
+        before = {h.name: h.position_mm for h in hand.tool.handles(case, GROUND)}[name]
+        drag(hand, before[:2], (before[0], before[1] + 10.0), handle=name)
+        after = {h.name: h.position_mm for h in hand.tool.handles(case, GROUND)}[name]
+        assert after[2] > before[2] + 1.0, (name, axis)
+
+
+def test_undo_in_the_middle_of_a_drag_is_not_lost(case: Case, hand: Hand) -> None:
+    hand.take("pelott")
+    drag(hand, (0.0, 150.0))
+    hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    hand.take("orbit")
+    assert not hand.is_busy
+    assert only_pelott(case).centre_mm == (0.0, 150.0)
+
+
+@pytest.mark.parametrize("tool", ["orbit", "pelott", "key_point", "posting", "plane"])
+def test_every_tool_says_what_one_can_do(case: Case, hand: Hand, tool: str) -> None:
+    hand.take(tool)
+    assert 10 < len(hand.tool.hint(case)) < 90

@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+from typing import Any
+
+import pytest
+from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.jobs import Jobs
+from insole_studio.workbench.autosave import Autosave, find_recovered
+from insole_studio.workbench.case import Case
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import Patient, Source
+from insole_core.geometry.side import Side
+
+PROGRAM = """
+    import os, signal, sys
+    from pathlib import Path
+    from PySide6.QtCore import QCoreApplication
+    from insole_core.cases.record import Patient
+    from insole_studio.jobs import Jobs
+    from insole_studio.workbench.autosave import Autosave
+    from insole_studio.workbench.case import Case
+
+    qt = QCoreApplication([])
+    jobs, case = Jobs(), Case()
+    autosave = Autosave(case, jobs, Path(sys.argv[1]))
+    jobs.ended.connect(lambda channel: os.kill(os.getpid(), signal.SIGKILL))
+    case.apply(Patient(name="Anna B."), "Edit")
+    qt.exec()
+"""
+
+
+def test_a_killed_program_leaves_its_case(tmp_path: Path) -> None:
+    folder = tmp_path / "autosave"
+    call = [sys.executable, "-c", textwrap.dedent(PROGRAM), str(folder)]
+    died = subprocess.run(call, timeout=60, check=False, capture_output=True)
+    assert died.returncode == -signal.SIGKILL, died.stderr.decode()
+    (recovered,) = find_recovered(folder)
+    assert recovered.record.patient.name == "Anna B."
+    assert recovered.path is None
+
+
+@pytest.fixture
+def jobs(qapp: QApplication) -> Any:
+    jobs = Jobs()
+    yield jobs
+    jobs.close()
+
+
+def test_a_running_program_keeps_its_case_to_itself(jobs: Jobs, tmp_path: Path) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    autosave.write_now()
+    assert find_recovered(tmp_path) == []
+    autosave.forget()
+    autosave.close()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_window_that_ends_unasked_keeps_unsaved_work(jobs: Jobs, tmp_path: Path) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    autosave.close()
+    (recovered,) = find_recovered(tmp_path)
+    recovered.discard()
+    assert find_recovered(tmp_path) == []
+
+
+def test_saving_removes_the_copy(jobs: Jobs, tmp_path: Path) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    autosave.write_now()
+    assert list(tmp_path.glob("*.insole"))
+    case.mark_saved(case.record, tmp_path / "elsewhere.insole")
+    assert not list(tmp_path.glob("*.insole"))
+    autosave.close()
+
+
+def test_every_change_is_written_a_moment_later(jobs: Jobs, qtbot: QtBot, tmp_path: Path) -> None:
+    case = Case()
+    autosave = Autosave(case, jobs, tmp_path)
+    case.apply(Patient(name="Anna"), "Edit")
+    qtbot.waitUntil(lambda: bool(list(tmp_path.glob("[!.]*.insole"))), timeout=5000)
+    autosave.forget()
+    jobs.close()
+    autosave.close()
+
+
+def test_a_damaged_copy_is_not_offered(tmp_path: Path) -> None:
+    (tmp_path / "abc.insole").write_bytes(b"cut off")
+    assert find_recovered(tmp_path) == []
+
+
+def test_the_next_start_opens_the_recovered_case(
+    app: Application, make_foot: Any, places: Places, qapp: QApplication
+) -> None:
+    app.case.open_foot(make_foot(Side.RIGHT), Source("mesh", "/x.ply", "0" * 64))
+    app.autosave.write_now()
+    copy = next(places.autosave_folder.glob("*.insole"))
+    left = places.autosave_folder / "left-by-the-dead.insole"
+    left.write_bytes(copy.read_bytes())
+    (recovered,) = find_recovered(places.autosave_folder)
+    second = build_application(qapp, places)
+    second.studio.offer_recovered(recovered)
+    assert second.case.side is Side.RIGHT
+    assert second.case.has_unsaved_changes
+    assert not left.exists()
+    second.autosave.forget()
+    second.close()
