@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import time
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Self
 
 from kinect_v1 import calibration, commands
 from kinect_v1.calibration import Calibration
-from kinect_v1.command_channel import CommandChannel
+from kinect_v1.command_channel import COMMAND_LIMIT_S, CommandChannel
 from kinect_v1.commands import Algorithm, Opcode, words
-from kinect_v1.errors import KinectError, TransferError, UnpluggedError, UnsupportedError
+from kinect_v1.errors import (
+    KinectError,
+    StoppedError,
+    TransferError,
+    UnpluggedError,
+    UnsupportedError,
+)
 from kinect_v1.models import Model
 from kinect_v1.modes import (
     BAYER_640,
@@ -62,11 +69,14 @@ class CameraSettings:
         Kinect for Windows only.
     watchdog_s
         The longest silence of a stream that is no error.
+    command_limit_s
+        The longest wait for the reply to a command.
     """
 
     color: ColorSettings | None = None
     near_mode: bool = False
     watchdog_s: float = WATCHDOG_S
+    command_limit_s: float = COMMAND_LIMIT_S
 
 
 def open_camera(
@@ -111,9 +121,8 @@ class Camera:
         self._found = found
         self._function = found.camera
         self._settings = settings
-        self._channel = CommandChannel(found.camera)
-        self._running: dict[StreamKind, RunningStream] = {}
-        self._modes: dict[StreamKind, StreamMode] = {}
+        self._channel = CommandChannel(found.camera, settings.command_limit_s)
+        self._running: dict[StreamKind, tuple[RunningStream, Stream]] = {}
         self._motor: Motor | None = None
         try:
             self._take_over()
@@ -136,7 +145,7 @@ class Camera:
 
     def start_depth(self, mode: StreamMode = DEPTH_11, deliver: Deliver | None = None) -> Stream:
         """Switch the projector on and stream depth; see `Stream` for `deliver`."""
-        if self._modes.get(VIDEO) is IR_1280:
+        if VIDEO in self._running and self._running[VIDEO][1].mode is IR_1280:
             raise UnsupportedError(
                 "Depth cannot run beside the large infrared picture; stop the infrared picture "
                 "first."
@@ -201,13 +210,12 @@ class Camera:
 
     def close(self) -> None:
         """Stop all streams and give the sensor back; also when it has been unplugged."""
-        try:
-            for kind in list(self._running):
-                self._stop(kind)
-        finally:
+        with ExitStack() as steps:  # all of them, whatever fails
+            steps.callback(self._function.close)
             if self._motor is not None:
-                self._motor.close()
-            self._function.close()
+                steps.callback(self._motor.close)
+            for kind in list(self._running):
+                steps.callback(self._stop, kind)
 
     def _take_over(self) -> None:
         """Claim the camera and switch off what a program that died has left on."""
@@ -248,8 +256,8 @@ class Camera:
         if not self._running and alternate:
             self._function.select_alternate(alternate)
         stream = Stream(mode, deliver, self._settings.watchdog_s)
-        self._running[kind] = self._function.start_stream(kind.endpoint, alternate, stream)
-        self._modes[kind] = mode
+        running = self._function.start_stream(kind.endpoint, alternate, stream)
+        self._running[kind] = (running, stream)
         try:
             for register, value in mode.start:
                 self._write(register, value)
@@ -260,27 +268,19 @@ class Camera:
 
     def _stop(self, kind: StreamKind) -> None:
         """Switch the stream off, then end its transfers; all of it also when the device is gone."""
-        running = self._running.pop(kind, None)
-        self._modes.pop(kind, None)
-        if running is None:
+        if kind not in self._running:
             return
+        running, stream = self._running.pop(kind)
         try:
-            self._write(kind.switch, STREAM_OFF)
-        except UnpluggedError:
+            with suppress(UnpluggedError):  # there is nothing left to switch off
+                self._write(kind.switch, STREAM_OFF)
+        finally:
             running.stop()
-            return
-        except KinectError:
-            running.stop()
-            raise
-        running.stop()
+            stream.end(StoppedError(f"The {kind.name} stream was stopped; start it again."))
         if not self._running:
             self._release_bandwidth()
 
     def _release_bandwidth(self) -> None:
         """Make the controller forget the reservation, which EHCI keeps even after a close."""
-        try:
+        with suppress(UnpluggedError, TransferError):  # gone, or a firmware that refuses
             self._function.select_alternate(0)
-        except UnpluggedError:
-            return
-        except TransferError:
-            return  # a firmware that refuses it leaves the reservation as it was

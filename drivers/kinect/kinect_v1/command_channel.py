@@ -11,7 +11,7 @@ from kinect_v1.commands import Opcode, words
 from kinect_v1.errors import ProtocolError, TransferError
 
 _POLL_S = 0.001
-_LIMIT_S = 2.0
+COMMAND_LIMIT_S = 2.0
 _DRAIN_READS = 8
 
 
@@ -37,7 +37,7 @@ class CommandChannel:
         Longest wait for one reply.
     """
 
-    def __init__(self, pipe: ControlPipe, limit_s: float = _LIMIT_S) -> None:
+    def __init__(self, pipe: ControlPipe, limit_s: float = COMMAND_LIMIT_S) -> None:
         self._pipe = pipe
         self._limit_s = limit_s
         self._tag = 0

@@ -53,6 +53,10 @@ class NoFramesError(KinectError):
     """A running stream delivers nothing."""
 
 
+class StoppedError(KinectError):
+    """The stream was stopped, so no frame comes any more."""
+
+
 class UnsupportedError(KinectError):
     """This model, or the present state of the sensor, cannot do what was asked."""
 

@@ -19,7 +19,7 @@ from kinect_v1.pixels import decode_image
 WATCHDOG_S = 1.0
 _LONGEST_GAP_S = 1.0
 """Sequence numbers have 8 bits; after a longer silence they prove nothing."""
-_KEPT_FRAMES = 64
+_KEPT_FRAMES = 32
 
 
 @dataclass(frozen=True, eq=False)

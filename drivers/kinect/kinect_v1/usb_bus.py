@@ -204,7 +204,8 @@ class UsbFunction:
     @property
     def interface_count(self) -> int:
         """Interfaces of the active configuration; an audio part without firmware has one."""
-        return int(self._device[0].bNumInterfaces)
+        with _translating(self):
+            return int(self._device[0].bNumInterfaces)
 
     def claim(self) -> None:
         """Take the function from the kernel's driver and from other programs."""
@@ -291,6 +292,10 @@ def _translating(function: UsbFunction) -> Iterator[None]:
         yield
     except UsbError as error:
         raise _translated(error, function) from error
+    except NotImplementedError as error:
+        raise TransferError(
+            f"{function._name} cannot do this under this operating system; use another computer."
+        ) from error
 
 
 def _translated(error: Any, function: UsbFunction) -> KinectError:
