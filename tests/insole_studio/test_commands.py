@@ -1,0 +1,221 @@
+"""The commands without a screen, as another program calls them."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from insole_studio.cli import run
+from scipy.interpolate import LinearNDInterpolator
+
+from insole_core.export.ply import write_ply
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.simulate import FootShape, build_foot
+
+SMALL_SESSION = Path(__file__).parents[1] / "data" / "sessions" / "left_small.zip"
+
+
+def last_line(capsys: pytest.CaptureFixture[str]) -> str:
+    return capsys.readouterr().err.strip().splitlines()[-1]
+
+
+@pytest.fixture(scope="module")
+def right_foot(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A right foot as a scanner might hand it over: metres, turned, somewhere."""
+    mesh = build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(1)).mesh
+    turned = mesh.transformed(
+        rigid(rotation_about(np.array([1.0, 2, 0.5]), 130), np.array([300.0, -80, 1000]))
+    )
+    path = tmp_path_factory.mktemp("scan") / "scan.ply"
+    write_ply(TriangleMesh(turned.vertices / 1000, turned.triangles), path)
+    return path
+
+
+def test_session_becomes_a_foot_with_a_report(tmp_path: Path) -> None:
+    out, report = tmp_path / "foot.ply", tmp_path / "report.json"
+    assert run(["reconstruct", str(SMALL_SESSION), "--out", str(out), "--report", str(report)]) == 0
+    foot = trimesh.load(out, process=False)
+    values = json.loads(report.read_text())
+    assert len(foot.vertices) == values["vertices"]
+    assert len(foot.faces) == values["triangles"]
+    assert [view["name"] for view in values["views"]] == ["left", "right", "top"]
+    for view in values["views"]:
+        assert view["used"]
+        assert view["markers_found"] >= view["markers_used"] >= 6
+        assert 0 < view["residual_mm"]["mean"] <= view["residual_mm"]["max"]
+        assert np.shape(view["sensor2reference"]) == (4, 4)
+    assert values["seconds"]["total"] > 0
+    assert values["warnings"] == []
+
+
+@pytest.mark.parametrize("foot", ["session", "mesh"])
+def test_foot_becomes_a_closed_insole(foot: str, right_foot: Path, tmp_path: Path) -> None:
+    out = tmp_path / "insole.stl"
+    call = [str(SMALL_SESSION)] if foot == "session" else [str(right_foot), "--side", "right"]
+    assert run(["design", *call, "--out", str(out)]) == 0
+    insole = trimesh.load(out)
+    assert insole.is_watertight
+    assert insole.is_winding_consistent
+    assert insole.volume > 1e5
+
+
+def test_prescription_raises_its_pelott(right_foot: Path, tmp_path: Path) -> None:
+    pelott = {
+        "type": "pelott", "shape": "egg", "centre_mm": [-8.3, 140.4],
+        "length_mm": 60, "width_mm": 40, "height_mm": 6, "turn_deg": 10,
+    }  # fmt: skip
+    tops = {}
+    for name, corrections in {"with": [pelott], "without": []}.items():
+        prescription = tmp_path / f"{name}.json"
+        prescription.write_text(
+            json.dumps({"format": "insole-design", "version": 1, "side": "right",
+                        "corrections": corrections, "thickness_mm": 3, "grid_mm": 1})
+        )  # fmt: skip
+        out = tmp_path / f"{name}.stl"
+        call = ["design", str(right_foot), "--side", "right", "--out", str(out)]
+        assert run([*call, "--prescription", str(prescription)]) == 0
+        vertices = trimesh.load(out).vertices
+        tops[name] = np.asarray(vertices[vertices[:, 2] > 0])
+    plain = LinearNDInterpolator(tops["without"][:, :2], tops["without"][:, 2])
+    raised = tops["with"][:, 2] - plain(tops["with"][:, :2])
+    apex = tops["with"][np.argmax(raised)]
+    assert raised.max() == pytest.approx(6, abs=0.2)
+    assert np.hypot(apex[0] + 8.3, apex[1] - 140.4) <= 0.5
+    assert raised.min() == pytest.approx(0, abs=1e-3)
+
+
+def test_side_that_contradicts_the_shape(
+    right_foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    call = ["design", str(right_foot), "--side", "left", "--out", str(tmp_path / "i.stl")]
+    assert run(call) == 1
+    assert "looks like a right foot" in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+    assert run([*call, "--force"]) == 0
+
+
+WRONG_CALLS = {
+    "side against the manifest": (
+        ["design", str(SMALL_SESSION), "--side", "right", "--out", "{tmp}/i.stl"],
+        "was recorded as the left foot",
+    ),
+    "mesh without side": (["design", "{foot}", "--out", "{tmp}/i.stl"], "add --side"),
+    "kind not made yet": (
+        ["design", "{foot}", "--side", "right", "--kind", "positive", "--out", "{tmp}/i.stl"],
+        "cannot be made yet",
+    ),
+    "foot as STL": (["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/f.stl"], "is written as"),
+    "insole as PLY": (
+        ["design", "{foot}", "--side", "right", "--out", "{tmp}/i.ply"],
+        "is written as .stl",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_CALLS)
+def test_wrong_calls(
+    name: str, right_foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    call, expected = WRONG_CALLS[name]
+    assert run([word.format(tmp=tmp_path, foot=right_foot) for word in call]) == 2
+    assert expected in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unknown_command_is_a_wrong_call(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        run(["reconstrukt"])
+    assert ended.value.code == 2
+
+
+FAILURES = {
+    "no such session": (["reconstruct", "{tmp}/none", "--out", "{tmp}/f.ply"], "does not exist"),
+    "mesh for a session": (["reconstruct", "{foot}", "--out", "{tmp}/f.ply"], "not a readable zip"),
+    "no folder for the foot": (
+        ["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/no/f.ply"],
+        "its folder does not exist",
+    ),
+    "no folder for the report": (
+        ["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/f.ply", "--report", "{tmp}/no/r.json"],
+        "its folder does not exist",
+    ),
+    "no prescription": (
+        [
+            "design",
+            "{foot}",
+            "--side",
+            "right",
+            "--out",
+            "{tmp}/i.stl",
+            "--prescription",
+            "{tmp}/x",
+        ],
+        "",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FAILURES)
+def test_failures_leave_nothing_behind(
+    name: str, right_foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    call, expected = FAILURES[name]
+    assert run([word.format(tmp=tmp_path, foot=right_foot) for word in call]) == 1
+    assert expected in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_existing_output_survives_a_failure(tmp_path: Path) -> None:
+    out = tmp_path / "foot.ply"
+    out.write_text("of yesterday")
+    assert run(["reconstruct", str(tmp_path / "none"), "--out", str(out)]) == 1
+    assert out.read_text() == "of yesterday"
+
+
+def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
+    out = tmp_path / "session.zip"
+    assert run(["simulate", str(out), "--seed", "2", "--side", "right"]) == 0
+    assert run(["reconstruct", str(out), "--out", str(tmp_path / "foot.ply")]) == 0
+
+
+@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
+def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signals) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "insole_studio", "simulate", str(tmp_path / "session")],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+    assert process.stderr is not None
+    process.stderr.readline()
+    process.send_signal(end)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert errors.strip().splitlines()[-1] == "Stopped on request; nothing was written."
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
+    out = tmp_path / "session.zip"
+    out.write_text("of yesterday")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "insole_studio", "simulate", str(out)],
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stderr is not None
+    while "Writing" not in process.stderr.readline():
+        time.sleep(0.01)
+    process.kill()
+    process.communicate(timeout=60)
+    assert out.read_text() == "of yesterday"
