@@ -115,7 +115,7 @@ class _Marks:
         self.sole_areas = surface.areas[sole]
         if not sole.any():
             raise InputError(
-                "the surface has no sole: nothing of it faces the ground;"
+                "The surface has no sole: nothing of it faces the ground;"
                 " check that the scan shows the foot from below."
             )
         self.back = float(self.outline[:, 1].min())

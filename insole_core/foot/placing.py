@@ -42,7 +42,7 @@ class _Candidate:
 
 
 def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = False) -> Foot:
-    """Bring a surface to the insole frame.
+    """Bring a surface to the insole frame; small pieces that float beside it are left out.
 
     Parameters
     ----------
@@ -66,16 +66,13 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     poses = find_poses(mesh, points) if frame == "unknown" else _as_it_lies(points, np.eye(4))
     if frame == "unknown" and poses[0].unlikeness > _NO_FOOT:
         raise InputError(
-            "the surface looks like no foot, whichever way it is turned;"
+            "The surface looks like no foot, whichever way it is turned;"
             " check that the file holds a foot or its sole, and nothing else."
         )
     asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
     if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
         if not force:
-            raise SideMismatchError(
-                f"the shape looks like a {other.side} foot ({_reason(other)});"
-                f" give --side {other.side}, or --force to go on with {side}."
-            )
+            raise SideMismatchError(_mismatch(asked, other))
         # The ways of ground and toes are those of the shape, whatever the side.
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
@@ -100,6 +97,13 @@ def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side)
         if (pose.side, pose.covered) == (side, rough.covered)
     )
     return _Candidate(levelled, foot)
+
+
+def _mismatch(asked: _Candidate, other: _Candidate) -> str:
+    return (
+        f"The shape looks like a {other.side} foot ({_reason(other)});"
+        f" give --side {other.side}, or --force to go on with {asked.side}."
+    )
 
 
 def _side_note(asked: _Candidate, other: _Candidate) -> str:

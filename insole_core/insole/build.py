@@ -51,7 +51,7 @@ def build_insole(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """
     if design.side is not foot.side:
         raise DesignError(
-            f"this design is for a {design.side} foot and the scan is of a {foot.side} one;"
+            f"This design is for a {design.side} foot and the scan is of a {foot.side} one;"
             " open the matching scan or mirror the design."
         )
     check_design(design)
@@ -93,6 +93,6 @@ def _check_material(contact: HeightField) -> None:
     lowest = contact.heights_mm[row, column]
     if lowest < LEAST_MATERIAL_MM:
         raise DesignError(
-            f"the insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
+            f"The insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
             f" y = {contact.y_mm[row]:.0f} mm; raise the thickness or make the recess shallower."
         )

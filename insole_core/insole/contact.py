@@ -118,7 +118,7 @@ def _snap(mesh: TriangleMesh, grid: _Grid, max_height_mm: float) -> tuple[FloatA
     known = covered > _COVERED * grid.step_mm**2
     if not known.any():
         raise DesignError(
-            "no part of this foot faces the ground, so no contact surface can be made;"
+            "No part of this foot faces the ground, so no contact surface can be made;"
             " check the pose of the scan."
         )
     mean = np.bincount(node, area * z, minlength=size) / np.where(known, covered, 1.0)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.blending import smooth_step
 from insole_core.insole.design import Pelott
 
 _OUTLINE_POINTS = 1440
@@ -47,8 +48,7 @@ def _window(pelott: Pelott, local: FloatArray) -> FloatArray:
         period=2 * np.pi,
     )
     share = np.hypot(local[..., 0], local[..., 1]) / reach
-    s = np.clip((share - _PLATEAU) / (1 - _PLATEAU), 0, 1)
-    return np.asarray(1 - s * s * (3 - 2 * s))
+    return 1 - smooth_step(share, _PLATEAU, 1.0)
 
 
 def _local_outline(pelott: Pelott, points: int) -> FloatArray:

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.insole.blending import smooth_step
 from insole_core.insole.design import InsoleDesign, Posting
 
 HEEL_END = 0.25
@@ -33,13 +33,8 @@ def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> Triangl
         return foot.mesh
     x, y, z = foot.mesh.vertices.T
     angle = foot.side.medial_sign * np.radians(
-        rearfoot_deg + (forefoot_deg - rearfoot_deg) * _blend(y / foot.length_mm)
+        rearfoot_deg
+        + (forefoot_deg - rearfoot_deg) * smooth_step(y / foot.length_mm, HEEL_END, BALL_START)
     )
     cos, sin = np.cos(angle), np.sin(angle)
     return replace(foot.mesh, vertices=np.stack([x * cos - z * sin, y, z * cos + x * sin], axis=1))
-
-
-def _blend(share: FloatArray) -> FloatArray:
-    """0 up to HEEL_END, 1 from BALL_START on."""
-    s = np.clip((share - HEEL_END) / (BALL_START - HEEL_END), 0, 1)
-    return np.asarray(s * s * (3 - 2 * s))

@@ -153,7 +153,7 @@ def test_what_is_no_foot_is_refused(thing):
 
 def test_back_of_a_foot_alone_is_refused(left_mesh):
     back = left_mesh.part(left_mesh.vertex_normals[:, 2] > 0.2)
-    with pytest.raises(InputError, match="no sole"):
+    with pytest.raises(InputError, match="has no sole"):
         place_foot(back, Side.LEFT, frame="reference")
 
 

@@ -193,7 +193,7 @@ def test_value_out_of_range_is_refused(left_foot):
 
 def test_foot_that_turns_its_back_to_the_ground_is_refused(left_foot):
     upside = replace(left_foot, mesh=plate(Side.LEFT).mesh.flipped())
-    with pytest.raises(DesignError, match="no part of this foot faces the ground"):
+    with pytest.raises(DesignError, match="No part of this foot faces the ground"):
         build_insole(upside, InsoleDesign(Side.LEFT))
 
 
