@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
-from insole_core.foot.levelling import LevelFoot, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
 from insole_core.foot.pieces import without_scraps
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.geometry.arrays import FloatArray
@@ -63,12 +63,11 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     """
     mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
-    poses = find_poses(mesh, points) if frame == "unknown" else _as_it_lies(points, np.eye(4))
-    if frame == "unknown" and poses[0].unlikeness > _NO_FOOT:
-        raise InputError(
-            "The surface looks like no foot, whichever way it is turned;"
-            " check that the file holds a foot or its sole, and nothing else."
-        )
+    if frame == "unknown":
+        poses = _foot_poses(mesh, points)
+        mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
+    else:
+        poses, inside_out = _as_it_lies(points, np.eye(4)), False
     asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
     if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
         if not force:
@@ -76,10 +75,34 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         # The ways of ground and toes are those of the shape, whatever the side.
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    notes = (_side_note(asked, other), *_pose_notes(asked, frame), *_scrap_note(scraps))
+    notes = (
+        _side_note(asked, other),
+        *_pose_notes(asked, frame),
+        *_surface_notes(scraps, inside_out),
+    )
     return Foot(
         side, mesh.transformed(found.source2insole), found.source2insole, found.length_mm, notes
     )
+
+
+def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+    """Find the ways the surface may lie, the likeliest first, which must look like a foot."""
+    poses = find_poses(mesh, points)
+    if poses[0].unlikeness > _NO_FOOT:
+        raise InputError(
+            "The surface looks like no foot, whichever way it is turned;"
+            " check that the file holds a foot or its sole, and nothing else."
+        )
+    return poses
+
+
+def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[TriangleMesh, bool]:
+    """Turn an open sheet whose sole faces into the foot; only the pose tells which way that is."""
+    up = source2rough[2, :3]
+    height = mesh.vertices @ up
+    low = mesh.part(height < height.min() + OUTLINE_HEIGHT_MM)
+    faces_up = bool(low.vertex_areas @ (low.vertex_normals @ up) > 0)
+    return (mesh.flipped() if faces_up else mesh), faces_up
 
 
 def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
@@ -143,7 +166,9 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 
-def _scrap_note(scraps: int) -> Iterator[str]:
+def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:
+    if inside_out:
+        yield "The surface was inside out and has been turned."
     if scraps:
         what = "piece that floats" if scraps == 1 else "pieces that float"
         yield f"{scraps} small {what} beside the foot left out."

@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull
+from scipy.spatial import ConvexHull, QhullError
 
+from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.likeness import lower_side, unlikeness
 from insole_core.geometry.arrays import FloatArray
@@ -81,7 +82,10 @@ def _up_directions(mesh: TriangleMesh) -> Iterator[FloatArray]:
 
 def _faces(vertices: FloatArray) -> list[FloatArray]:
     """Inward normals of the broadest faces of the convex hull, nearly parallel ones as one."""
-    hull = ConvexHull(vertices)
+    try:
+        hull = ConvexHull(vertices)
+    except QhullError as error:
+        raise InputError("The surface is flat, which is no foot; export the scan again.") from error
     a, b, c = (vertices[hull.simplices[:, corner]] for corner in range(3))
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     normals = hull.equations[:, :3]

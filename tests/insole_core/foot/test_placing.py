@@ -151,6 +151,25 @@ def test_what_is_no_foot_is_refused(thing):
         place_foot(mesh, Side.LEFT, frame="unknown")
 
 
+def test_sole_without_rim_may_come_inside_out(left_mesh):
+    x, y, z = left_mesh.vertices.T
+    patch = left_mesh.part(
+        (left_mesh.vertex_normals[:, 2] < -0.6) & (z < 25) & (x > -30) & (y > -110)
+    )
+    foot = place_foot(thrown(patch, 2), Side.LEFT, frame="unknown")
+    turned = place_foot(thrown(patch.flipped(), 2), Side.LEFT, frame="unknown")
+    assert any("inside out" in note for note in turned.notes)
+    assert turned.mesh.vertices == pytest.approx(foot.mesh.vertices, abs=1e-3)
+    assert turned.mesh.triangle_normals[:, 2].mean() < -0.5
+
+
+def test_flat_surface_is_refused():
+    corners = np.array([[0, 0, 0], [100, 0, 0], [100, 250, 0], [0, 250, 0]], float)
+    mesh = TriangleMesh(corners, np.array([[0, 1, 2], [0, 2, 3]], np.int32))
+    with pytest.raises(InputError, match="flat"):
+        place_foot(mesh, Side.LEFT, frame="unknown")
+
+
 def test_back_of_a_foot_alone_is_refused(left_mesh):
     back = left_mesh.part(left_mesh.vertex_normals[:, 2] > 0.2)
     with pytest.raises(InputError, match="has no sole"):
