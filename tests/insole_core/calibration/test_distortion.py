@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from simulated_device import (
@@ -12,13 +14,16 @@ from simulated_device import (
     wall,
 )
 
-from insole_core.calibration.captures import WallCapture, capture_from_frames
+from insole_core.calibration.captures import WallCapture, capture_from_frames, read_captures
 from insole_core.calibration.distortion import DistortionCalibration, calibrate_distortion
 from insole_core.calibration.thesis_maps import cubic_map, mean_map
 from insole_core.calibration.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError, InputError
+from insole_core.evaluation.wall import NoCorrection, wall_errors
 from insole_core.geometry.arrays import FloatArray
 from insole_core.progress import Cancelled, Progress
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import LinearInverseDisparity
 
 ROWS = plane_rows(CAMERA)
 
@@ -220,3 +225,38 @@ def test_cancelling_stops_the_work(captures: list[WallCapture]) -> None:
         calibrate_distortion(
             captures, CAMERA, DISPARITY, progress=Progress(is_cancelled=lambda: True)
         )
+
+
+def burrus_leave_one_out(folder: Path) -> dict[str, list[float]]:
+    """Mean absolute error in mm of every capture, corrected from the others."""
+    camera = Camera(640, 480, 585, 585, 319.5, 239.5)
+    burrus = LinearInverseDisparity(3.3309495, -0.0030711016)
+    captures = read_captures(folder)
+    rows = plane_rows(camera)
+    walls = [fit_wall(capture, rows, burrus) for capture in captures]
+    errors: dict[str, list[float]] = {"raw": [], "algorithm 1": [], "default": []}
+    for i, capture in enumerate(captures):
+        others = [j for j in range(len(captures)) if j != i]
+        default = calibrate_distortion([captures[j] for j in others], camera, burrus).correction
+        corrections = {
+            "raw": NoCorrection(),
+            "algorithm 1": mean_map([walls[j] for j in others]),
+            "default": default,
+        }
+        for name, (error,) in wall_errors([capture], corrections, camera, burrus).items():
+            errors[name].append(error.mean_abs_mm)
+    return errors
+
+
+@pytest.mark.shared
+def test_real_walls_at_600_to_840_mm(shared_data: Path) -> None:
+    errors = burrus_leave_one_out(shared_data / "kinect_v1" / "walls_1")
+    assert all(1.8 < raw < 2.6 for raw in errors["raw"][2:])
+    assert max(errors["default"][2:5]) <= 0.80
+    assert errors["default"][5] <= 1.05
+
+
+@pytest.mark.shared
+def test_real_walls_far_apart(shared_data: Path) -> None:
+    errors = burrus_leave_one_out(shared_data / "kinect_v1" / "walls_2")
+    assert np.mean(errors["default"]) < np.mean(errors["algorithm 1"])

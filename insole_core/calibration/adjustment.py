@@ -1,0 +1,169 @@
+"""Least squares with the standard deviation of every unknown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import rigid
+
+_STEP = 1e-5
+_TOLERANCE = 1e-9
+_STEPS = 60
+_DAMPING = 1e-4
+_MOST_DAMPING = 1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Adjustment:
+    """What a least squares fit found.
+
+    Parameters
+    ----------
+    values, deviations : (n,) float64
+        The unknowns and their standard deviations.
+    residuals : (m,) float64
+    """
+
+    values: FloatArray
+    deviations: FloatArray
+    residuals: FloatArray
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of one residual, its degrees of freedom counted."""
+        free = max(len(self.residuals) - len(self.values), 1)
+        return float(np.sqrt((self.residuals**2).sum() / free))
+
+
+def adjust(
+    residuals: Callable[[FloatArray], FloatArray],
+    start: FloatArray,
+    blocks: Blocks | None = None,
+    robust: float | None = None,
+) -> Adjustment:
+    """Minimise the squared residuals (Levenberg and Marquardt).
+
+    Parameters
+    ----------
+    residuals
+        Unknowns (n,) to residuals (m,).
+    start : (n,) float64
+    blocks, optional
+        Which residuals depend on which unknowns; spares most evaluations.
+    robust, optional
+        Residuals beyond this count linearly only (Huber).
+    """
+    blocks = blocks or Blocks((len(residuals(start)),), len(start), 0)
+    unknowns, left = np.asarray(start, dtype=float), residuals(start)
+    damping = _DAMPING
+    for _ in range(_STEPS):
+        weight = _huber_weight(left, robust)
+        jacobian = blocks.jacobian(residuals, unknowns)
+        normal = jacobian.T @ (weight[:, None] * jacobian)
+        pull = jacobian.T @ (weight * left)
+        before = _cost(left, robust)
+        while True:
+            damped = normal + damping * np.diag(np.diag(normal) + 1e-12)
+            trial = unknowns - np.linalg.solve(damped, pull)
+            left_there = residuals(trial)
+            better = _cost(left_there, robust) < before
+            if better or damping > _MOST_DAMPING:
+                break
+            damping *= 10
+        if not better:
+            break
+        unknowns, left, damping = trial, left_there, damping / 10
+        if _cost(left, robust) > before * (1 - _TOLERANCE):
+            break
+    return _judged(unknowns, left, blocks.jacobian(residuals, unknowns), robust)
+
+
+def _judged(
+    unknowns: FloatArray, left: FloatArray, jacobian: FloatArray, robust: float | None
+) -> Adjustment:
+    weight = _huber_weight(left, robust)
+    # Scaled to a unit diagonal, so that rad, mm and px can be inverted together.
+    scale = np.sqrt((weight[:, None] * jacobian**2).sum(0)) + 1e-12
+    scaled = jacobian / scale
+    inverse = np.linalg.pinv(scaled.T @ (weight[:, None] * scaled), rcond=1e-13, hermitian=True)
+    variance = (weight * left**2).sum() / max(len(left) - len(unknowns), 1)
+    deviations = np.sqrt(np.maximum(np.diag(inverse), 0) * variance) / scale
+    return Adjustment(unknowns, deviations, left)
+
+
+def _huber_weight(left: FloatArray, robust: float | None) -> FloatArray:
+    if robust is None:
+        return np.ones_like(left)
+    return np.asarray(robust / np.maximum(np.abs(left), robust))
+
+
+def _cost(left: FloatArray, robust: float | None) -> float:
+    if robust is None:
+        return float((left**2).sum())
+    size = np.abs(left)
+    return float(np.where(size <= robust, size**2, robust * (2 * size - robust)).sum())
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """Which residuals depend on which unknowns.
+
+    The first `shared` unknowns act on all residuals; after them, every `own` unknowns (six of a
+    pose) act on one block of residuals alone.
+
+    Parameters
+    ----------
+    lengths
+        Residuals of each block.
+    shared, own
+    """
+
+    lengths: tuple[int, ...]
+    shared: int
+    own: int = 6
+
+    def jacobian(
+        self, residuals: Callable[[FloatArray], FloatArray], unknowns: FloatArray
+    ) -> FloatArray:
+        """Differentiate (m, n) by central differences, the same unknown of all blocks at once."""
+        jacobian = np.zeros((sum(self.lengths), len(unknowns)))
+        step = _STEP * np.maximum(np.abs(unknowns), 1e-2)
+        for column in range(self.shared):
+            jacobian[:, column] = _slope(residuals, unknowns, step, [column])
+        ends = np.cumsum(self.lengths).tolist()
+        for number in range(self.own):
+            columns = self.shared + number + self.own * np.arange(len(self.lengths))
+            change = _slope(residuals, unknowns, step, columns.tolist(), per_unit=False)
+            for end, length, column in zip(ends, self.lengths, columns.tolist(), strict=True):
+                rows = slice(end - length, end)
+                jacobian[rows, column] = change[rows] / (2 * step[column])
+        return jacobian
+
+
+def _slope(
+    residuals: Callable[[FloatArray], FloatArray],
+    unknowns: FloatArray,
+    step: FloatArray,
+    columns: list[int],
+    per_unit: bool = True,
+) -> FloatArray:
+    """Difference of the residuals when some unknowns go one step forth and back."""
+    move = np.zeros_like(unknowns)
+    move[columns] = step[columns]
+    change = residuals(unknowns + move) - residuals(unknowns - move)
+    return np.asarray(change / (2 * step[columns[0]]) if per_unit else change)
+
+
+def pose(vector: FloatArray) -> FloatArray:
+    """Give the transform (4, 4) of a rotation vector (rad) and a translation (mm): (6,)."""
+    return rigid(cv2.Rodrigues(np.asarray(vector[:3], dtype=float))[0], vector[3:6])
+
+
+def pose_vector(a2b: FloatArray) -> FloatArray:
+    """Invert `pose`."""
+    return np.concatenate([cv2.Rodrigues(a2b[:3, :3])[0].ravel(), a2b[:3, 3]])

@@ -1,0 +1,225 @@
+"""Calibration boards and finding them in pictures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Protocol
+
+import cv2
+import numpy as np
+
+from insole_core.errors import CalibrationError, InputError, UsageError
+from insole_core.geometry.arrays import ByteArray, FloatArray
+
+_PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
+_LEAST_CORNERS = 8
+_BLURRED_EDGE_PX = 4.5
+"""Rise of a chequerboard edge from dark to bright; a sharp picture has 2 to 3 px."""
+_EDGE_UNKNOWN_PX = 9999.0
+"""What OpenCV says where the squares are too small to tell."""
+_SQUARE_MM = (5.0, 200.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Sighting:
+    """A board as one picture shows it.
+
+    Parameters
+    ----------
+    name
+        Of the picture.
+    size
+        Width and height of the picture, px.
+    points_mm : (n, 3) float64, mm, board frame (z = 0)
+    pixels : (n, 2) float64, px
+    """
+
+    name: str
+    size: tuple[int, int]
+    points_mm: FloatArray
+    pixels: FloatArray
+
+
+class Board(Protocol):
+    """What can be looked for in a picture."""
+
+    @property
+    def points_mm(self) -> FloatArray:
+        """(n, 3) float64, mm, board frame: every corner, row by row."""
+        ...
+
+    def find(self, name: str, grey: ByteArray) -> Sighting:
+        """Find the corners in a grey picture, or raise a `CalibrationError` that names it."""
+        ...
+
+
+@dataclass(frozen=True)
+class Chequerboard:
+    """A chequerboard of `columns` x `rows` inner corners.
+
+    Raises
+    ------
+    UsageError
+        When the size of the square cannot be in mm.
+    """
+
+    columns: int
+    rows: int
+    square_mm: float
+
+    def __post_init__(self) -> None:
+        _check_grid(self.columns, self.rows, self.square_mm, least=3)
+
+    @cached_property
+    def points_mm(self) -> FloatArray:
+        """(n, 3) float64, mm, board frame: every inner corner, row by row."""
+        return _grid(self.columns, self.rows, self.square_mm)
+
+    def find(self, name: str, grey: ByteArray) -> Sighting:
+        """Find all corners; a part of a chequerboard cannot be used, since its place is unknown."""
+        corners = _chequerboard_corners(grey, self.columns, self.rows)
+        if corners is None:
+            raise CalibrationError(f"{name}: {self._why_not(grey)}")
+        edge = cv2.estimateChessboardSharpness(grey, (self.columns, self.rows), corners)[0][0]
+        if _BLURRED_EDGE_PX < edge < _EDGE_UNKNOWN_PX:
+            raise CalibrationError(
+                f"{name} is blurred (an edge takes {edge:.1f} px); hold the board still and take "
+                "the picture again."
+            )
+        return Sighting(
+            name, grey.shape[::-1], self.points_mm, corners.reshape(-1, 2).astype(float)
+        )
+
+    def _why_not(self, grey: ByteArray) -> str:
+        wanted = f"{self.columns}×{self.rows} inner corners"
+        if cv2.findChessboardCornersSB(grey, (3, 3), flags=cv2.CALIB_CB_LARGER)[0]:
+            return (
+                f"a chequerboard is seen, but not one of {wanted}; show all of it, or count its "
+                "inner corners (a row has one less than squares)."
+            )
+        return f"no chequerboard of {wanted} is seen; show the whole board, flat and well lit."
+
+
+@dataclass(frozen=True)
+class Charuco:
+    """A chequerboard of `columns` x `rows` squares with markers in its white squares.
+
+    It may be seen in part, because every corner knows its number.
+    """
+
+    columns: int
+    rows: int
+    square_mm: float
+    marker_mm: float
+    dictionary: str = "DICT_5X5_250"
+
+    def __post_init__(self) -> None:
+        _check_grid(self.columns, self.rows, self.square_mm, least=3)
+        if not 0 < self.marker_mm < self.square_mm:
+            raise UsageError(
+                f"A ChArUco marker of {self.marker_mm:g} mm does not fit a square of "
+                f"{self.square_mm:g} mm; give the marker's own size in mm."
+            )
+        if not hasattr(cv2.aruco, self.dictionary):
+            raise UsageError(
+                f"There is no marker dictionary {self.dictionary}; the printed board of this "
+                "program uses DICT_5X5_250."
+            )
+
+    @cached_property
+    def points_mm(self) -> FloatArray:
+        """(n, 3) float64, mm, board frame: every inner corner, row by row."""
+        first = np.array([self.square_mm, self.square_mm, 0])
+        return np.asarray(_grid(self.columns - 1, self.rows - 1, self.square_mm) + first)
+
+    def find(self, name: str, grey: ByteArray) -> Sighting:
+        """Find the corners that are in view."""
+        corners, ids, _, _ = cv2.aruco.CharucoDetector(self.pattern()).detectBoard(grey)
+        count = 0 if ids is None else len(ids)
+        if count < _LEAST_CORNERS:
+            raise CalibrationError(
+                f"{name}: {count} corners of the ChArUco board of {self.columns}×{self.rows} "
+                f"squares are seen, but {_LEAST_CORNERS} are needed; show more of the board, and "
+                "check its size and dictionary."
+            )
+        points = self.points_mm[np.asarray(ids).ravel()]
+        return Sighting(name, grey.shape[::-1], points, corners.reshape(-1, 2).astype(float))
+
+    def pattern(self) -> Any:
+        """Give OpenCV's board."""
+        dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, self.dictionary))
+        return cv2.aruco.CharucoBoard(
+            (self.columns, self.rows), self.square_mm, self.marker_mm, dictionary
+        )
+
+
+def picture_paths(folder: Path, prefix: str = "") -> list[Path]:
+    """List the pictures of a folder whose names start with `prefix`, in order.
+
+    Raises
+    ------
+    InputError
+        When there are none.
+    """
+    if not folder.is_dir():
+        raise InputError(f"There is no folder {folder}; name the folder with the pictures.")
+    paths = sorted(
+        path
+        for path in folder.iterdir()
+        if path.suffix.lower() in _PICTURES and path.name.startswith(prefix)
+    )
+    if not paths:
+        raise InputError(
+            f"{folder} holds no pictures{f' named {prefix}…' if prefix else ''}; "
+            "name the folder with the pictures of the board."
+        )
+    return paths
+
+
+def read_grey(path: Path) -> ByteArray:
+    """Read a picture as (height, width) uint8.
+
+    Raises
+    ------
+    InputError
+    """
+    grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+    if grey is None:
+        raise InputError(f"{path} is no readable picture; restore it or take it out of the folder.")
+    return np.asarray(grey)
+
+
+def shifted(sighting: Sighting, shift_px: tuple[float, float]) -> Sighting:
+    """Give the same sighting in an image whose pixels are numbered differently."""
+    return replace(sighting, pixels=sighting.pixels + np.asarray(shift_px))
+
+
+def _chequerboard_corners(grey: ByteArray, columns: int, rows: int) -> FloatArray | None:
+    # Without normalisation first: on real pictures of a Kinect it found more and was more exact.
+    careful = cv2.CALIB_CB_EXHAUSTIVE | cv2.CALIB_CB_ACCURACY
+    for flags in (careful, careful | cv2.CALIB_CB_NORMALIZE_IMAGE):
+        found, corners = cv2.findChessboardCornersSB(grey, (columns, rows), flags=flags)
+        if found:
+            return np.asarray(corners)
+    return None
+
+
+def _grid(columns: int, rows: int, square_mm: float) -> FloatArray:
+    row, column = np.mgrid[:rows, :columns]
+    flat = np.stack([column.ravel(), row.ravel(), np.zeros(row.size)], axis=-1)
+    return np.asarray(flat * square_mm)
+
+
+def _check_grid(columns: int, rows: int, square_mm: float, least: int) -> None:
+    if columns < least or rows < least:
+        raise UsageError(
+            f"A board of {columns}×{rows} is too small; it must have at least {least}×{least}."
+        )
+    low, high = _SQUARE_MM
+    if not low <= square_mm <= high:
+        raise UsageError(
+            f"A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres "
+            f"({low:g} to {high:g})."
+        )

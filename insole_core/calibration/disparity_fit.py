@@ -1,0 +1,144 @@
+"""Fitting raw numbers to mm to captures at known distances (thesis (9), (12), (17))."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.calibration.adjustment import Adjustment, adjust
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.sensing.disparity import (
+    DisparityModel,
+    LinearInverseDisparity,
+    TangentDisparity,
+)
+
+_TANGENT_START = (123.6, 2842.5, 1.1863)
+"""The commonly used constants of a Kinect v1."""
+_ROBUST_RAW = 2.0
+_LEAST_DEPTH_RATIO = 1.1
+_DEPTH_MM = (300.0, 12000.0)
+
+
+@dataclass(frozen=True, eq=False)
+class DisparityFit:
+    """A fitted model.
+
+    Parameters
+    ----------
+    model
+    deviations
+        Standard deviation of each of its numbers, by name.
+    rms_raw, rms_mm
+        What it leaves.
+    range_mm
+        The distances it was fitted to; beyond them it is a guess.
+    """
+
+    model: DisparityModel
+    deviations: dict[str, float]
+    rms_raw: float
+    rms_mm: float
+    range_mm: tuple[float, float]
+
+
+def fit_linear_inverse(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
+    """Fit Z = 1000 / (a + b raw), thesis (17), minimising the errors in raw units.
+
+    Parameters
+    ----------
+    raw : (n,) float64, raw units, corrected for distortion
+    depth_mm : (n,) float64, mm along the optical axis
+
+    Raises
+    ------
+    CalibrationError
+        With fewer than two clearly different distances, or distances in another unit.
+    """
+    _check(raw, depth_mm, 2)
+    # raw = (1000/Z - a) / b is linear in (1/b, a/b).
+    columns = np.stack([1000 / depth_mm, -np.ones_like(depth_mm)], axis=-1)
+    (inverse_b, a_by_b), *_ = np.linalg.lstsq(columns, raw, rcond=None)
+    start = np.array([a_by_b / inverse_b, 1 / inverse_b])
+    found = adjust(
+        lambda x: raw - LinearInverseDisparity(x[0], x[1]).raw(depth_mm),
+        start,
+        robust=_ROBUST_RAW,
+    )
+    a, b = found.values.tolist()
+    return _fit_of(LinearInverseDisparity(a, b), ("a", "b"), found, raw, depth_mm)
+
+
+def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
+    """Fit Z = k1 tan(raw / k2 + k3), thesis (12), minimising the errors in raw units.
+
+    Raises
+    ------
+    CalibrationError
+        With fewer than three clearly different distances, or distances in another unit.
+    """
+    _check(raw, depth_mm, 3)
+    found = adjust(
+        lambda x: raw - TangentDisparity(x[0], x[1], x[2]).raw(depth_mm),
+        np.array(_TANGENT_START),
+        robust=_ROBUST_RAW,
+    )
+    k1, k2, k3 = found.values.tolist()
+    return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), found, raw, depth_mm)
+
+
+def linear_inverse_near(model: DisparityModel, raw: FloatArray) -> LinearInverseDisparity:
+    """Give the linear-inverse model that agrees with another one over the given raw numbers.
+
+    For the device's own numbers, thesis (9), the two are the same everywhere.
+    """
+    inverse = 1000 / model.depth_mm(raw)
+    known = np.isfinite(inverse)
+    b, a = np.polyfit(raw[known], inverse[known], 1).tolist()
+    return LinearInverseDisparity(a, b)
+
+
+def _fit_of(
+    model: DisparityModel,
+    names: tuple[str, ...],
+    found: Adjustment,
+    raw: FloatArray,
+    depth_mm: FloatArray,
+) -> DisparityFit:
+    left_mm = model.depth_mm(raw) - depth_mm
+    return DisparityFit(
+        model=model,
+        deviations=dict(zip(names, found.deviations.tolist(), strict=True)),
+        rms_raw=float(np.sqrt((found.residuals**2).mean())),
+        rms_mm=float(np.sqrt(np.nanmean(left_mm**2))),
+        range_mm=(float(depth_mm.min()), float(depth_mm.max())),
+    )
+
+
+def _check(raw: FloatArray, depth_mm: FloatArray, least: int) -> None:
+    if len(raw) != len(depth_mm) or not (np.isfinite(raw).all() and np.isfinite(depth_mm).all()):
+        raise CalibrationError(
+            "Every capture needs a raw number and a distance; measure the missing ones."
+        )
+    low, high = _DEPTH_MM
+    if len(depth_mm) and not (low <= depth_mm.min() and depth_mm.max() <= high):
+        raise CalibrationError(
+            f"The distances reach from {depth_mm.min():g} to {depth_mm.max():g} mm; give them in "
+            f"millimetres, between {low:g} and {high:g}."
+        )
+    if _distinct(depth_mm) < least:
+        raise CalibrationError(
+            f"The model needs walls at {least} clearly different distances; capture more, for "
+            "example at 600, 800 and 1000 mm."
+        )
+
+
+def _distinct(depth_mm: FloatArray) -> int:
+    """Count distances that differ by a tenth each."""
+    count, last = 0, 0.0
+    for depth in np.sort(depth_mm):
+        if depth >= last * _LEAST_DEPTH_RATIO:
+            count, last = count + 1, float(depth)
+    return count

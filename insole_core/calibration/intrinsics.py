@@ -1,0 +1,320 @@
+"""Intrinsic parameters of a camera from pictures of a board (thesis 5.1, appendices B and C)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.adjustment import Blocks, adjust, pose, pose_vector
+from insole_core.calibration.board import Board, Sighting, read_grey
+from insole_core.calibration.coverage import count_corners, missing_regions
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.transforms import rigid, transform
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.camera import Camera
+
+PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
+_LEAST_PICTURES = 3
+_GOOD_PICTURES = 10
+_LEAST_TILT_DEG = 10.0
+_BOARD_MM = (150.0, 6000.0)
+
+
+@dataclass(frozen=True)
+class IntrinsicsOptions:
+    """Which parameters are free, and which pictures are outliers.
+
+    Parameters
+    ----------
+    fit_k3
+        The sixth order of the lens; the thesis's table 1 has it at 0.
+    fit_skew
+        Thesis (B.5).
+    outlier_factor, outlier_px
+        A picture is left out when its error exceeds both this many times the median of all, and
+        this many pixels.
+    """
+
+    fit_k3: bool = False
+    fit_skew: bool = False
+    outlier_factor: float = 3.0
+    outlier_px: float = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class PictureFit:
+    """How well one picture fits.
+
+    Parameters
+    ----------
+    sighting
+    board2camera : (4, 4) float64, mm
+    errors_px : (n, 2) float64
+        Seen minus projected.
+    """
+
+    sighting: Sighting
+    board2camera: FloatArray
+    errors_px: FloatArray
+
+    @property
+    def rms_px(self) -> float:
+        """Root of the mean squared distance of a corner."""
+        return float(np.sqrt((self.errors_px**2).sum(1).mean()))
+
+
+@dataclass(frozen=True, eq=False)
+class CameraCalibration:
+    """A camera, how well it is known, and from what.
+
+    Parameters
+    ----------
+    camera
+    deviations
+        Standard deviation of every parameter of `PARAMETERS`; 0 where it was not fitted.
+    rms_px
+    pictures
+    left_out : name to reason
+    coverage : (6, 8) int64
+        Corners in each cell of the image.
+    advice
+        What would improve it, in sentences.
+    """
+
+    camera: Camera
+    deviations: dict[str, float]
+    rms_px: float
+    pictures: tuple[PictureFit, ...]
+    left_out: dict[str, str]
+    coverage: IntArray
+    advice: tuple[str, ...]
+
+
+def parameters_of(camera: Camera) -> dict[str, float]:
+    """Name the parameters of a camera as in `PARAMETERS`."""
+    k1, k2, p1, p2, k3 = camera.distortion
+    values = (camera.fx, camera.fy, camera.cx, camera.cy, k1, k2, p1, p2, k3, camera.skew)
+    return dict(zip(PARAMETERS, values, strict=True))
+
+
+def find_boards(
+    paths: Sequence[Path], board: Board, progress: Progress = SILENT
+) -> tuple[list[Sighting], dict[str, str]]:
+    """Look for the board in every picture.
+
+    Returns the sightings, and the reason for every picture without one.
+
+    Raises
+    ------
+    InputError
+        When a picture cannot be read.
+    CalibrationError
+        When no picture shows the board, or the pictures differ in size.
+    """
+    sightings: list[Sighting] = []
+    without: dict[str, str] = {}
+    for done, path in enumerate(paths):
+        progress.step(done / len(paths), f"Looking for the board in {path.name}")
+        try:
+            sightings.append(board.find(path.name, read_grey(path)))
+        except CalibrationError as error:
+            without[path.name] = str(error)
+    if not sightings:
+        raise CalibrationError(
+            f"None of the {len(paths)} pictures can be used: {next(iter(without.values()))}"
+        )
+    _check_sizes(sightings)
+    return sightings, without
+
+
+def calibrate_camera(
+    sightings: Sequence[Sighting],
+    options: IntrinsicsOptions | None = None,
+    progress: Progress = SILENT,
+) -> CameraCalibration:
+    """Find the camera that explains all sightings of a board, and leave outlying pictures out.
+
+    Raises
+    ------
+    CalibrationError
+        With fewer than three pictures, boards that are all parallel, or a board that would stand
+        impossibly near or far (wrong unit of its square).
+    """
+    options = options or IntrinsicsOptions()
+    _check_sizes(sightings)
+    _check_count(len(sightings))
+    _check_poses(sightings)
+    used, left_out = list(sightings), dict[str, str]()
+    while True:
+        progress.step(0.1 + 0.4 * bool(left_out), f"Fitting the camera to {len(used)} pictures")
+        camera, deviations, pictures = _fit(used, options)
+        outliers = _outliers(pictures, options)
+        if not outliers:
+            break
+        left_out |= {
+            p.sighting.name: f"its error of {p.rms_px:.2f} px is far above that of the others"
+            for p in outliers
+        }
+        used = [sighting for sighting in used if sighting.name not in left_out]
+        _check_count(len(used))
+    if options.fit_skew:
+        progress.step(0.7, "Fitting the skew")
+        camera, deviations, pictures = _fit_skew(camera, pictures, options)
+    _check_distance(pictures)
+    counts = count_corners(used)
+    return CameraCalibration(
+        camera=camera,
+        deviations=deviations,
+        rms_px=float(np.sqrt(np.concatenate([(p.errors_px**2).sum(1) for p in pictures]).mean())),
+        pictures=tuple(pictures),
+        left_out=left_out,
+        coverage=counts,
+        advice=_advice(len(used), counts),
+    )
+
+
+def _fit(
+    sightings: Sequence[Sighting], options: IntrinsicsOptions
+) -> tuple[Camera, dict[str, float], list[PictureFit]]:
+    size = sightings[0].size
+    flags = 0 if options.fit_k3 else cv2.CALIB_FIX_K3
+    _, matrix, lens, turns, shifts, spread, _, _ = cv2.calibrateCameraExtended(
+        [s.points_mm.astype(np.float32) for s in sightings],
+        [s.pixels.astype(np.float32) for s in sightings],
+        size,
+        None,
+        None,
+        flags=flags,
+    )
+    camera = _camera(size, [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *lens.ravel()])
+    deviations = dict.fromkeys(PARAMETERS, 0.0)
+    deviations |= dict(zip(PARAMETERS, spread.ravel()[:9].tolist(), strict=False))
+    poses = [
+        rigid(cv2.Rodrigues(turn)[0], shift.ravel())
+        for turn, shift in zip(turns, shifts, strict=True)
+    ]
+    return camera, deviations, _pictures(camera, sightings, poses)
+
+
+def _fit_skew(
+    camera: Camera, pictures: Sequence[PictureFit], options: IntrinsicsOptions
+) -> tuple[Camera, dict[str, float], list[PictureFit]]:
+    """Refine everything once more with a skew, which OpenCV's own fit does not have."""
+    names = [name for name in PARAMETERS if name != "k3" or options.fit_k3]
+    fixed = parameters_of(camera)
+    sightings = [picture.sighting for picture in pictures]
+    size, count = sightings[0].size, len(names)
+
+    def split(unknowns: FloatArray) -> tuple[Camera, list[FloatArray]]:
+        values = fixed | dict(zip(names, unknowns[:count].tolist(), strict=True))
+        poses = [pose(part) for part in unknowns[count:].reshape(-1, 6)]
+        return _camera(size, list(values.values())[:9], values["skew"]), poses
+
+    def residuals(unknowns: FloatArray) -> FloatArray:
+        return np.concatenate(
+            [
+                p.errors_px.ravel()
+                for p in _pictures(split(unknowns)[0], sightings, split(unknowns)[1])
+            ]
+        )
+
+    start = [fixed[name] for name in names]
+    start += np.concatenate([pose_vector(p.board2camera) for p in pictures]).tolist()
+    lengths = tuple(2 * len(sighting.pixels) for sighting in sightings)
+    found = adjust(residuals, np.array(start), Blocks(lengths, count))
+    skewed, poses = split(found.values)
+    deviations = dict.fromkeys(PARAMETERS, 0.0)
+    deviations |= dict(zip(names, found.deviations[:count].tolist(), strict=True))
+    return skewed, deviations, _pictures(skewed, sightings, poses)
+
+
+def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> Camera:
+    fx, fy, cx, cy, k1, k2, p1, p2, k3 = (float(value) for value in values)
+    return Camera(*size, fx, fy, cx, cy, (k1, k2, p1, p2, k3), skew)
+
+
+def _pictures(
+    camera: Camera, sightings: Sequence[Sighting], poses: Sequence[FloatArray]
+) -> list[PictureFit]:
+    return [
+        PictureFit(s, board2camera, s.pixels - camera.project(transform(board2camera, s.points_mm)))
+        for s, board2camera in zip(sightings, poses, strict=True)
+    ]
+
+
+def _outliers(pictures: Sequence[PictureFit], options: IntrinsicsOptions) -> list[PictureFit]:
+    median = float(np.median([picture.rms_px for picture in pictures]))
+    limit = max(options.outlier_factor * median, options.outlier_px)
+    return [picture for picture in pictures if picture.rms_px > limit]
+
+
+def _check_sizes(sightings: Sequence[Sighting]) -> None:
+    by_size = {sighting.size: sighting.name for sighting in sightings}
+    if len(by_size) > 1:
+        named = ", ".join(f"{name} ({w}×{h})" for (w, h), name in by_size.items())
+        raise CalibrationError(
+            f"The pictures differ in size: {named}; use pictures of one camera in one mode."
+        )
+
+
+def _check_count(count: int) -> None:
+    if count < _LEAST_PICTURES:
+        raise CalibrationError(
+            f"Only {count} pictures of the board can be used, but at least {_LEAST_PICTURES} are "
+            f"needed and {_GOOD_PICTURES} are good; take more, with the board tilted differently."
+        )
+
+
+def _check_poses(sightings: Sequence[Sighting]) -> None:
+    """Boards that are all parallel leave the focal length open (Zhang 2000)."""
+    normals = [_nominal_normal(sighting) for sighting in sightings]
+    widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
+    if widest < _LEAST_TILT_DEG:
+        raise CalibrationError(
+            "The board was held the same way in all pictures; tilt it by 20 to 40 degrees to all "
+            "sides and take more."
+        )
+
+
+def _nominal_normal(sighting: Sighting) -> FloatArray:
+    """Normal of the board for a camera with the usual field of view."""
+    width, height = sighting.size
+    focal = 0.82 * width
+    nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
+    _, turn, _ = cv2.solvePnP(sighting.points_mm, sighting.pixels, nominal, None)
+    normal = cv2.Rodrigues(turn)[0][:, 2]
+    return np.asarray(normal * np.sign(normal[2] or 1))
+
+
+def _angle_deg(a: FloatArray, b: FloatArray) -> float:
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)))
+
+
+def _check_distance(pictures: Sequence[PictureFit]) -> None:
+    low, high = _BOARD_MM
+    distance = float(np.median([picture.board2camera[2, 3] for picture in pictures]))
+    if not low <= distance <= high:
+        raise CalibrationError(
+            f"The board would have stood {distance:.0f} mm from the camera; check the size of its "
+            "square, which must be given in millimetres."
+        )
+
+
+def _advice(count: int, counts: IntArray) -> tuple[str, ...]:
+    advice = []
+    if count < _GOOD_PICTURES:
+        advice.append(f"Only {count} pictures were used; {_GOOD_PICTURES} or more are better.")
+    if missing := missing_regions(counts):
+        advice.append(f"The board was hardly seen in these parts: {', '.join(missing)}.")
+    return tuple(advice)
+
+
+def with_shift(camera: Camera, shift_px: tuple[float, float]) -> Camera:
+    """Give the same camera for an image whose pixels are shifted, for example IR to depth."""
+    return replace(camera, cx=camera.cx + shift_px[0], cy=camera.cy + shift_px[1])

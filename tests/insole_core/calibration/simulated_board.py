@@ -1,0 +1,65 @@
+"""Boards before cameras of known parameters."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.board import Board, Sighting
+from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.sensing.camera import Camera
+
+COLOR_CAMERA = Camera(1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0))
+
+
+def board_poses(
+    seed: int, count: int, center_mm: FloatArray, distance_mm: float = 800, tilt_deg: float = 35
+) -> list[FloatArray]:
+    """Poses ``board2camera`` of boards about `distance_mm` away, tilted to all sides."""
+    generator = np.random.default_rng(seed)
+    poses = []
+    for _ in range(count):
+        tilts = generator.uniform(-tilt_deg, tilt_deg, 2)
+        rotation = (
+            rotation_about(np.array([1.0, 0, 0]), tilts[0])
+            @ rotation_about(np.array([0, 1.0, 0]), tilts[1])
+            @ rotation_about(np.array([0, 0, 1.0]), generator.uniform(-20, 20))
+        )
+        place = generator.uniform([-110, -80, -0.2 * distance_mm], [110, 80, 0.25 * distance_mm])
+        place[2] += distance_mm
+        poses.append(rigid(rotation, place - rotation @ center_mm))
+    return poses
+
+
+def sight(
+    name: str,
+    board: Board,
+    board2camera: FloatArray,
+    camera: Camera,
+    noise_px: float = 0.0,
+    seed: int = 0,
+) -> Sighting:
+    """Project all corners, with noise."""
+    pixels = camera.project(transform(board2camera, board.points_mm))
+    noise = np.random.default_rng(seed).normal(0, noise_px, pixels.shape) if noise_px else 0
+    return Sighting(name, (camera.width, camera.height), board.points_mm, pixels + noise)
+
+
+def photograph(
+    texture: ByteArray, px_per_mm: float, board2camera: FloatArray, camera: Camera
+) -> ByteArray:
+    """Render a flat print (its first pixel at the board's origin) before a grey wall."""
+    rays = camera.pixel_rays()
+    rows = np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
+    normal, origin = board2camera[:3, 2], board2camera[:3, 3]
+    points = rows * ((normal @ origin) / (rows @ normal))[..., None]
+    flat = (points - origin) @ board2camera[:3, :2] * px_per_mm - 0.5
+    image = cv2.remap(
+        texture,
+        flat[..., 0].astype(np.float32),
+        flat[..., 1].astype(np.float32),
+        cv2.INTER_AREA if px_per_mm > 4 else cv2.INTER_LINEAR,
+        borderValue=128,
+    )
+    return np.asarray(cv2.GaussianBlur(image, (0, 0), 0.8))

@@ -1,0 +1,140 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from simulated_board import COLOR_CAMERA, board_poses, sight
+from simulated_device import CAMERA, DISPARITY, SimulatedDevice
+
+from insole_core.calibration.board import Chequerboard, Sighting, picture_paths, shifted
+from insole_core.calibration.board_depth import (
+    BoardDepthOptions,
+    BoardInDepth,
+    board_planes,
+    calibrate_board_depth,
+)
+from insole_core.calibration.captures import read_captures, read_depth
+from insole_core.calibration.distortion import calibrate_distortion
+from insole_core.calibration.intrinsics import calibrate_camera, find_boards
+from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import LinearInverseDisparity
+
+BOARD = Chequerboard(10, 7, 30)
+CENTER = np.array([135.0, 90, 0])
+DEPTH2COLOR = rigid(rotation_about(np.array([0.3, 1, -0.5]), 0.8), np.array([-25.3, 0.6, -1.2]))
+
+
+def pose_error(found: FloatArray) -> tuple[float, float]:
+    difference = found @ inverse(DEPTH2COLOR)
+    shift = np.linalg.norm(found[:3, 3] - DEPTH2COLOR[:3, 3])
+    return float(shift), rotation_angle_deg(difference[:3, :3])
+
+
+def pairs(count: int, tilt_deg: float = 30) -> tuple[list[Sighting], list[Sighting]]:
+    """The board in infrared pixels and in colour."""
+    infrared = replace(CAMERA, cx=CAMERA.cx - IR_TO_DEPTH_PX[0], cy=CAMERA.cy - IR_TO_DEPTH_PX[1])
+    poses = board_poses(7, count, CENTER, tilt_deg=tilt_deg)
+    ir = [sight(f"ir_{i}", BOARD, p, infrared, 0.1, i) for i, p in enumerate(poses)]
+    color = [
+        sight(f"color_{i}", BOARD, DEPTH2COLOR @ p, COLOR_CAMERA, 0.1, 99 + i)
+        for i, p in enumerate(poses)
+    ]
+    return ir, color
+
+
+def test_pose_from_infrared_and_colour() -> None:
+    ir, color = pairs(15)
+    depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
+    result = calibrate_stereo(depth, color, CAMERA, COLOR_CAMERA)
+    shift, turn = pose_error(result.depth2color)
+    assert shift < 0.5
+    assert turn < 0.1
+    assert (np.abs(result.depth2color[:3, 3] - DEPTH2COLOR[:3, 3])
+            < 3.5 * result.translation_deviation_mm).all()  # fmt: skip
+    assert result.baseline_mm == pytest.approx(np.linalg.norm(DEPTH2COLOR[:3, 3]), abs=0.5)
+    assert result.rms == pytest.approx(0.1 * np.sqrt(2), rel=0.1)
+
+
+def test_corners_are_matched_by_their_place_on_the_board() -> None:
+    ir, color = pairs(6)
+    depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
+    part = [replace(s, points_mm=s.points_mm[20:], pixels=s.pixels[20:]) for s in color]
+    shift, turn = pose_error(calibrate_stereo(depth, part, CAMERA, COLOR_CAMERA).depth2color)
+    assert shift < 1
+    assert turn < 0.1
+
+
+def test_too_few_pairs() -> None:
+    ir, color = pairs(2)
+    with pytest.raises(CalibrationError, match="2 pairs of pictures"):
+        calibrate_stereo(ir, color, CAMERA, COLOR_CAMERA)
+
+
+def boards_in_depth(count: int, tilt_deg: float = 35) -> list[BoardInDepth]:
+    device = SimulatedDevice(np.zeros((480, 640)))
+    boards = []
+    for i, placed in enumerate(board_poses(5, count, CENTER, 900, tilt_deg)):
+        board2color = DEPTH2COLOR @ placed
+        plane = board_planes([board2color], DEPTH2COLOR)[0]
+        boards.append(
+            BoardInDepth(
+                sight(f"color_{i}", BOARD, board2color, COLOR_CAMERA, 0.1, i),
+                device.capture(plane, 4).raw,
+            )
+        )
+    return boards
+
+
+def test_pose_and_scale_from_colour_and_disparity() -> None:
+    rough = replace(CAMERA, cx=319.5, cy=239.5)
+    guess = LinearInverseDisparity(DISPARITY.a * 1.02, DISPARITY.b * 1.02)
+    result = calibrate_board_depth(boards_in_depth(20), rough, COLOR_CAMERA, guess)
+    shift, turn = pose_error(result.stereo.depth2color)
+    # The principal point and the shift are hard to tell apart, and the deviations say so.
+    assert shift < 3 * np.linalg.norm(result.stereo.translation_deviation_mm) < 6
+    assert turn < 0.15
+    assert abs(result.depth_camera.cx - CAMERA.cx) < 3 * result.deviations["cx"] < 6
+    assert abs(result.depth_camera.cy - CAMERA.cy) < 3 * result.deviations["cy"] < 6
+    raw = np.array([600.0, 700, 800])
+    assert np.allclose(result.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=5e-4)
+
+
+def test_pose_alone_when_all_else_is_known() -> None:
+    options = BoardDepthOptions(fit_disparity=False, fit_centre=False)
+    result = calibrate_board_depth(boards_in_depth(20), CAMERA, COLOR_CAMERA, DISPARITY, options)
+    shift, turn = pose_error(result.stereo.depth2color)
+    assert shift < 0.5
+    assert turn < 0.1
+    assert result.deviations == {}
+
+
+def test_boards_that_are_all_parallel_or_too_few() -> None:
+    with pytest.raises(CalibrationError, match="tilted too little"):
+        calibrate_board_depth(boards_in_depth(6, 1.0), CAMERA, COLOR_CAMERA, DISPARITY)
+    with pytest.raises(CalibrationError, match="at 3 positions, but 4"):
+        calibrate_board_depth(boards_in_depth(3), CAMERA, COLOR_CAMERA, DISPARITY)
+
+
+@pytest.mark.shared
+def test_real_boards_of_a_kinect(shared_data: Path) -> None:
+    folder = shared_data / "kinect_v1"
+    camera = Camera(640, 480, 585, 585, 319.5, 239.5)
+    burrus = LinearInverseDisparity(3.3309495, -0.0030711016)
+    found, _ = find_boards(picture_paths(folder / "board_1", "color"), BOARD)
+    color = calibrate_camera(found).camera
+    correction = calibrate_distortion(read_captures(folder / "walls_1"), camera, burrus).correction
+    boards = []
+    for sighting in found:
+        frame = read_depth(folder / "board_1" / f"depth_{sighting.name[6:9]}.png")
+        raw = np.where(frame < 2047, frame, np.nan)
+        boards.append(BoardInDepth(sighting, correction.corrected(raw)))
+    result = calibrate_board_depth(boards, camera, color, burrus)
+    assert result.stereo.baseline_mm == pytest.approx(25, abs=2.5)
+    assert result.stereo.rotation_deg < 2
+    assert len(result.stereo.pairs) == 15
