@@ -32,6 +32,7 @@ _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _PROFILE_STEP = 0.0125
 _TOE_DEPTH = 0.008
+_TIP_DEPTH, _TIP_REACH = 0.02, 0.04
 _ROUNDS, _AT_REST_DEG = 40, 0.002
 
 
@@ -159,7 +160,13 @@ class _Marks:
         if len(near) == 0:
             return usual, False
         best = near[np.abs(across[near] - _SECOND_TOE_ACROSS).argmin()]
-        return np.array([x[best], y[best]]), True
+        return self._tip(x[best], y[best]), True
+
+    def _tip(self, x: float, y: float) -> FloatArray:
+        """(2,) middle of a toe's tip: the single foremost point hops about with the noise."""
+        depth = self.outline[:, 1] - (y - _TIP_DEPTH * self.length)
+        near = (depth > 0) & (np.abs(self.outline[:, 0] - x) < _TIP_REACH * self.length)
+        return np.array([np.average(self.outline[near, 0], weights=depth[near]), y])
 
     def _front_profile(self) -> tuple[FloatArray, FloatArray]:
         """The foremost point of every strip along the foot, medial to lateral or back."""
