@@ -115,6 +115,7 @@ def build_application(application: QApplication, places: Places) -> Application:
     )
     window.check_action("dark", dark)
     window.resize(*DEFAULT_SIZE)
+    window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
     return Application(studio, window, stage, case, surface, hand, jobs, autosave, settings, places)
 
@@ -167,6 +168,7 @@ class ScriptedStudio:
         self.app = build_application(self._qt, places)
         self.app.studio.set_dark(dark)
         self.app.window.resize(*size)
+        self.app.window.arrange()
 
     def __enter__(self) -> ScriptedStudio:
         self.app.window.show()

@@ -45,7 +45,6 @@ class Job(Generic[Result]):
     task: Task[Result]
     done: Callable[[Result], None]
     failed: Callable[[Exception], None]
-    finished: Callable[[], None]
     started_at: float = field(default_factory=time.monotonic)
     stop: threading.Event = field(default_factory=threading.Event)
 
@@ -74,15 +73,13 @@ class Jobs(QObject):
         task: Task[Result],
         done: Callable[[Result], None],
         failed: Callable[[Exception], None],
-        finished: Callable[[], None] = lambda: None,
     ) -> None:
         """Run `task`; then call `done` with its result or `failed` with its exception.
 
-        A cancelled job calls neither. `finished` is called in each of the three cases, unless a
-        newer job of the channel has taken over.
+        A cancelled job calls neither.
         """
         self.cancel(channel)
-        job = Job(channel, task, done, failed, finished)
+        job = Job(channel, task, done, failed)
         self._current[channel] = job  # type: ignore[assignment]
         self.started.emit(channel)
         self._pool.submit(self._run, job)
@@ -139,7 +136,6 @@ class Jobs(QObject):
     def _end(self, job: Job[Result]) -> None:
         del self._current[job.channel]
         self.ended.emit(job.channel)
-        job.finished()
 
 
 def _call(function: Callable[[], object]) -> None:

@@ -27,8 +27,6 @@ class Settings:
 
     theme: Theme = "system"
     linked_views: bool = True
-    contour_lines: bool = False
-    nudge_mm: float = 0.5
     recent: list[str] = field(default_factory=list)
     window_geometry: str = ""
     window_docks: str = ""
@@ -85,6 +83,4 @@ def _fits(value: object, kind: Any) -> bool:
         return value in get_args(kind)
     if get_origin(kind) is list:
         return isinstance(value, list) and all(isinstance(v, get_args(kind)[0]) for v in value)
-    if kind is float:
-        return isinstance(value, int | float) and not isinstance(value, bool)
     return isinstance(value, kind)

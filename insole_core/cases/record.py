@@ -78,10 +78,6 @@ class Annotations:
         points = tuple(point if p.name == point.name else p for p in self.key_points)
         return replace(self, key_points=points)
 
-    def without_key_point(self, name: str) -> Annotations:
-        """Leave one key point out."""
-        return replace(self, key_points=tuple(p for p in self.key_points if p.name != name))
-
 
 @dataclass(frozen=True)
 class Source:

@@ -12,7 +12,7 @@ from insole_studio.scene.view import SceneView
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 from insole_core.insole.design import Pelott
 
@@ -132,6 +132,16 @@ def test_number_keys_are_the_presets(opened: Application, key: str, preset: Pres
     QTest.keyClick(opened.window, Qt.Key(ord(key)))
     assert opened.stage.foot.scene.camera.preset is preset
     assert opened.stage.insole.scene.camera.preset is preset
+
+
+def test_typing_a_number_is_no_shortcut(opened: Application) -> None:
+    before = opened.stage.foot.scene.camera
+    field = next(f for f in opened.stage.patient.findChildren(QLineEdit) if f.isVisible())
+    field.setFocus()
+    QTest.keyClicks(field, "Olof 2")
+    assert field.text() == "Olof 2"
+    assert opened.stage.foot.scene.camera == before
+    assert opened.hand.tool.key == "orbit"
 
 
 def test_arrow_keys_nudge_the_selected_pelott(opened: Application, view: SceneView) -> None:

@@ -18,6 +18,8 @@ from insole_core.geometry.transforms import rotation_about
 MAX_ELEVATION_DEG = 85.0
 SMALLEST_VIEW_MM = 10.0
 LARGEST_VIEW_MM = 2000.0
+ROUND_MM = (45.0, 24.0, 24.0)
+"""What a fitted picture leaves free round its box for the anatomical words, in x, y and z."""
 
 
 class Preset(StrEnum):
@@ -148,14 +150,14 @@ def look(camera: Camera, subject: Subject, side: Side, size_px: tuple[int, int])
 def fitted(camera: Camera, bounds_mm: FloatArray, size_px: tuple[int, int]) -> Camera:
     """Show a whole box (2, 3), whatever the direction."""
     low, high = bounds_mm
-    extent = high - low
+    extent = high - low + 2 * np.array(ROUND_MM)
     aspect = size_px[0] / max(size_px[1], 1)
     lying = camera.preset not in (Preset.PLANTAR, Preset.DORSAL)
     tall = extent[2] if lying else extent[1]
     wide = extent[0]
     if camera.preset in (Preset.MEDIAL, Preset.LATERAL):
         wide = extent[1]
-    height = 1.16 * max(tall, wide / aspect, SMALLEST_VIEW_MM)
+    height = max(tall, wide / aspect, SMALLEST_VIEW_MM)
     return replace(camera, focal_mm=_point((low + high) / 2), height_mm=float(height))
 
 

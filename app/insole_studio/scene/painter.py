@@ -16,10 +16,11 @@ from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Look
 from insole_studio.scene.pointer import Handle
 
-SKIN = (222, 196, 178)
 MATERIAL = (232, 229, 222)
 COLOR_MAP = "viridis"
 EYE_DISTANCE_MM = 1500.0
+WORD_GAP_MM = (26.0, 12.0)
+"""Of the anatomical words from what they stand beside, in x and in y."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,10 @@ class Painter:
         self._mesh: TriangleMesh | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
-        plotter.add_light(pv.Light(light_type="headlight", intensity=1.0))
+        plotter.add_light(pv.Light(light_type="headlight", intensity=0.7))
+        # A second light from the upper left of the picture lets the relief be read.
+        slanted = pv.Light(light_type="camera light", position=(-1.0, 1.0, 1.0), intensity=0.4)
+        plotter.add_light(slanted)
         plotter.enable_parallel_projection()
         self.set_dark(dark)
 
@@ -64,7 +68,6 @@ class Painter:
         mesh: TriangleMesh | None,
         values: FloatArray | None = None,
         limits: tuple[float, float] = (0.0, 1.0),
-        wireframe: bool = False,
     ) -> None:
         """Show the foot or the insole.
 
@@ -86,7 +89,6 @@ class Painter:
             render=False,
             reset_camera=False,
             smooth_shading=False,
-            style="wireframe" if wireframe else "surface",
             specular=0.0,
             **self._surface_colors(mesh, values, limits),
         )
@@ -116,7 +118,7 @@ class Painter:
         """Show spots to grab, of constant size on the screen."""
         for kind, size in (("move", 17.0), ("size", 12.0)):
             places = [h.position_mm for h in handles if (h.kind == "move") == (kind == "move")]
-            self._show_dots(f"handles-{kind}-rim", places, size + 5, "white")
+            self._show_dots(f"rim-{kind}", places, size + 5, "white")
             self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
 
     def show_key_points(self, points: Sequence[KeyPoint]) -> None:
@@ -217,7 +219,7 @@ class Painter:
             np.array(places, dtype=float),
             words,
             name=name,
-            font_size=round(size * self._ratio),
+            font_size=round(size * self._ratio * 72 / self._plotter.render_window.GetDPI()),
             text_color=self.scheme.text,
             shape=None,
             show_points=False,
@@ -230,17 +232,16 @@ class Painter:
 
 
 def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:
-    """Give the anatomical words and where they stand: 10 mm outside the box."""
+    """Give the anatomical words and where they stand, outside the box."""
     low, high = bounds_mm
     middle = (low + high) / 2
     medial, lateral = (high, low) if side is Side.LEFT else (low, high)
-    gap = 12.0
     sign = side.medial_sign
     places = [
-        np.array([medial[0] + sign * gap, middle[1], low[2]]),
-        np.array([lateral[0] - sign * gap, middle[1], low[2]]),
-        np.array([middle[0], low[1] - gap, low[2]]),
-        np.array([middle[0], high[1] + gap, low[2]]),
+        np.array([medial[0] + sign * WORD_GAP_MM[0], middle[1], low[2]]),
+        np.array([lateral[0] - sign * WORD_GAP_MM[0], middle[1], low[2]]),
+        np.array([middle[0], low[1] - WORD_GAP_MM[1], low[2]]),
+        np.array([middle[0], high[1] + WORD_GAP_MM[1], low[2]]),
     ]
     return places, ["Medial", "Lateral", "Heel", "Toes"]
 

@@ -102,10 +102,9 @@ class SceneView(QWidget):
         mesh: TriangleMesh | None,
         values: FloatArray | None = None,
         limits: tuple[float, float] = (0.0, 1.0),
-        wireframe: bool = False,
     ) -> None:
         """Show another surface; it can be touched by the pointer from now on."""
-        self.painter.show_surface(mesh, values, limits, wireframe)
+        self.painter.show_surface(mesh, values, limits)
         self._take(mesh)
 
     def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool:

@@ -49,6 +49,8 @@ class ActionRecord:
 
 
 SEPARATOR = ""
+RECENT = "recent"
+"""Where the menu lists what was open lately."""
 
 
 def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: str) -> ActionRecord:
@@ -242,6 +244,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "open",
             "open_session",
             "open_archive",
+            RECENT,
             SEPARATOR,
             "save",
             "save_as",

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QToolButton, QWidget
 
-from insole_studio.shell.actions import ACTIONS, MENUS, SEPARATOR, TOOLBAR, ActionRecord
+from insole_studio.shell.actions import ACTIONS, MENUS, RECENT, SEPARATOR, TOOLBAR, ActionRecord
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
+
+PATIENT_PX = 248
+PARAMETERS_PX = 136
 
 
 class MainWindow(QMainWindow):
@@ -18,6 +23,7 @@ class MainWindow(QMainWindow):
 
     action_triggered = Signal(str, bool)
     close_requested = Signal()
+    recent_chosen = Signal(str)
 
     def __init__(self, stage: DesignStage, status: StatusBar) -> None:
         super().__init__()
@@ -60,6 +66,23 @@ class MainWindow(QMainWindow):
             if record.icon:
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
 
+    def show_recent(self, names: Sequence[str]) -> None:
+        """List what was open lately."""
+        self._recent.clear()
+        for name in names:
+            action = self._recent.addAction(name)
+            action.triggered.connect(self._choose_recent)
+        self._recent.setEnabled(bool(names))
+
+    def arrange(self) -> None:
+        """Give the panels their usual sizes: the two views share what the fields leave."""
+        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        shared = self.width() - PATIENT_PX
+        self.resizeDocks(
+            [self._patient, self._foot], [PATIENT_PX, round(0.46 * shared)], horizontal
+        )
+        self.resizeDocks([self._parameters], [PARAMETERS_PX], vertical)
+
     def layout_state(self) -> tuple[str, str]:
         """Give geometry and docks, packed as text."""
         packed = (self.saveGeometry(), self.saveState())
@@ -101,6 +124,11 @@ class MainWindow(QMainWindow):
     def _pass_on(self, checked: bool = False) -> None:
         self.action_triggered.emit(self.sender().objectName(), checked)
 
+    def _choose_recent(self) -> None:
+        action = self.sender()
+        assert isinstance(action, QAction)
+        self.recent_chosen.emit(action.text())
+
     def _group_actions(self) -> None:
         groups: dict[str, QActionGroup] = {}
         for record in ACTIONS:
@@ -116,6 +144,8 @@ class MainWindow(QMainWindow):
             for key in keys:
                 if key == SEPARATOR:
                     menu.addSeparator()
+                elif key == RECENT:
+                    self._recent = menu.addMenu(tr("Open recent"))
                 else:
                     menu.addAction(self.actions_by_key[key])
 
@@ -150,9 +180,6 @@ class MainWindow(QMainWindow):
         self.addDockWidget(area.LeftDockWidgetArea, self._patient)
         self.addDockWidget(area.RightDockWidgetArea, self._foot)
         self.addDockWidget(area.BottomDockWidgetArea, self._parameters)
-        horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        self.resizeDocks([self._patient, self._foot], [248, 520], horizontal)
-        self.resizeDocks([self._parameters], [136], vertical)
 
     def _add_dock_actions(self) -> None:
         view = self._menus[2]

@@ -30,7 +30,6 @@ class StatusBar(QStatusBar):
         self._bar.setFixedSize(144, 12)
         self._bar.setTextVisible(False)
         self._cancel = QToolButton()
-        self._cancel.setIcon(icon("remove"))
         self._cancel.setToolTip(tr("Cancel"))
         self._cancel.setAutoRaise(True)
         self._cancel.clicked.connect(self._request_cancel)
@@ -63,6 +62,7 @@ class StatusBar(QStatusBar):
             self._patience.start()
 
     def _show_work(self) -> None:
+        self._cancel.setIcon(icon("remove"))
         for widget in (self._work, self._bar, self._cancel):
             widget.show()
 

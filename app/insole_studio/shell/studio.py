@@ -74,6 +74,7 @@ class Studio(QObject):
         self.dialogs: list[ErrorDialog] = []
         window.action_triggered.connect(self.run_action)
         window.close_requested.connect(self.quit)
+        window.recent_chosen.connect(self._open_recent)
         stage.offer_chosen.connect(self._take_offer)
         case.opened.connect(self._show_state)
         case.changed.connect(self._show_state)
@@ -83,6 +84,7 @@ class Studio(QObject):
         autosave.failed.connect(self.show_sentence)
         self._show_state()
         self._show_tool()
+        window.show_recent(settings.recent)
         window.check_action("linked", settings.linked_views)
         self.set_linked(settings.linked_views)
 
@@ -148,7 +150,7 @@ class Studio(QObject):
 
         def saved(_nothing: None) -> None:
             self.case.mark_saved(record, path)
-            self._settings.remember(path)
+            self._remember(path)
             then()
 
         self._jobs.start(SAVING, write, saved, self.show_error)
@@ -280,6 +282,13 @@ class Studio(QObject):
         if path is not None:
             self.open_path(path)
 
+    def _open_recent(self, name: str) -> None:
+        self.open_path(Path(name))
+
+    def _remember(self, path: Path) -> None:
+        self._settings.remember(path)
+        self.window.show_recent(self._settings.recent)
+
     def _open_case(self, path: Path) -> None:
         def read(progress: Progress) -> CaseRecord:
             progress.step(0.0, tr("Opening the case"))
@@ -287,7 +296,7 @@ class Studio(QObject):
 
         def opened(record: CaseRecord) -> None:
             self.case.open(record, path)
-            self._settings.remember(path)
+            self._remember(path)
 
         self._after_unsaved(lambda: self._jobs.start(OPENING, read, opened, self.show_error))
 
@@ -315,9 +324,10 @@ class Studio(QObject):
     ) -> None:
         def opened(result: OpenedFoot) -> None:
             self.case.open_foot(result.foot, result.source)
-            self._settings.remember(Path(result.source.path))
+            self._remember(Path(result.source.path))
             if result.warnings:
                 self.show_sentence(" ".join(result.warnings))
+            self.window.statusBar().showMessage(" ".join(result.foot.notes), 15_000)
 
         def start() -> None:
             self._jobs.start(OPENING, lambda progress: task(progress=progress), opened, failed)

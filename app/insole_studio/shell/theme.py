@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import qtawesome
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
@@ -67,7 +66,6 @@ def apply_theme(application: QApplication, dark: bool) -> None:
     application.setStyle("Fusion")
     application.setPalette(_palette(colors))
     application.setStyleSheet(_style_sheet(colors))
-    qtawesome.set_defaults(color=colors.text, color_on=colors.on_accent, color_disabled=colors.line)
 
 
 def _palette(colors: Colors) -> QPalette:
@@ -91,7 +89,7 @@ def _palette(colors: Colors) -> QPalette:
         palette.setColor(name, QColor(color))
     for name in (role.WindowText, role.Text, role.ButtonText):
         disabled = QColor(colors.quiet)
-        disabled.setAlpha(150)
+        disabled.setAlpha(110)
         palette.setColor(QPalette.ColorGroup.Disabled, name, disabled)
     return palette
 

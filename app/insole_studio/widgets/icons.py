@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import qtawesome
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QGuiApplication, QIcon, QPalette
 
 _NAMES = {
     "open": "mdi6.folder-open-outline",
@@ -36,5 +36,13 @@ def icon(name: str) -> QIcon:
     KeyError
         When the name is not one of ours.
     """
-    found: QIcon = qtawesome.icon(_NAMES[name])
+    palette = QGuiApplication.palette()
+    group, role = QPalette.ColorGroup, QPalette.ColorRole
+    # The colours are handed over each time: qtawesome keeps icons by their arguments.
+    found: QIcon = qtawesome.icon(
+        _NAMES[name],
+        color=palette.color(role.ButtonText),
+        color_on=palette.color(role.HighlightedText),
+        color_disabled=palette.color(group.Disabled, role.ButtonText),
+    )
     return found

@@ -13,6 +13,7 @@ from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
 
 MESH_SUFFIXES = (".ply", ".stl", ".obj")
@@ -28,11 +29,6 @@ class OpenedFoot:
     warnings: tuple[str, ...] = ()
 
 
-def needs_side(path: Path) -> bool:
-    """Whether the user must say which foot it is: a session knows, a mesh does not."""
-    return not is_session(path)
-
-
 def open_session(path: Path, progress: Progress = SILENT) -> OpenedFoot:
     """Reconstruct the foot of a recorded session.
 
@@ -41,8 +37,6 @@ def open_session(path: Path, progress: Progress = SILENT) -> OpenedFoot:
     InputError, ReconstructionError
     Cancelled
     """
-    from insole_core.reconstruct import reconstruct
-
     progress.step(0.0, "Reading the session")
     session = read_session(path)
     result = reconstruct(session, "fused", progress.part(0.05, 0.85))

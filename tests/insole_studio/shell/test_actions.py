@@ -3,7 +3,7 @@ from __future__ import annotations
 from collections import Counter
 
 from insole_studio.bootstrap import Application
-from insole_studio.shell.actions import ACTIONS, MENUS, SEPARATOR, TOOLBAR
+from insole_studio.shell.actions import ACTIONS, MENUS, RECENT, SEPARATOR, TOOLBAR
 
 KEYS = [record.key for record in ACTIONS]
 
@@ -18,7 +18,7 @@ def test_keys_texts_and_shortcuts_are_unique() -> None:
 
 
 def test_every_action_is_in_exactly_one_menu() -> None:
-    listed = [key for _, keys in MENUS for key in keys if key != SEPARATOR]
+    listed = [key for _, keys in MENUS for key in keys if key not in (SEPARATOR, RECENT)]
     assert sorted(listed) == sorted(KEYS)
 
 

@@ -21,7 +21,6 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 
 OUTLINE_POINTS = 96
-OPEN_OFFERS = ("open_session", "open_mesh")
 
 
 class ModelPanel(Protocol):

@@ -20,6 +20,7 @@ from insole_studio.stages.design.rows import FieldGroup, FieldSpec
 from insole_studio.widgets.number_field import NumberField
 
 ROWS = 2
+ROW_HEIGHT_PX = 26
 
 
 class ParametersView(QScrollArea):
@@ -68,6 +69,8 @@ class ParametersView(QScrollArea):
         grid = QGridLayout()
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(4)
+        for row in range(ROWS):
+            grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
         for number, spec in enumerate(group.fields):
             self._add_field(grid, spec, number)
         self._add_offers(grid, group)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPlainTextEdit,
     QScrollArea,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -44,7 +45,9 @@ class PatientView(QScrollArea):
         self._notes = _Notes()
         self._notes.left.connect(self._notes_edited)
         self._badge = SideBadge()
-        self._no_side = QLabel(tr("with the scan"))
+        self._no_side = QLabel(tr("comes with the scan"))
+        self._no_side.setObjectName("quiet")
+        self._no_side.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._measures = QFormLayout()
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
@@ -91,10 +94,6 @@ class PatientView(QScrollArea):
             empty.setObjectName("quiet")
             self._corrections.addWidget(empty)
 
-    def focus_first(self) -> None:
-        """Put the cursor into the first field."""
-        self._fields["name"].setFocus(Qt.FocusReason.ShortcutFocusReason)
-
     def _content(self) -> QWidget:
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -117,7 +116,7 @@ class PatientView(QScrollArea):
         layout.addLayout(self._measures)
         layout.addWidget(_heading(tr("Corrections")))
         layout.addLayout(self._corrections)
-        layout.addStretch()
+        layout.addStretch(1)
         return content
 
     def _correction_line(self, row: CorrectionRow) -> QWidget:

@@ -93,6 +93,7 @@ class DesignStage(QObject):
             view.scene.painter.set_dark(dark)
             presenter.show_all()
             view.scene.request_render()
+        self._patient_presenter.show()
 
     def close(self) -> None:
         """Free the renderers."""
