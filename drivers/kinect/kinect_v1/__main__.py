@@ -7,7 +7,6 @@ import json
 import shutil
 import sys
 from collections.abc import Callable
-from dataclasses import asdict
 from pathlib import Path
 
 from kinect_v1 import modes
@@ -116,17 +115,9 @@ def _view(options: argparse.Namespace, bus: UsbBus) -> None:
         print(CLEAR, end="")
         shown = 0
         while options.frames is None or shown < options.frames:
-            pictures = [_newest(stream) for stream in (depth, video) if stream]
+            pictures = [stream.read_latest() for stream in (depth, video) if stream]
             print(HOME + _drawing(pictures) + f"\n{depth.counts}", flush=True)
             shown += 1
-
-
-def _newest(stream: Stream) -> Frame:
-    """Skip what came while the last picture was drawn."""
-    frame = stream.read()
-    while (later := stream.poll()) is not None:
-        frame = later
-    return frame
 
 
 def _drawing(frames: list[Frame]) -> str:
@@ -155,13 +146,16 @@ def _record(options: argparse.Namespace, bus: UsbBus) -> None:
         depth, video = _start(camera, options)
         for _ in range(wanted):
             writer.add(depth.read())
-            while video and (frame := video.poll()) is not None:
+            if video and (frame := video.poll()) is not None:  # colour is never the faster one
                 writer.add(frame)
         if video and not video.counts.frames:
             writer.add(video.read())
-        counts = asdict(depth.counts)
+        counts = depth.counts
         writer.finish(camera.serial, camera.model.value, camera.calibration)
-    print(f"{options.folder}: {wanted} depth frames, {counts['discarded']} damaged ones left out")
+    print(
+        f"{options.folder}: {wanted} depth frames; left out: {counts.discarded} damaged, "
+        f"{counts.overrun} that came faster than they could be written"
+    )
 
 
 if __name__ == "__main__":

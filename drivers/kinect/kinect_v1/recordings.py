@@ -8,6 +8,7 @@ fakenect's index does not mention.
 from __future__ import annotations
 
 import json
+import math
 import re
 import shutil
 import struct
@@ -190,15 +191,14 @@ def _recorded(folder: Path, name: str) -> RecordedFile:
 
 def read_depth(file: RecordedFile) -> RawArray:
     """Read a depth picture: (480, 640) uint16, raw 11-bit numbers."""
-    header, data = _read_netpbm(file.path, b"P5", b"65535")
-    pixels = np.frombuffer(data, "<u2")
-    return _shaped(file.path, pixels, header).astype(np.uint16)
+    (width, height), data = _read_netpbm(file.path, b"P5", b"65535")
+    return _pixels(file.path, data, "<u2", (height, width)).astype(np.uint16)
 
 
 def read_color(file: RecordedFile) -> ByteArray:
     """Read a colour picture: (480, 640, 3) uint8, RGB."""
     (width, height), data = _read_netpbm(file.path, b"P6", b"255")
-    return _shaped(file.path, np.frombuffer(data, np.uint8), (width, height, 3)).copy()
+    return _pixels(file.path, data, "u1", (height, width, 3)).copy()
 
 
 def read_received(file: RecordedFile) -> NDArray[Any]:
@@ -230,11 +230,10 @@ def _read_netpbm(path: Path, magic: bytes, largest: bytes) -> tuple[tuple[int, i
     return (int(words[1]), int(words[2])), data
 
 
-def _shaped(path: Path, pixels: NDArray[Any], size: tuple[int, ...]) -> NDArray[Any]:
-    shape = (size[1], size[0], *size[2:])
-    if pixels.size != np.prod(shape):
+def _pixels(path: Path, data: bytes, dtype: str, shape: tuple[int, ...]) -> NDArray[Any]:
+    if len(data) != math.prod(shape) * np.dtype(dtype).itemsize:
         raise RecordingError(_unreadable(path))
-    return pixels.reshape(shape)
+    return np.frombuffer(data, dtype).reshape(shape)
 
 
 def _unreadable(path: Path) -> str:

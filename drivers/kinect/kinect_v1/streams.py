@@ -166,6 +166,15 @@ class Stream:
                 raise self._failure
         raise self._silent(limit_s)
 
+    def read_latest(self) -> Frame:
+        """Like `read`, but skip what came while nobody looked."""
+        frame = self.read()
+        with self._changed:
+            if self._kept:
+                frame = self._kept[-1]
+                self._kept.clear()
+        return frame
+
     def poll(self) -> Frame | None:
         """Give the next frame if one waits already."""
         with self._changed:

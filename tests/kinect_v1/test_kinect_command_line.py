@@ -1,0 +1,106 @@
+"""``python -m kinect_v1`` on the emulated bus."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from kinect_samples import SERIALS, Images
+from kinect_v1.__main__ import main
+from kinect_v1.errors import LibusbMissingError
+from kinect_v1.recordings import read_depth, read_received, read_recording
+from kinect_v1.usb_bus import UsbBus
+
+Output = pytest.CaptureFixture[str]
+
+
+def test_list_names_every_sensor(bus: UsbBus, capsys: Output) -> None:
+    assert main(["list"], lambda: bus) == 0
+    lines = [line.split("\t") for line in capsys.readouterr().out.splitlines()]
+    assert lines == [
+        [SERIALS[0], "1414", "1-1.1", "ready"],
+        [SERIALS[1], "1473", "2-1.1", "ready"],
+        [SERIALS[2], "K4W", "3-1.1", "ready"],
+    ]
+
+
+def test_info_is_json(bus: UsbBus, capsys: Output) -> None:
+    assert main(["info", "--serial", SERIALS[1]], lambda: bus) == 0
+    info = json.loads(capsys.readouterr().out)
+    assert (info["model"], info["serial"]) == ("1473", SERIALS[1])
+    assert set(info["calibration"]) == {"zero_plane", "registration", "padding", "constant_shift"}
+
+
+@pytest.mark.parametrize(
+    ("color", "kind", "mode"),
+    [
+        ("640x480", "b", "bayer-640x480"),
+        ("1280x1024", "b", "bayer-1280x1024"),
+        ("ir", "i", "ir-640x488"),
+    ],
+)
+def test_record_keeps_frames_exactly(
+    color: str, kind: str, mode: str, bus: UsbBus, tmp_path: Path, images: Images
+) -> None:
+    folder = tmp_path / "taken"
+    command = ["record", str(folder), "--serial", SERIALS[0], "--frames", "4", "--color", color]
+    assert main(command, lambda: bus) == 0
+    recording = read_recording(folder)
+    depth = [read_depth(file) for file in recording.of_kind("d")]
+    assert len(depth) == 4
+    assert all(
+        np.array_equal(d, images[SERIALS[0]]["depth-11"][i % 3]) for i, d in enumerate(depth)
+    )
+    assert np.array_equal(read_received(recording.of_kind(kind)[0]), images[SERIALS[0]][mode][0])
+    assert len(recording.of_kind("a")) == 1
+
+
+def test_record_without_colour(bus: UsbBus, tmp_path: Path) -> None:
+    folder = tmp_path / "taken"
+    command = ["record", str(folder), "--serial", SERIALS[2], "--color", "none"]
+    assert main(command, lambda: bus) == 0
+    assert [len(read_recording(folder).of_kind(kind)) for kind in "drb"] == [10, 0, 0]
+
+
+def test_a_recording_can_be_viewed_as_a_sensor(
+    bus: UsbBus, tmp_path: Path, capsys: Output, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "taken"
+    main(["record", str(folder), "--serial", SERIALS[0], "--frames", "2"], lambda: bus)
+    monkeypatch.setenv("COLUMNS", "61")
+    monkeypatch.setenv("LINES", "20")
+    capsys.readouterr()
+    assert main(["--emulate", str(folder), "view", "--frames", "2"]) == 0
+    lines = capsys.readouterr().out.split("\x1b[H")[-1].splitlines()
+    assert [line.count("▀") for line in lines[:-1]] == [2 * 29] * 10
+    assert "discarded=0" in lines[-1]
+
+
+def test_errors_are_one_sentence_and_exit_code_one(bus: UsbBus, capsys: Output) -> None:
+    assert main(["info"], lambda: bus) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("Several sensors are plugged in; choose one of:")
+    assert error.count("\n") == 1
+
+
+def test_a_missing_libusb_is_said(capsys: Output) -> None:
+    def no_libusb() -> UsbBus:
+        raise LibusbMissingError("libusb is missing on this computer; install libusb-1.0.")
+
+    assert main(["list"], no_libusb) == 1
+    assert "install libusb-1.0" in capsys.readouterr().err
+
+
+def test_ctrl_c_ends_quietly(bus: UsbBus, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*_arguments: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("kinect_v1.__main__.color_picture", interrupt)
+    assert main(["view", "--serial", SERIALS[0]], lambda: bus) == 0
+
+
+def test_a_wrong_call_is_exit_code_two(bus: UsbBus, tmp_path: Path) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(["record", str(tmp_path), "--frames", "0"], lambda: bus)
