@@ -29,7 +29,7 @@ _GAUGE = 1e-4
 _CUT = 6.0
 _LEAST_NOISE_RAW = 0.3
 """Outliers are judged against at least this: the map itself is not exact to more."""
-_PROBE_STEP = 4
+_PROBE_STEP = 8
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,95 @@
+"""Noise of single frames, and drift while the sensor warms up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import RawArray
+from insole_core.sensing.disparity import NO_READING, DisparityModel
+
+_SETTLED_MM = 0.5
+_CENTRE = (slice(200, 280), slice(270, 370))
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Noise of one pixel over time: medians over the image."""
+
+    frames: int
+    sd_raw: float
+    sd_mm: float
+    missing_share: float
+
+
+@dataclass(frozen=True)
+class WarmUp:
+    """Depth at the image centre over time.
+
+    Parameters
+    ----------
+    seconds, depth_mm
+        The curve.
+    drift_mm
+        From the first to the last moment.
+    settled_after_s
+        From when on the depth stays within 0.5 mm of the last; infinite when it never settles.
+    """
+
+    seconds: tuple[float, ...]
+    depth_mm: tuple[float, ...]
+    drift_mm: float
+    settled_after_s: float
+
+
+def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Noise:
+    """Measure the noise over time of every pixel of a still scene, in one pass (Welford).
+
+    Raises
+    ------
+    InputError
+        With fewer than two frames.
+    """
+    count, total = np.zeros((480, 640)), 0
+    mean, squares = np.zeros((480, 640)), np.zeros((480, 640))
+    for frame in frames:
+        seen = frame < NO_READING
+        count += seen
+        step = np.where(seen, frame - mean, 0)
+        mean += np.divide(step, count, out=np.zeros_like(step), where=count > 0)
+        squares += step * np.where(seen, frame - mean, 0)
+        total += 1
+    steady = count >= 2
+    if total < 2 or not steady.any():
+        raise InputError("The noise needs at least two frames with readings; record more.")
+    sd = np.sqrt(squares[steady] / (count[steady] - 1))
+    depth = disparity.depth_mm(mean[steady])
+    per_raw = disparity.depth_mm(mean[steady] + 0.5) - disparity.depth_mm(mean[steady] - 0.5)
+    sd_mm = (sd * per_raw)[np.isfinite(depth)]
+    return Noise(total, float(sd.mean()), float(np.nanmean(sd_mm)), float(1 - count.mean() / total))
+
+
+def measure_warm_up(moments: Sequence[tuple[float, RawArray]], disparity: DisparityModel) -> WarmUp:
+    """Follow the depth at the image centre over (seconds, frame) pairs in order of time.
+
+    Raises
+    ------
+    InputError
+        With fewer than three moments.
+    """
+    seconds, depths = [], []
+    for time_s, frame in moments:
+        window = frame[_CENTRE].astype(float)
+        depth = disparity.depth_mm(np.where(window < NO_READING, window, np.nan))
+        if np.isfinite(depth).any():
+            seconds.append(time_s)
+            depths.append(float(np.nanmean(depth)))
+    if len(depths) < 3:
+        raise InputError("The warm-up needs three moments with readings; record for 15 minutes.")
+    away = np.abs(np.array(depths) - depths[-1]) > _SETTLED_MM
+    last_away = int(np.flatnonzero(away)[-1]) if away.any() else -1
+    settled = seconds[last_away + 1] if last_away + 1 < len(seconds) - 1 else float("inf")
+    return WarmUp(tuple(seconds), tuple(depths), depths[-1] - depths[0], settled)
