@@ -7,9 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray, IndexArray
-
-LABEL = np.int32
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,7 @@ class Blobs:
         return len(self.areas)
 
 
-def blueness(color: ByteArray) -> Float32Array:
+def blueness(color: ByteArray) -> ByteArray:
     """I = B - max(R, G), thesis (24); negative values become 0.
 
     Parameters
@@ -69,7 +67,7 @@ def blueness(color: ByteArray) -> Float32Array:
     color : (height, width, 3) uint8, RGB
     """
     red, green, blue = cv2.split(np.ascontiguousarray(color))
-    return np.asarray(cv2.subtract(blue, cv2.max(red, green)), dtype=np.float32)
+    return np.asarray(cv2.subtract(blue, cv2.max(red, green)))
 
 
 def find_blobs(color: ByteArray, limits: BlobLimits = BlobLimits()) -> Blobs:
@@ -80,41 +78,45 @@ def find_blobs(color: ByteArray, limits: BlobLimits = BlobLimits()) -> Blobs:
     color : (height, width, 3) uint8, RGB
     """
     blue = blueness(color)
-    labels = np.full(blue.shape, -1, dtype=LABEL)
+    labels = np.full(blue.shape, -1, dtype=np.int32)
     found: list[FloatArray] = []
+    strongest = _strongest(blue)
     for level in limits.levels:
-        _add_blobs(blue, _threshold(blue, level, limits), labels, found, limits)
+        _add_blobs(blue, max(limits.least_blue, level * strongest), labels, found, limits)
     features = np.concatenate([np.empty((0, 3)), *found])
     return _largest(features, labels, limits.most)
 
 
-def _threshold(blue: Float32Array, level: float, limits: BlobLimits) -> float:
-    # The strongest hundred or so pixels: a marker is larger, a defective pixel smaller.
-    rank = max(blue.size - blue.size // 10_000, 1) - 1
-    peak = float(np.partition(blue, rank, axis=None)[rank])
-    return max(limits.least_blue, level * peak)
+def _strongest(blue: ByteArray) -> int:
+    """Give the blueness that one pixel in ten thousand exceeds.
+
+    That many are fewer than the pixels of one marker and more than the defective ones.
+    """
+    brighter = np.cumsum(cv2.calcHist([blue], [0], None, [256], [0, 256]).ravel()[::-1])
+    return 255 - int(np.argmax(brighter > blue.size / 10_000))
 
 
 def _add_blobs(
-    blue: Float32Array,
+    blue: ByteArray,
     threshold: float,
     labels: IndexArray,
     found: list[FloatArray],
     limits: BlobLimits,
 ) -> None:
     """Take the components above a threshold that look like markers and are not taken yet."""
+    mask = (blue > threshold).astype(np.uint8)
     _, components, stats, _ = cv2.connectedComponentsWithStats(
-        (blue > threshold).astype(np.uint8), connectivity=8, ltype=cv2.CV_32S
+        mask, connectivity=8, ltype=cv2.CV_32S
     )
-    v, u = np.nonzero(components)
+    v, u = np.divmod(np.flatnonzero(mask), mask.shape[1])
     component = components[v, u]
-    features, eccentricity = _features(component, u, v, blue[v, u], len(stats))
+    features, eccentricity = _features(component, u, v, blue[v, u].astype(float), len(stats))
     widest = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
     good = (features[:, 2] >= limits.least_area_px) & (eccentricity <= limits.largest_eccentricity)
     good &= widest <= limits.largest_width_share * blue.shape[1]
     good[np.unique(component[labels[v, u] >= 0])] = False
     good[0] = False
-    index = np.full(len(stats), -1, dtype=LABEL)
+    index = np.full(len(stats), -1, dtype=np.int32)
     index[good] = sum(map(len, found)) + np.arange(good.sum())
     free = labels[v, u] < 0
     labels[v[free], u[free]] = index[component[free]]
@@ -123,14 +125,14 @@ def _add_blobs(
 
 def _features(
     component: IndexArray,
-    u: np.ndarray[tuple[int], np.dtype[np.intp]],
-    v: np.ndarray[tuple[int], np.dtype[np.intp]],
-    weight: Float32Array,
+    u: IntArray,
+    v: IntArray,
+    weight: FloatArray,
     count: int,
 ) -> tuple[FloatArray, FloatArray]:
     """Centroid and area (count, 3), and eccentricity (count,), of every component."""
 
-    def total(values: np.ndarray[tuple[int], np.dtype[np.floating]]) -> FloatArray:
+    def total(values: FloatArray) -> FloatArray:
         return np.asarray(np.bincount(component, values, minlength=count), dtype=np.float64)
 
     area = np.bincount(component, minlength=count).astype(float)
@@ -147,6 +149,6 @@ def _features(
 def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
     """Keep the largest blobs, thesis algorithm 3, step 7."""
     kept = np.sort(np.argsort(-features[:, 2], kind="stable")[:most])
-    index = np.full(len(features) + 1, -1, dtype=LABEL)
+    index = np.full(len(features) + 1, -1, dtype=np.int32)
     index[kept] = np.arange(len(kept))
     return Blobs(features[kept, :2], features[kept, 2], index[labels])

@@ -9,14 +9,17 @@ from insole_core.reconstruct.sheet import Sheet
 
 _SOLE_HEIGHT_MM = 50.0
 _SLICE_MM = 10.0
+_SEAM_MM = 20.0
+"""How far each half reaches across the line, for what the other view sees badly there."""
 
 
 def cut_at_midline(sheets: list[Sheet]) -> list[Sheet]:
     """Cut the sheets so that each part of the foot comes from the view that faces it.
 
     Of the views that face the sole, those at the left (x < 0) keep what lies left of the foot's
-    mid-line and those at the right the rest, as long as there are both. A view that faces the
-    Achilles tendon keeps what lies behind and above the lower rear edge of the foot.
+    mid-line and those at the right the rest, as long as there are both; at the seam they overlap.
+    A view that faces the Achilles tendon keeps what lies behind and above the lower rear edge of
+    the foot.
     """
     sole = [sheet for sheet in sheets if _faces_sole(sheet)]
     back = [sheet for sheet in sheets if not _faces_sole(sheet)]
@@ -66,7 +69,8 @@ def _cut_left_and_right(sheets: list[Sheet]) -> list[Sheet]:
     cut = []
     for sheet, left in zip(sheets, at_left, strict=True):
         centers = sheet.corners.mean(1)
-        cut.append(sheet.keeping((centers[:, 0] < offset + slope * centers[:, 1]) == left))
+        across = centers[:, 0] - (offset + slope * centers[:, 1])
+        cut.append(sheet.keeping((across if left else -across) < _SEAM_MM))
     return cut
 
 

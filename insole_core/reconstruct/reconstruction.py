@@ -15,7 +15,12 @@ from insole_core.reconstruct.blobs import find_blobs
 from insole_core.reconstruct.coloring import color_points, mean_color
 from insole_core.reconstruct.midline import cut_at_midline
 from insole_core.reconstruct.overlap import blend_overlaps
-from insole_core.reconstruct.registration import Registration, RegistrationLimits, register
+from insole_core.reconstruct.registration import (
+    DEFAULT_LIMITS,
+    Registration,
+    RegistrationLimits,
+    register,
+)
 from insole_core.reconstruct.result import Method, Reconstruction, Residuals, ViewResult
 from insole_core.reconstruct.sheet import (
     Sheet,
@@ -36,7 +41,7 @@ def reconstruct(
     session: Session,
     method: Method = "fused",
     progress: Progress = SILENT,
-    limits: RegistrationLimits = RegistrationLimits(),
+    limits: RegistrationLimits = DEFAULT_LIMITS,
 ) -> Reconstruction:
     """Make one coloured foot, in the reference frame, from the views of a session.
 

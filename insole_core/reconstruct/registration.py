@@ -31,6 +31,9 @@ class RegistrationLimits:
     assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
 
 
+DEFAULT_LIMITS = RegistrationLimits()
+
+
 @dataclass(frozen=True)
 class MarkerFix:
     """One marker as one view saw it.
@@ -79,7 +82,7 @@ def register(
     sightings: Sightings,
     system: ReferenceSystem,
     faces: tuple[str, ...],
-    limits: RegistrationLimits = RegistrationLimits(),
+    limits: RegistrationLimits = DEFAULT_LIMITS,
 ) -> Registration:
     """Determine a view's pose by Horn's method on the markers it saw, thesis (2) - (6).
 
