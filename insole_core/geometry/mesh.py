@@ -62,6 +62,11 @@ class TriangleMesh:
         )
 
     @cached_property
+    def bounds_mm(self) -> FloatArray:
+        """(2, 3) least and greatest coordinates."""
+        return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
+    @cached_property
     def area_mm2(self) -> float:
         """Area of all triangles."""
         return float(np.linalg.norm(self._triangle_cross, axis=1).sum() / 2)

@@ -46,6 +46,14 @@ class HeightField:
         x, y = np.meshgrid(self.x_mm, self.y_mm)
         return np.stack([x.ravel(), y.ravel(), self.heights_mm.ravel()], axis=1)
 
+    @cached_property
+    def normals(self) -> FloatArray:
+        """(ny * nx, 3) unit normals of the nodes by central differences, pointing up."""
+        along_y, along_x = np.gradient(self.heights_mm, self.step_mm)
+        upward = np.stack([-along_x, -along_y, np.ones_like(along_x)], axis=-1).reshape(-1, 3)
+        upward /= np.sqrt(np.einsum("nc,nc->n", upward, upward))[:, None]
+        return np.asarray(upward)
+
     def height_at(self, xy: FloatArray) -> FloatArray:
         """Heights at places (..., 2), bilinear between nodes; NaN beyond the field."""
         xy = np.asarray(xy, dtype=float)

@@ -110,6 +110,7 @@ def app(
     """The whole application on an empty case, shown."""
     built = build_application(qapp, places)
     built.studio.questions = questions  # type: ignore[assignment]
+    built.window.resize(960, 640)  # fewer pixels for the software renderer
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,14 +19,18 @@ def has_gl() -> bool:
 
 
 class Canvas(QWidget):
-    """A place for the scene. `plotter` takes the actors; `request_render` draws soon, once."""
+    """A place for the scene. `plotter` takes the actors; `request_render` draws soon, once.
+
+    `aim` is called before each drawing: many changes of the camera are one.
+    """
 
     plotter: Any
     surface: QWidget
     """The widget that receives the mouse."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.aim = aim
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
@@ -33,7 +38,7 @@ class Canvas(QWidget):
 
     def request_render(self) -> None:
         """Draw when the pending events are done; many requests are one picture."""
-        if not self._timer.isActive():
+        if self.plotter is not None and not self._timer.isActive():
             self._timer.start()
 
     def render_now(self) -> None:
@@ -55,8 +60,8 @@ class Canvas(QWidget):
 class WindowCanvas(Canvas):
     """VTK draws into a native window of its own."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
+        super().__init__(aim, parent)
         from pyvistaqt import QtInteractor
 
         interactor = QtInteractor(self, auto_update=False, multi_samples=4)
@@ -70,10 +75,12 @@ class WindowCanvas(Canvas):
     def render_now(self) -> None:
         """Draw at once."""
         if self.plotter is not None and self.isVisible():
+            self.aim()
             self.plotter.render_window.Render()
 
     def picture(self) -> QImage:
         """Give the picture as it is drawn, in device pixels."""
+        self.aim()
         self.plotter.render_window.Render()
         return _image(self.plotter.screenshot(return_img=True))
 
@@ -81,8 +88,8 @@ class WindowCanvas(Canvas):
 class ImageCanvas(Canvas):
     """An off-screen plotter draws, and the widget paints its image: works without GL in Qt."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
+        super().__init__(aim, parent)
         import pyvista as pv
 
         self.plotter = pv.Plotter(off_screen=True, window_size=(64, 64))
@@ -106,6 +113,7 @@ class ImageCanvas(Canvas):
         ratio = self.devicePixelRatioF()
         size = [max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)]
         self.plotter.window_size = size
+        self.aim()
         self.plotter.render()
         image = _image(self.plotter.screenshot(return_img=True))
         image.setDevicePixelRatio(ratio)
@@ -126,9 +134,9 @@ class ImageCanvas(Canvas):
         self.request_render()
 
 
-def make_canvas(parent: QWidget | None = None) -> Canvas:
+def make_canvas(aim: Callable[[], None], parent: QWidget | None = None) -> Canvas:
     """Give the best canvas that this Qt platform allows."""
-    return WindowCanvas(parent) if has_gl() else ImageCanvas(parent)
+    return WindowCanvas(aim, parent) if has_gl() else ImageCanvas(aim, parent)
 
 
 def _image(pixels: Any) -> QImage:

@@ -10,7 +10,7 @@ import numpy as np
 import pyvista as pv
 
 from insole_core.cases.record import KeyPoint, ReferencePlane
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Look
@@ -49,6 +49,8 @@ class Painter:
         self._ratio = pixel_ratio
         self._surface: pv.PolyData | None = None
         self._mesh: TriangleMesh | None = None
+        self._shapes: dict[str, tuple[object, ...]] = {}
+        """Form and look of the marks that are shown; equal ones only move."""
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
         plotter.add_light(pv.Light(light_type="headlight", intensity=0.7))
@@ -93,26 +95,36 @@ class Painter:
             **self._surface_colors(mesh, values, limits),
         )
 
-    def move_surface(self, mesh: TriangleMesh, values: FloatArray | None) -> bool:
-        """Give the shown surface new places and values; False when its triangles are others."""
+    def move_surface(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
+        """Give the shown surface new places; False when its triangles are others.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+        normals : (n, 3) float64
+            Of its vertices.
+        """
         if self._surface is None or self._mesh is None:
             return False
         if self._mesh.triangles is not mesh.triangles:
             return False
         self._mesh = mesh
         self._surface.points[:] = mesh.vertices
-        self._surface.point_data["Normals"][:] = mesh.vertex_normals
-        if values is not None and "values" in self._surface.point_data:
-            self._surface.point_data["values"][:] = values
+        self._surface.point_data["Normals"][:] = normals
         self._surface.Modified()
         return True
 
     def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
         """Draw closed or open polylines, each (n, 3) mm, in front of everything."""
-        parts = [pv.lines_from_points(line) for line in lines if len(line) > 1]
-        self._plotter.remove_actor(name, render=False)
-        if parts:
-            self._add_in_front(pv.merge(parts), name, color=color, line_width=width * self._ratio)
+        parts = list(lines)
+        points = np.concatenate(parts) if parts else np.empty((0, 3))
+        self._show_in_front(
+            name,
+            points,
+            tuple(len(part) for part in parts),
+            color=color,
+            line_width=width * self._ratio,
+        )
 
     def show_handles(self, handles: Sequence[Handle]) -> None:
         """Show spots to grab, of constant size on the screen."""
@@ -185,19 +197,32 @@ class Painter:
         return {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
 
     def _show_dots(self, name: str, places: Sequence[Any], size: float, color: str) -> None:
-        self._plotter.remove_actor(name, render=False)
-        if places:
-            self._add_in_front(
-                pv.PolyData(np.array(places, dtype=float)),
-                name,
-                color=color,
-                point_size=size * self._ratio,
-                render_points_as_spheres=True,
-            )
+        self._show_in_front(
+            name,
+            np.array(places, dtype=float).reshape(-1, 3),
+            (),
+            color=color,
+            point_size=size * self._ratio,
+            render_points_as_spheres=True,
+        )
 
-    def _add_in_front(self, shape: Any, name: str, **look: Any) -> None:
+    def _show_in_front(
+        self, name: str, points: FloatArray, line_lengths: tuple[int, ...], **look: Any
+    ) -> None:
+        """Show points, or lines of these lengths through them, never hidden by a surface."""
+        shape = (len(points), line_lengths, tuple(look.items()))
+        if self._shapes.get(name) == shape and len(points):
+            self._plotter.actors[name].mapper.dataset.points = points
+            return
+        self._shapes[name] = shape
+        self._plotter.remove_actor(name, render=False)
+        if len(points) == 0:
+            return
+        drawn = pv.PolyData(points)
+        if line_lengths:
+            drawn = pv.PolyData(points, lines=_line_cells(line_lengths))
         actor = self._plotter.add_mesh(
-            shape, name=name, lighting=False, reset_camera=False, render=False, **look
+            drawn, name=name, lighting=False, reset_camera=False, render=False, **look
         )
         # Drawn as if nearer than any surface: what can be grabbed must never hide in the foot.
         actor.mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -244,6 +269,17 @@ def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray]
         np.array([middle[0], high[1] + WORD_GAP_MM[1], low[2]]),
     ]
     return places, ["Medial", "Lateral", "Heel", "Toes"]
+
+
+def _line_cells(lengths: tuple[int, ...]) -> IndexArray:
+    """Give VTK's list of polylines through consecutive points: count, indices, count, …"""
+    starts = np.cumsum((0, *lengths[:-1]))
+    return np.concatenate(
+        [
+            np.r_[length, np.arange(start, start + length)]
+            for start, length in zip(starts, lengths, strict=True)
+        ]
+    ).astype(np.int32)
 
 
 def _polydata(mesh: TriangleMesh) -> pv.PolyData:

@@ -75,7 +75,7 @@ class SceneView(QWidget):
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
         self._last = QPointF()
-        self._canvas = make_canvas(self)
+        self._canvas = make_canvas(self._aim, self)
         self.painter = Painter(self._canvas.plotter, dark, self.devicePixelRatioF())
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -107,9 +107,9 @@ class SceneView(QWidget):
         self.painter.show_surface(mesh, values, limits)
         self._take(mesh)
 
-    def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool:
+    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
         """Show the same triangles at new places; False when they are others."""
-        moved = self.painter.move_surface(mesh, values)
+        moved = self.painter.move_surface(mesh, normals)
         if moved:
             self._take(mesh)
         return moved
@@ -132,13 +132,10 @@ class SceneView(QWidget):
 
     def request_render(self) -> None:
         """Draw soon."""
-        if self._canvas.plotter is not None:
-            self.painter.aim(self.look)
-            self._canvas.request_render()
+        self._canvas.request_render()
 
     def picture(self) -> QImage:
         """Draw now and give the picture."""
-        self.painter.aim(self.look)
         return self._canvas.picture()
 
     def close_scene(self) -> None:
@@ -168,6 +165,9 @@ class SceneView(QWidget):
             self.request_render()
             self.camera_changed.emit(self.camera)
         return False
+
+    def _aim(self) -> None:
+        self.painter.aim(self.look)
 
     def _take(self, mesh: TriangleMesh | None) -> None:
         self._mesh = mesh

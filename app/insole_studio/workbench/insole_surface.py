@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.block import block_solid
 from insole_core.insole.build import Insole, apply_pads
@@ -43,6 +44,7 @@ class InsoleSurface(QObject):
         self._shown_design: InsoleDesign | None = None
         self.contact: HeightField | None = None
         self.mesh: TriangleMesh | None = None
+        self.normals: FloatArray | None = None
         self.problem = ""
         case.opened.connect(self._forget)
         case.changed.connect(self._refresh)
@@ -59,7 +61,7 @@ class InsoleSurface(QObject):
     def _forget(self) -> None:
         self._jobs.cancel(CHANNEL)
         self._base = self._base_of = self._block = self._shown_design = None
-        self.contact = self.mesh = None
+        self.contact = self.mesh = self.normals = None
         self._set_problem("")
         self.changed.emit()
         self._refresh()
@@ -91,7 +93,9 @@ class InsoleSurface(QObject):
         def build(progress: Progress) -> tuple[ContactBase, TriangleMesh]:
             base = contact_base(foot, design, progress)
             bare = replace(design, corrections=())
-            return base, block_solid(Insole(bare, foot, base.surface, base.measured))
+            block = block_solid(Insole(bare, foot, base.surface, base.measured))
+            _ = block.vertex_normals  # kept by the mesh: computed here, not in the window
+            return base, block
 
         def take(built: tuple[ContactBase, TriangleMesh]) -> None:
             self._base, self._block = built
@@ -117,6 +121,8 @@ class InsoleSurface(QObject):
         vertices = self._block.vertices.copy()
         vertices[: len(heights), 2] = heights
         self.mesh = TriangleMesh(vertices, self._block.triangles)
+        self.normals = self._block.vertex_normals.copy()
+        self.normals[: len(heights)] = self.contact.normals
         self.changed.emit()
 
     def _set_problem(self, problem: str) -> None:
@@ -126,13 +132,17 @@ class InsoleSurface(QObject):
 
     def height_mm(self, x_mm: float, y_mm: float) -> float:
         """Height of the contact surface, as near as the grid has it; 0 before there is one."""
+        return float(self.heights_mm(np.array([x_mm, y_mm])))
+
+    def heights_mm(self, xy: FloatArray) -> FloatArray:
+        """Heights at places (..., 2), as near as the grid has them."""
         if self.contact is None:
-            return 0.0
+            return np.zeros(xy.shape[:-1])
         field = self.contact
         inset = 1e-6 * field.step_mm
-        x = np.clip(x_mm, field.x_mm[0] + inset, field.x_mm[-1] - inset)
-        y = np.clip(y_mm, field.y_mm[0] + inset, field.y_mm[-1] - inset)
-        return float(field.height_at(np.array([x, y])))
+        low = np.array([field.x_mm[0], field.y_mm[0]]) + inset
+        high = np.array([field.x_mm[-1], field.y_mm[-1]]) - inset
+        return field.height_at(np.clip(xy, low, high))
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Whether the insole lies under a place."""

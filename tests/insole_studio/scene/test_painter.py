@@ -77,12 +77,14 @@ def test_a_moved_surface_keeps_its_triangles(
     aim(painter, mesh)
     painter.show_surface(mesh)
     moved = mesh.transformed(np.eye(4))
-    assert painter.move_surface(moved, None)
-    assert not painter.move_surface(mesh.flipped(), None)
+    assert painter.move_surface(moved, moved.vertex_normals)
+    flipped = mesh.flipped()
+    assert not painter.move_surface(flipped, flipped.vertex_normals)
 
 
 def test_an_unseen_painter_moves_nothing(painter: Painter, make_foot: Any) -> None:
-    assert not painter.move_surface(make_foot(Side.LEFT).mesh, None)
+    mesh = make_foot(Side.LEFT).mesh
+    assert not painter.move_surface(mesh, mesh.vertex_normals)
 
 
 def test_a_map_runs_from_dark_to_light(painter: Painter, plotter: Any, make_foot: Any) -> None:

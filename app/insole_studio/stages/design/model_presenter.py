@@ -21,6 +21,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 
 OUTLINE_POINTS = 96
+_NOTHING = (object(),) * 4
 
 
 class ModelPanel(Protocol):
@@ -34,7 +35,7 @@ class ModelPanel(Protocol):
         values: FloatArray | None = None,
         limits: tuple[float, float] | None = None,
     ) -> None: ...
-    def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool: ...  # noqa: D102
+    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool: ...  # noqa: D102
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
     ) -> None: ...
@@ -55,6 +56,8 @@ class ModelPresenter:
         self._case = case
         self._surface = surface
         self._hand = hand
+        self._marked: tuple[object, ...] = _NOTHING
+        """What the marks were drawn for: several facts may change at once."""
         case.opened.connect(self.show_all)
         case.changed.connect(self.show_marks)
         case.preview_changed.connect(self.show_marks)
@@ -68,9 +71,14 @@ class ModelPresenter:
         return self._case.side or Side.LEFT
 
     @property
+    def mesh(self) -> TriangleMesh | None:
+        """What is shown."""
+        raise NotImplementedError
+
+    @property
     def bounds_mm(self) -> FloatArray | None:
         """The box (2, 3) of what is shown."""
-        raise NotImplementedError
+        return None if self.mesh is None else self.mesh.bounds_mm
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
         """Put a place of the insole frame onto what is shown."""
@@ -82,6 +90,7 @@ class ModelPresenter:
 
     def show_all(self) -> None:
         """Show another case."""
+        self._marked = _NOTHING
         self.panel.show_side(self._case.side)
         self.show_surface()
 
@@ -91,16 +100,18 @@ class ModelPresenter:
 
     def show_marks(self) -> None:
         """Show outlines, handles, key points and plane."""
-        if self.bounds_mm is None:
+        if self.mesh is None:
             return
         record = self._case.shown
+        state = (record, self._case.selection, self._hand.tool, self._surface.contact)
+        if all(a is b for a, b in zip(state, self._marked, strict=True)):
+            return
+        self._marked = state
         self.panel.show_outlines(*self._outlines())
         self.panel.show_handles(self._hand.tool.handles(self._case, self))
         on_foot = self.subject is Subject.FOOT
         self.panel.show_key_points(record.annotations.key_points if on_foot else ())
-        self.panel.show_plane(
-            record.annotations.plane, 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
-        )
+        self._show_plane(record.annotations.plane)
 
     def press(self, event: PointerEvent) -> bool:
         """Begin a gesture of the tool."""
@@ -126,6 +137,12 @@ class ModelPresenter:
         """Let the tool act on an arrow key."""
         return self._hand.nudge(event, right, up)
 
+    def _show_plane(self, plane: ReferencePlane | None) -> None:
+        size = 0.0
+        if plane is not None and self.bounds_mm is not None:
+            size = 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
+        self.panel.show_plane(plane, size)
+
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
         design = self._case.shown.design
         pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
@@ -138,7 +155,8 @@ class ModelPresenter:
     def _outline(self, pad: Pelott) -> FloatArray:
         around = egg_outline(pad, OUTLINE_POINTS)
         closed = np.concatenate([around, around[:1]])
-        return np.array([self.place(x, y) for x, y in closed])
+        lift = self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
+        return np.column_stack([closed, self._surface.heights_mm(closed) + lift])
 
 
 class FootPresenter(ModelPresenter):
@@ -147,10 +165,9 @@ class FootPresenter(ModelPresenter):
     subject = Subject.FOOT
 
     @property
-    def bounds_mm(self) -> FloatArray | None:
-        """The box (2, 3) of the foot."""
-        foot = self._case.foot
-        return None if foot is None else _box(foot.mesh)
+    def mesh(self) -> TriangleMesh | None:
+        """The foot's surface."""
+        return None if self._case.foot is None else self._case.foot.mesh
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
         """Put a place onto the sole: the insole without its thickness lies there."""
@@ -169,7 +186,7 @@ class FootPresenter(ModelPresenter):
             )
             return
         self.panel.show_mesh(foot.mesh)
-        self.panel.show_directions(foot.side, _box(foot.mesh))
+        self.panel.show_directions(foot.side, foot.mesh.bounds_mm)
         self.show_marks()
 
     def show_surface(self) -> None:
@@ -188,10 +205,9 @@ class InsolePresenter(ModelPresenter):
         surface.failed.connect(self.panel.show_warning)
 
     @property
-    def bounds_mm(self) -> FloatArray | None:
-        """The box (2, 3) of the insole."""
-        mesh = self._surface.mesh
-        return None if mesh is None else _box(mesh)
+    def mesh(self) -> TriangleMesh | None:
+        """The insole's surface."""
+        return self._surface.mesh
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
         """Put a place onto the contact surface."""
@@ -204,10 +220,10 @@ class InsolePresenter(ModelPresenter):
 
     def show_surface(self) -> None:
         """Follow the surface."""
-        mesh = self._surface.mesh
-        if mesh is None:
+        mesh, normals = self._surface.mesh, self._surface.normals
+        if mesh is None or normals is None:
             self._show_why_empty()
-        elif not self._map_shown and self.panel.move_mesh(mesh):
+        elif not self._map_shown and self.panel.move_mesh(mesh, normals):
             self.show_marks()
         else:
             self._show_mesh_anew()
@@ -219,7 +235,7 @@ class InsolePresenter(ModelPresenter):
         heights = mesh.vertices[:, 2] if self._map_shown else None
         limits = (0.0, float(mesh.vertices[:, 2].max())) if self._map_shown else None
         self.panel.show_mesh(mesh, heights, limits)
-        self.panel.show_directions(side, _box(mesh))
+        self.panel.show_directions(side, mesh.bounds_mm)
         self.show_marks()
 
     def _show_why_empty(self) -> None:
@@ -227,7 +243,3 @@ class InsolePresenter(ModelPresenter):
             self.panel.show_empty(tr("The insole appears here as soon as there is a foot."), {})
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
-
-
-def _box(mesh: TriangleMesh) -> FloatArray:
-    return np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])

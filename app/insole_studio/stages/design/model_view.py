@@ -93,9 +93,9 @@ class ModelView(QWidget):
         self.scene.show_mesh(mesh, values, limits or (0.0, 1.0))
         self.show_scale()
 
-    def move_mesh(self, mesh: TriangleMesh, values: FloatArray | None = None) -> bool:
+    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
         """Move the surface that is shown; False when it is another."""
-        return self.scene.move_mesh(mesh, values)
+        return self.scene.move_mesh(mesh, normals)
 
     def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:
         """Draw the outlines of the corrections, the selected one stronger."""

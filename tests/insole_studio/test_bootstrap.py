@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+from insole_studio.bootstrap import Places, ScriptedStudio, run_application
+from insole_studio.jobs import Jobs
+from insole_studio.settings import load_settings
+from insole_studio.shell.main_window import MainWindow
+from insole_studio.workbench.autosave import Autosave
+from insole_studio.workbench.case import Case
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.record import CaseRecord, Patient
+from insole_core.geometry.side import Side
+
+
+def test_the_whole_journey_by_program(
+    qapp: QApplication, places: Places, small_session: Path, tmp_path: Path
+) -> None:
+    with ScriptedStudio(places, (1000, 700)) as studio:
+        studio.open(small_session)
+        assert studio.app.case.side is Side.LEFT
+        studio.place_pelott(2.0, 150.0)
+        studio.export(tmp_path / "insole.stl")
+        studio.save(tmp_path / "case.insole")
+        studio.screenshot(tmp_path / "window.png")
+    assert (tmp_path / "insole.stl").stat().st_size > 1e6
+    design = read_case(tmp_path / "case.insole").design
+    assert design is not None
+    assert len(design.corrections) == 1
+    picture = QImage(str(tmp_path / "window.png"))
+    assert (picture.width(), picture.height()) == (1000, 700)
+
+
+def close_soon(window_seen: list[str]) -> None:
+    """Close the window as soon as it stands."""
+    for widget in QApplication.topLevelWidgets():
+        if isinstance(widget, MainWindow):
+            window_seen.append(widget.windowTitle())
+            widget.close()
+
+
+def test_the_application_runs_until_its_window_closes(qapp: QApplication, places: Places) -> None:
+    seen: list[str] = []
+    QTimer.singleShot(300, qapp, lambda: close_soon(seen))
+    hook = sys.excepthook
+    assert run_application([], places) == 0
+    assert len(seen) == 1
+    assert sys.excepthook is sys.__excepthook__ or sys.excepthook is hook
+    assert load_settings(places.settings_file).window_docks != ""
+    sys.excepthook = hook
+
+
+def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places: Places) -> None:
+    jobs, case = Jobs(), Case()
+    left = Autosave(case, jobs, places.autosave_folder)
+    case.open(CaseRecord(patient=Patient(name="Anna B.")), None, unsaved=True)
+    jobs.close()
+    left.close()
+    seen: list[str] = []
+
+    def look_and_save() -> None:
+        for widget in QApplication.topLevelWidgets():
+            if isinstance(widget, MainWindow):
+                seen.append(widget.windowTitle())
+                widget.close_for_good()
+        qapp.quit()
+
+    QTimer.singleShot(300, qapp, look_and_save)
+    hook = sys.excepthook
+    run_application([], places)
+    sys.excepthook = hook
+    assert seen[0].startswith("Anna B.")
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_both_themes_are_drawn(
+    qapp: QApplication, places: Places, tmp_path: Path, dark: bool
+) -> None:
+    with ScriptedStudio(places, (900, 600), dark) as studio:
+        studio.screenshot(tmp_path / "window.png")
+    color = QImage(str(tmp_path / "window.png")).pixelColor(5, 300)
+    assert (color.lightness() < 80) is dark
