@@ -1,0 +1,227 @@
+"""What three Kinects with depth and large colour cost the driver, beside libfreenect.
+
+First the driver alone, from the completed USB transfer to the unpacked image, on packets prepared
+in memory: CPU time for each second of streaming (limit: 20 % of one core). Then the same streams in
+real time, in a process of their own as the application runs them, while a thread keeps the
+application's interpreter busy: a stream drops when more transfers wait than are queued (limit: no
+drop). Then the same with the busy thread in the driver's own process. At last both drivers on the
+same emulated bus, where the emulated kernel's part is in both figures.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import resource
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from kinect_v1.emulation.faults import FaultPlan
+from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S, PacketSource
+from kinect_v1.emulation.playback import make_footage
+from kinect_v1.isochronous import EventLoop, IsochronousStream, QueueSize, StreamTarget
+from kinect_v1.models import Model
+from kinect_v1.modes import BAYER_1280, DEPTH_11, StreamMode
+from kinect_v1.streams import Stream
+
+from benchmarks._measure import print_table
+
+SENSORS = 3
+SECONDS = 4
+SIZE = QueueSize()
+PACKET_BYTES = 1920
+BLOCKS_PER_S = MICROFRAMES_PER_S / SIZE.packets
+LIMIT_PERCENT = 20
+HARNESS = Path(__file__).resolve().parents[1] / "tests" / "kinect_v1"
+
+
+class PreparedLibusb:
+    """Stands in for libusb: every submitted transfer is complete as soon as it is asked for."""
+
+    def __init__(self) -> None:
+        self.memory: list[Any] = []
+
+    def libusb_alloc_transfer(self, packets: int) -> Any:
+        from kinect_v1.isochronous import _Transfer
+
+        self.memory.append(ctypes.create_string_buffer(256 + 12 * packets))
+        return ctypes.cast(self.memory[-1], ctypes.POINTER(_Transfer))
+
+    def libusb_submit_transfer(self, _transfer: Any) -> int:
+        return 0
+
+    def libusb_free_transfer(self, _transfer: Any) -> None:
+        return None
+
+
+class PreparedStream:
+    """One endpoint with a second of packets, to be completed transfer by transfer."""
+
+    def __init__(self, mode: StreamMode, frames: list[bytes]) -> None:
+        self.stream = Stream(mode, lambda _frame: None)
+        loop = EventLoop(PreparedLibusb(), ctypes.c_void_p())
+        loop.join_in = lambda: None  # type: ignore[method-assign] # nobody handles events here
+        target = StreamTarget(0, mode.kind.endpoint, PACKET_BYTES, bus=1)
+        self.engine = IsochronousStream(loop, target, self.stream, SIZE)
+        source = PacketSource(mode, frames, FaultPlan())
+        self.blocks = [self._layout(source) for _ in range(int(BLOCKS_PER_S) * SECONDS)]
+        self.slots = list(self.engine._slots.values())
+
+    def _layout(self, source: PacketSource) -> tuple[bytes, Any]:
+        packets = source.microframes(SIZE.packets)
+        lengths = np.array([len(packet) for packet in packets], np.uint32)
+        return b"".join(packet.ljust(PACKET_BYTES, b"\0") for packet in packets), lengths
+
+    def fill(self, number: int) -> Any:
+        """Do what the controller does: put packets into the transfer's memory."""
+        data, lengths = self.blocks[number % len(self.blocks)]
+        slot = self.slots[number % len(self.slots)]
+        ctypes.memmove(slot.buffer.ctypes.data, data, len(data))
+        slot._descriptors[:, 1] = lengths
+        return slot.pointer
+
+    def complete(self, pointer: Any) -> None:
+        """Do what libusb does: call the engine back."""
+        self.engine._callback(pointer)
+
+
+def prepare_streams() -> list[PreparedStream]:
+    generator = np.random.default_rng(1)
+    depth = [generator.integers(0, 2048, (480, 640), np.uint16) for _ in range(3)]
+    colour = [generator.integers(0, 256, (1024, 1280), np.uint8) for _ in range(3)]
+    footage = make_footage(depth, colour)
+    modes = (DEPTH_11, BAYER_1280)
+    return [PreparedStream(m, footage[m.name]) for m in modes for _ in range(SENSORS)]
+
+
+def measure_cost(streams: list[PreparedStream]) -> float:
+    """Give the CPU time of one second of streaming, without the controller's part, s."""
+    spent = 0.0
+    for number in range(len(streams[0].blocks)):
+        for stream in streams:
+            pointer = stream.fill(number)
+            start = time.thread_time()
+            stream.complete(pointer)
+            spent += time.thread_time() - start
+    return spent / SECONDS
+
+
+@contextmanager
+def busy_thread() -> Iterator[None]:
+    """Keep this process's interpreter lock taken."""
+    stop = threading.Event()
+
+    def keep_busy() -> None:
+        while not stop.is_set():
+            sum(range(1000))
+
+    thread = threading.Thread(target=keep_busy)
+    thread.start()
+    try:
+        yield
+    finally:
+        stop.set()
+        thread.join()
+
+
+def measure_backlog(streams: list[PreparedStream]) -> tuple[int, int]:
+    """Stream in real time; give the longest queue, and how many transfers dropped out of it."""
+    start = time.monotonic()
+    longest = drops = done = 0
+    total = len(streams[0].blocks)
+    while done < total:
+        due = min(total, int((time.monotonic() - start) * BLOCKS_PER_S))
+        longest = max(longest, due - done)
+        drops += max(0, due - done - SIZE.transfers)
+        for number in range(done, due):
+            for stream in streams:
+                stream.complete(stream.fill(number))
+        done = due
+        time.sleep(0.001)
+    return longest, drops
+
+
+def measure_own_process() -> tuple[int, int]:
+    """Stream in a child process while this one is busy."""
+    call = "import benchmarks.kinect_decode as b; print(*b.measure_backlog(b.prepare_streams()))"
+    command = [sys.executable, "-c", call]
+    with busy_thread():
+        done = subprocess.run(command, check=True, capture_output=True, text=True)
+    longest, drops = map(int, done.stdout.split())
+    return longest, drops
+
+
+def measure_processes() -> list[list[str]]:
+    """Let both drivers read the same emulated bus; give the CPU time of each per frame pair."""
+    sys.path.insert(0, str(HARNESS))
+    from emulated_usbfs import SYSTEM_PYTHON, describe_kinect, emulated_usbfs, missing_libfreenect
+    from kinect_samples import SERIALS, make_image
+    from kinect_v1.pixels import encode_image
+
+    reason = missing_libfreenect()
+    if reason:
+        print(f"Side by side with libfreenect: skipped, {reason}.")
+        return []
+    modes = (DEPTH_11, BAYER_1280)
+    images = {m.name: [encode_image(make_image(m, i), m) for i in range(3)] for m in modes}
+    frames = 10
+    clients = {
+        "kinect_v1 (this driver)": [sys.executable, HARNESS / "driver_client.py", "stream"],
+        "libfreenect": [SYSTEM_PYTHON, HARNESS / "freenect_client.py"],
+    }
+    rows = []
+    for name, command in clients.items():
+        with tempfile.TemporaryDirectory() as place:
+            folder = Path(place)
+            kinects = [
+                describe_kinect(folder, Model.XBOX_1414, serial, {serial: images}, controller=i + 1)
+                for i, serial in enumerate(SERIALS)
+            ]
+            cpu_s = []
+            with emulated_usbfs(folder, *kinects) as usbfs:
+                for wanted in (1, frames):
+                    names = {"depth": modes[0].name, "video": modes[1].name}
+                    asked = {"serials": SERIALS, "frames": wanted, **names}
+                    (folder / "request.json").write_text(json.dumps(asked), encoding="utf-8")
+                    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    usbfs.run(*command, folder / "request.json", folder).check_returncode()
+                    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    cpu_s.append(_cpu_s(after) - _cpu_s(before))
+        each_ms = 1000 * (cpu_s[1] - cpu_s[0]) / (frames - 1) / SENSORS
+        rows.append([name, f"{each_ms:.1f}"])
+    return rows
+
+
+def _cpu_s(usage: resource.struct_rusage) -> float:
+    return usage.ru_utime + usage.ru_stime
+
+
+def main() -> None:
+    streams = prepare_streams()
+    percent = 100 * measure_cost(streams)
+    longest, drops = measure_own_process()
+    with busy_thread():
+        shared = measure_backlog(streams)
+    print_table(
+        ["three sensors, depth 30 fps + colour 1280 × 1024", "measured", "limit"],
+        [
+            ["CPU, % of one core", f"{percent:.1f}", f"{LIMIT_PERCENT}"],
+            ["application busy: transfers waiting at most", longest, SIZE.transfers],
+            ["application busy: transfers dropped", drops, 0],
+            ["driver's own process busy: waiting at most", shared[0], "-"],
+            ["driver's own process busy: dropped", shared[1], "-"],
+        ],
+    )
+    rows = measure_processes()
+    if rows:
+        print_table(["on the emulated bus", "CPU ms a colour frame with three of depth"], rows)
+    if percent > LIMIT_PERCENT or drops:
+        raise SystemExit(1)
