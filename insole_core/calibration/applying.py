@@ -1,0 +1,63 @@
+"""Giving a sensor a stored correction, and not the wrong one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from insole_core.errors import CalibrationError
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.sensor import Sensor
+
+MOST_DAYS = 180.0
+"""Older corrections are used with a warning."""
+
+
+@dataclass(frozen=True, eq=False)
+class CorrectedSensor:
+    """A sensor with its correction, and what the user must be told."""
+
+    sensor: Sensor
+    warnings: tuple[str, ...]
+
+
+def apply_correction(
+    sensor: Sensor, correction: DisparityCorrection, now: datetime, insist: bool = False
+) -> CorrectedSensor:
+    """Give a sensor a correction of the same serial number.
+
+    Parameters
+    ----------
+    sensor
+    correction
+    now
+        Tells its age; with a time zone.
+    insist
+        Use a correction of another device all the same; the warning says so.
+
+    Raises
+    ------
+    CalibrationError
+        When it belongs to another device and the user does not insist.
+    """
+    warnings = []
+    owner = correction.record.serial
+    if owner and owner != sensor.serial:
+        problem = f"The correction was measured on sensor {owner}, not on {sensor.serial}"
+        if not insist:
+            raise CalibrationError(
+                f"{problem}; calibrate this sensor, or insist on using it with a warning."
+            )
+        warnings.append(f"{problem}; the depth may be wrong by several millimetres.")
+    warnings += _age_warning(correction, now)
+    return CorrectedSensor(
+        replace(sensor, correction=correction, correction_raw=correction.offset), tuple(warnings)
+    )
+
+
+def _age_warning(correction: DisparityCorrection, now: datetime) -> list[str]:
+    age = correction.record.age_days(now)
+    if age <= MOST_DAYS:
+        return []
+    told = f"{age:.0f} days old" if age < float("inf") else "of unknown age"
+    return [f"The correction is {told}; calibrate the sensor again soon."]
