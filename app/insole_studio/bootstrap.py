@@ -140,6 +140,7 @@ def run_application(
         The exit code.
     """
     qt = _qt_application()
+    qt.setQuitOnLastWindowClosed(False)  # the studio says when: saving may take a moment
     app = build_application(qt, places or Places.of_user())
     sys.excepthook = _show_unexpected(app.studio)
     app.studio.closed.connect(qt.quit)

@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from insole_core.progress import Cancelled, Progress
 
@@ -65,7 +65,7 @@ class Jobs(QObject):
         super().__init__(parent)
         self._pool = ThreadPoolExecutor(max_workers=2, thread_name_prefix="studio-job")
         self._current: dict[str, Job[object]] = {}
-        self._answered.connect(_call, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
 
     def start(
         self,
@@ -130,13 +130,14 @@ class Jobs(QObject):
 
         self._answered.emit(in_window)
 
+    @Slot(object)
+    def _deliver(self, answer: Callable[[], None]) -> None:
+        # A slot of this object, so that it runs in the thread of the window.
+        answer()
+
     def _is_current(self, job: Job[Result]) -> bool:
         return self._current.get(job.channel) is job
 
     def _end(self, job: Job[Result]) -> None:
         del self._current[job.channel]
         self.ended.emit(job.channel)
-
-
-def _call(function: Callable[[], object]) -> None:
-    function()

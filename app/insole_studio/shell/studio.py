@@ -327,7 +327,7 @@ class Studio(QObject):
             self._remember(Path(result.source.path))
             if result.warnings:
                 self.show_sentence(" ".join(result.warnings))
-            self.window.statusBar().showMessage(" ".join(result.foot.notes), 15_000)
+            self.window.statusBar().showMessage(" ".join(result.foot.notes), 8_000)
 
         def start() -> None:
             self._jobs.start(OPENING, lambda progress: task(progress=progress), opened, failed)

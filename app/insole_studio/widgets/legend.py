@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 BAR_PX = 140
-NUMBER_PX = 52
+NUMBER_PX = 72
 
 
 class Legend(QWidget):
