@@ -13,7 +13,7 @@ from insole_core.geometry.horn import rotation_from_covariance
 
 _REFINEMENTS = 3
 _CHUNK = 2000
-_REFINED = 400
+_REFINED = 1000
 
 
 @dataclass(frozen=True)
@@ -138,6 +138,8 @@ def _candidate_poses(points: FloatArray, markers: FloatArray, limits: Assignment
         chunk = slice(start, start + _CHUNK)
         source, target = points[three_points[chunk]], markers[three_markers[chunk]]
         rotations, translations = _fit(source, target, np.ones(source.shape[:2]))
+        forward = _looks_at_foot(rotations)
+        rotations, translations = rotations[forward], translations[forward]
         parts.append(_explain(rotations, translations, points, markers, limits.near_mm))
     poses = _joined(parts)
     poses = poses.take(np.argsort(-poses.counts, kind="stable")[:_REFINED])
@@ -149,7 +151,7 @@ def _candidate_poses(points: FloatArray, markers: FloatArray, limits: Assignment
             poses.explained.astype(float),
         )
         poses = _explain(rotations, translations, points, markers, limits.near_mm)
-    return poses.take(_looks_at_foot(poses.rotations))
+    return poses
 
 
 def _joined(parts: list[_Poses]) -> _Poses:

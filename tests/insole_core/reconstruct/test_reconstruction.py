@@ -1,0 +1,272 @@
+"""From a small simulated session to the foot, and what bad input is answered with."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import inverse, rotation_angle_deg, transform
+from insole_core.progress import Cancelled, Progress
+from insole_core.reconstruct import (
+    Method,
+    Reconstruction,
+    RegistrationLimits,
+    reconstruct,
+    report_json,
+)
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Session, View
+from insole_core.sensing.camera import Camera
+
+SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
+
+
+@pytest.fixture(scope="module")
+def session() -> Session:
+    return read_session(SMALL)
+
+
+@pytest.fixture(scope="module", params=["thesis", "fused"])
+def reconstruction(session: Session, request: pytest.FixtureRequest) -> Reconstruction:
+    return reconstruct(session, request.param)
+
+
+def altered(session: Session, name: str, **changes: object) -> Session:
+    """The session with one view changed."""
+    views = (replace(view, **changes) if view.name == name else view for view in session.views)
+    return replace(session, views=tuple(views))
+
+
+def view_of(session: Session, name: str) -> View:
+    return next(view for view in session.views if view.name == name)
+
+
+def reason(session: Session, name: str) -> str:
+    """Why a view is left out; the others must be used, and the warning must say so."""
+    result = reconstruct(session, "thesis")
+    left_out = [view for view in result.views if not view.used]
+    assert [view.name for view in left_out] == [name]
+    assert result.warnings == (f"The view {name} is left out: {left_out[0].reason}.",)
+    return left_out[0].reason
+
+
+def black(index: int) -> ByteArray:
+    return np.zeros((1024, 1280, 3), dtype=np.uint8)
+
+
+def without_reading(index: int) -> RawArray:
+    return np.full((480, 640), 2047, dtype=np.uint16)
+
+
+def turned_camera(camera: Camera, right: int, down: int) -> Camera:
+    """The camera whose picture is the other's, its columns and rows run through in steps of +-1."""
+    return replace(
+        camera,
+        cx=camera.cx if right > 0 else camera.width - 1 - camera.cx,
+        cy=camera.cy if down > 0 else camera.height - 1 - camera.cy,
+    )
+
+
+def turned(session: Session, name: str, right: int, down: int) -> Session:
+    """The session with the pictures of one view, and its calibration, mirrored or turned."""
+    view = view_of(session, name)
+    axes = np.diag([right, down, 1.0, 1.0])
+    offset = view.sensor.correction_raw
+    sensor = replace(
+        view.sensor,
+        depth_camera=turned_camera(view.sensor.depth_camera, right, down),
+        color_camera=turned_camera(view.sensor.color_camera, right, down),
+        depth2color=axes @ view.sensor.depth2color @ axes,
+        correction_raw=None if offset is None else offset[::down, ::right],
+    )
+    return altered(
+        session,
+        name,
+        sensor=sensor,
+        read_depth=lambda index: view.read_depth(index)[::down, ::right],
+        read_color=lambda index: view.read_color(index)[::down, ::right],
+    )
+
+
+def distance_to_truth(mesh: TriangleMesh, truth: trimesh.Trimesh) -> FloatArray:
+    from scipy.spatial import cKDTree
+
+    surface, _ = trimesh.sample.sample_surface(truth, 100_000, seed=1)
+    return np.asarray(cKDTree(surface).query(mesh.vertices)[0])
+
+
+@pytest.fixture(scope="module")
+def truth(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> tuple[trimesh.Trimesh, dict[str, FloatArray]]:
+    from zipfile import ZipFile
+
+    folder = tmp_path_factory.mktemp("truth")
+    with ZipFile(SMALL) as archive:
+        archive.extract("truth.ply", folder)
+        poses = json.loads(archive.read("truth_poses.json"))["sensor2reference"]
+    mesh = trimesh.load(folder / "truth.ply", process=False, force="mesh")
+    return mesh, {name: np.array(pose) for name, pose in poses.items()}
+
+
+def test_the_foot_lies_on_the_truth(
+    reconstruction: Reconstruction, truth: tuple[trimesh.Trimesh, dict[str, FloatArray]]
+) -> None:
+    distance_mm = distance_to_truth(reconstruction.mesh, truth[0])
+    assert distance_mm.mean() < 1.3
+    assert (distance_mm > 5).mean() < 0.02
+
+
+def test_the_whole_sole_is_there_and_coloured(
+    reconstruction: Reconstruction, truth: tuple[trimesh.Trimesh, dict[str, FloatArray]]
+) -> None:
+    mesh = reconstruction.mesh
+    np.testing.assert_allclose(np.ptp(mesh.vertices[:, 1]), np.ptp(truth[0].vertices[:, 1]), atol=6)
+    assert mesh.colors is not None
+    red, green, blue = mesh.colors.mean(0)
+    assert red > green > blue > 20
+    facing_ground = mesh.triangle_normals[:, 2] < -0.5
+    assert facing_ground.mean() > 0.3
+
+
+def test_the_poses_are_those_of_the_sensors(
+    reconstruction: Reconstruction, truth: tuple[trimesh.Trimesh, dict[str, FloatArray]]
+) -> None:
+    for view in reconstruction.views:
+        assert view.sensor2reference is not None
+        true = truth[1][view.name]
+        shift = transform(view.sensor2reference, transform(inverse(true), np.zeros(3)))
+        assert np.linalg.norm(shift) < 2.5
+        assert rotation_angle_deg(view.sensor2reference[:3, :3] @ true[:3, :3].T) < 0.7
+
+
+def test_the_report_holds_what_the_contract_says(reconstruction: Reconstruction) -> None:
+    report = json.loads(json.dumps(report_json(reconstruction, 1.5)))
+    assert [view["name"] for view in report["views"]] == ["left", "right", "top"]
+    left, _, top = report["views"]
+    assert left["used"]
+    assert 10 <= left["markers_used"] <= left["markers_found"] <= 12
+    assert 7 <= top["markers_used"] <= top["markers_found"] <= 8
+    assert 0 < left["residual_mm"]["mean"] <= left["residual_mm"]["rms"]
+    assert left["residual_mm"]["rms"] <= left["residual_mm"]["max"]
+    assert left["residual_mm"]["mean"] < 2.0
+    assert np.shape(left["sensor2reference"]) == (4, 4)
+    assert report["vertices"] == len(reconstruction.mesh.vertices) > 5000
+    assert report["triangles"] == len(reconstruction.mesh.triangles)
+    assert report["seconds"]["total"] == 1.5
+    assert report["warnings"] == []
+
+
+def test_the_thesis_has_its_depth_in_whole_mm(session: Session) -> None:
+    from insole_core.reconstruct.reconstruction import average_depth
+
+    view = view_of(session, "left")
+    for method, whole in (("thesis", True), ("fused", False)):
+        depth_mm = average_depth(view, method)  # type: ignore[arg-type]
+        measured = depth_mm[np.isfinite(depth_mm)]
+        assert bool((measured == np.rint(measured)).all()) is whole
+
+
+@pytest.mark.parametrize("method", ["thesis", "fused"])
+@pytest.mark.parametrize("names", [("left",), ("top",), ("right", "top")])
+def test_any_subset_of_the_views_will_do(
+    session: Session, method: Method, names: tuple[str, ...]
+) -> None:
+    part = replace(session, views=tuple(view_of(session, name) for name in names))
+    result = reconstruct(part, method)
+    assert all(view.used for view in result.views)
+    assert len(result.mesh.triangles) > 1000
+
+
+def test_a_view_turned_about_its_axis_is_recognised(session: Session) -> None:
+    was = reconstruct(session, "thesis").views[0].sensor2reference
+    now = reconstruct(turned(session, "left", -1, -1), "thesis").views[0].sensor2reference
+    assert was is not None
+    assert now is not None
+    np.testing.assert_allclose(now @ np.diag([-1, -1, 1, 1]), was, atol=1.0)
+
+
+def test_progress_is_told_and_can_cancel(session: Session) -> None:
+    told: list[tuple[float, str]] = []
+    reconstruct(session, "thesis", Progress(report=lambda f, text: told.append((f, text))))
+    fractions = [fraction for fraction, _ in told]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
+    with pytest.raises(Cancelled):
+        reconstruct(session, "thesis", Progress(is_cancelled=lambda: len(told) > 0))
+
+
+def test_one_view_without_markers(session: Session) -> None:
+    assert "no blue marker" in reason(altered(session, "right", read_color=black), "right")
+
+
+def test_one_view_without_a_reading(session: Session) -> None:
+    broken = altered(session, "top", read_depth=without_reading)
+    assert "depth frames hold no reading" in reason(broken, "top")
+
+
+def test_a_sole_view_in_the_place_of_the_achilles_view(session: Session) -> None:
+    left = view_of(session, "left")
+    swapped = altered(session, "top", read_depth=left.read_depth, read_color=left.read_color)
+    text = reason(swapped, "top")
+    assert 'says that it sees the markers "achilles", but it sees "sole"' in text
+
+
+def test_a_sole_view_swapped_with_the_achilles_view(session: Session) -> None:
+    left, top = view_of(session, "left"), view_of(session, "top")
+    swapped = altered(session, "top", read_depth=left.read_depth, read_color=left.read_color)
+    swapped = altered(swapped, "left", read_depth=top.read_depth, read_color=top.read_color)
+    result = reconstruct(swapped, "thesis")
+    assert [view.used for view in result.views] == [False, True, False]
+    assert all("exchange the views" in warning for warning in result.warnings)
+
+
+def test_mirrored_pictures(session: Session) -> None:
+    assert "mirror image" in reason(turned(session, "left", -1, 1), "left")
+
+
+def test_markers_of_another_reference_system(session: Session) -> None:
+    system = session.manifest.reference_system
+    rng = np.random.default_rng(3)
+    moved = tuple(
+        replace(
+            marker, position_mm=tuple(rng.permutation(marker.position_mm) + rng.normal(0, 30, 3))
+        )
+        for marker in system.markers
+    )
+    other = replace(session.manifest, reference_system=replace(system, markers=moved))
+    with pytest.raises(ReconstructionError) as refused:
+        reconstruct(replace(session, manifest=other), "thesis")
+    text = str(refused.value)
+    assert "No foot can be made from" in text
+    assert all(
+        f"view {name}: the markers of the reference system" in text
+        for name in ("left", "right", "top")
+    )
+
+
+def test_faces_that_the_reference_system_does_not_have(session: Session) -> None:
+    sensor = replace(view_of(session, "left").sensor, faces=("front",))
+    text = reason(altered(session, "left", sensor=sensor), "left")
+    assert '"front"' in text
+    assert '"sole", "achilles"' in text
+
+
+def test_a_pose_worse_than_the_limit_is_refused_with_its_markers(session: Session) -> None:
+    with pytest.raises(ReconstructionError, match=r"more than 0\.01 mm \(worst: [SA]\d+ "):
+        reconstruct(session, "thesis", limits=RegistrationLimits(residual_mm=0.01))
+
+
+def test_without_a_volume_the_reference_system_bounds_the_foot(session: Session) -> None:
+    unbounded = replace(session, manifest=replace(session.manifest, volume_of_interest=None))
+    bounded = reconstruct(session, "thesis").mesh
+    mesh = reconstruct(unbounded, "thesis").mesh
+    assert len(mesh.vertices) == pytest.approx(len(bounded.vertices), rel=0.1)

@@ -1,0 +1,53 @@
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from insole_core.geometry.arrays import RawArray
+from insole_core.sensing.frames import mean_raw, median_raw
+
+
+def stack(*readings: list[int]) -> RawArray:
+    """Frames of one row: one list per pixel, over time."""
+    return np.array(readings, dtype=np.uint16).T[:, None, :]
+
+
+def test_median_of_what_was_measured() -> None:
+    frames = stack([700, 702, 2047, 701, 950], [700, 701, 702, 703, 2047])
+    np.testing.assert_array_equal(median_raw(frames), [[701.5, 701.5]])
+
+
+def test_a_single_frame_is_its_own_median() -> None:
+    np.testing.assert_array_equal(median_raw(stack([700], [2047])), [[700, np.nan]])
+
+
+@pytest.mark.parametrize("average", [median_raw, mean_raw])
+def test_a_pixel_that_mostly_failed_is_no_reading(average: object) -> None:
+    assert callable(average)
+    frames = stack([700, 2047, 2047, 2047], [700, 700, 2047, 2047], [2047] * 4)
+    np.testing.assert_array_equal(average(frames), [[np.nan, 700, np.nan]])
+
+
+def test_mean_keeps_fractions_and_drops_outliers() -> None:
+    frames = stack([700, 701, 701, 701, 900, 2047], [650, 651, 650, 651, 650, 651])
+    np.testing.assert_allclose(mean_raw(frames), [[700.75, 650.5]])
+
+
+def test_mean_reads_each_frame_once_and_lets_it_go() -> None:
+    alive: list[int] = []
+
+    class Frame(np.ndarray):
+        def __del__(self) -> None:
+            if self.base is None:
+                alive.remove(int(self[0, 0]) - 700)
+
+    def frames() -> Iterator[RawArray]:
+        for index in range(40):
+            frame = np.full((2, 2), 700 + index, dtype=np.uint16).view(Frame).copy()
+            alive.append(index)
+            assert len(alive) <= 12
+            yield frame
+
+    assert mean_raw(frames()).shape == (2, 2)
