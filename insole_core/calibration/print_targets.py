@@ -126,6 +126,7 @@ def _table_page(name: str, face: str, markers: Sequence[Marker]) -> Figure:
         "",
         "Build on a base plate of studs 8.0 mm apart. Count studs and plates from the marker that",
         f"is lowest in {across}, {along} and {height}; 3 plates (3.2 mm) are 1 brick (9.6 mm).",
+        "Two and a half plates are one stud of a brick that is turned on its side.",
         "A marker is a blue brick of 2 x 2 studs on top; its position is the centre of its face.",
         "",
         f"{'marker':8}{'studs in ' + across:>14}{'studs in ' + along:>14}"

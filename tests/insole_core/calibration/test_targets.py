@@ -70,8 +70,8 @@ def test_the_building_plan(tmp_path: Path) -> None:
     for face in ("sole", "achilles"):
         steps = brick_steps(system.facing((face,)))
         assert min(step[1] for step in steps) == 0
-        # Everything stands on the grid of studs and plates.
-        assert all(step[3] == round(step[3]) for step in steps)
+        # Everything stands on plates, or on studs turned sideways (2.5 plates).
+        assert all(step[3] % 1 == 0 or step[3] % 2.5 == 0 for step in steps)
 
 
 @pytest.mark.parametrize(
