@@ -63,8 +63,6 @@ def _cut_left_and_right(sheets: list[Sheet]) -> list[Sheet]:
     if all(at_left) or not any(at_left):
         return sheets
     corners = np.concatenate([sheet.corners.reshape(-1, 3) for sheet in sheets])
-    if len(corners) == 0:
-        return sheets
     offset, slope = fit_midline(corners)
     cut = []
     for sheet, left in zip(sheets, at_left, strict=True):
@@ -80,8 +78,6 @@ def _cut_below_heel(sheet: Sheet, sole: list[Sheet]) -> Sheet:
     What remains lies above the plane that rises by 45 degrees from the foot's lower rear edge.
     """
     corners = np.concatenate([part.corners.reshape(-1, 3) for part in sole])
-    if len(corners) == 0:
-        return sheet
     height = sheet.corners.mean(1)[:, 2] - corners[:, 2].min()
     forward = sheet.corners.mean(1)[:, 1] - corners[:, 1].min()
     return sheet.keeping(height > forward)

@@ -150,6 +150,11 @@ def _build_sheet(
     inside = is_inside(placed, box)
     edges = longest_edges(points[..., 2], sensor.depth_camera.fx)
     triangles = triangulate(placed, inside, edges)
+    if len(triangles) == 0:
+        raise ReconstructionError(
+            "it measured no surface in the volume of interest; check that the foot was in place "
+            'and "volume_of_interest_mm" in manifest.json'
+        )
     colors = color_points(points, inside, color, sensor)
     return without_small_pieces(
         Sheet(placed, triangles, colors, sensor2reference, sensor.depth_camera)

@@ -23,7 +23,7 @@ from insole_core.reconstruct import (
     report_json,
 )
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Session, View
+from insole_core.recording.session import Box, Session, View
 from insole_core.sensing.camera import Camera
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
@@ -270,3 +270,10 @@ def test_without_a_volume_the_reference_system_bounds_the_foot(session: Session)
     bounded = reconstruct(session, "thesis").mesh
     mesh = reconstruct(unbounded, "thesis").mesh
     assert len(mesh.vertices) == pytest.approx(len(bounded.vertices), rel=0.1)
+
+
+def test_a_volume_without_a_foot(session: Session) -> None:
+    beside = Box((300, -150, -40), (440, 150, 160))
+    elsewhere = replace(session, manifest=replace(session.manifest, volume_of_interest=beside))
+    with pytest.raises(ReconstructionError, match="no surface in the volume of interest"):
+        reconstruct(elsewhere, "thesis")
