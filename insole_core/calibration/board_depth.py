@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import cv2
 import numpy as np
 
 from insole_core.calibration.adjustment import Adjustment, Blocks, adjust, pose, pose_vector
 from insole_core.calibration.board import Sighting
+from insole_core.calibration.captures import read_depth
 from insole_core.calibration.disparity_fit import linear_inverse_near
 from insole_core.calibration.stereo import StereoCalibration, as_stereo, board_pose
 from insole_core.calibration.wall_plane import expected_raw
@@ -24,7 +26,8 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.sensing.camera import Camera
-from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.disparity import NO_READING, DisparityModel, LinearInverseDisparity
 
 _TYPICAL = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
 _LEAST_BOARDS = 4
@@ -56,6 +59,25 @@ class BoardInDepth:
 
     color: Sighting
     raw: FloatArray
+
+
+def read_boards_in_depth(
+    folder: Path, sightings: Sequence[Sighting], correction: DisparityCorrection | None = None
+) -> list[BoardInDepth]:
+    """Read the raw depth beside each colour picture: ``depth_003.png`` beside ``color_003.jpg``.
+
+    Raises
+    ------
+    InputError
+        When a depth image is missing or cannot be read.
+    """
+    boards = []
+    for sighting in sightings:
+        number = Path(sighting.name).stem.removeprefix("color")
+        frame = read_depth(folder / f"depth{number}.png")
+        raw = np.where(frame < NO_READING, frame, np.nan)
+        boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
+    return boards
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from simulated_board import COLOR_CAMERA, board_poses, sight
@@ -14,15 +15,17 @@ from insole_core.calibration.board_depth import (
     BoardInDepth,
     board_planes,
     calibrate_board_depth,
+    read_boards_in_depth,
 )
-from insole_core.calibration.captures import read_captures, read_depth
+from insole_core.calibration.captures import read_captures
 from insole_core.calibration.distortion import calibrate_distortion
 from insole_core.calibration.intrinsics import calibrate_camera, find_boards
 from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
-from insole_core.errors import CalibrationError
+from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
 
 BOARD = Chequerboard(10, 7, 30)
@@ -129,12 +132,21 @@ def test_real_boards_of_a_kinect(shared_data: Path) -> None:
     found, _ = find_boards(picture_paths(folder / "board_1", "color"), BOARD)
     color = calibrate_camera(found).camera
     correction = calibrate_distortion(read_captures(folder / "walls_1"), camera, burrus).correction
-    boards = []
-    for sighting in found:
-        frame = read_depth(folder / "board_1" / f"depth_{sighting.name[6:9]}.png")
-        raw = np.where(frame < 2047, frame, np.nan)
-        boards.append(BoardInDepth(sighting, correction.corrected(raw)))
+    boards = read_boards_in_depth(folder / "board_1", found, correction)
     result = calibrate_board_depth(boards, camera, color, burrus)
     assert result.stereo.baseline_mm == pytest.approx(25, abs=2.5)
     assert result.stereo.rotation_deg < 2
     assert len(result.stereo.pairs) == 15
+
+
+def test_depth_beside_the_pictures(tmp_path: Path) -> None:
+    raw = np.full((480, 640), 700, np.uint16)
+    raw[5, 6] = 2047
+    cv2.imwrite(str(tmp_path / "depth_003.png"), raw)
+    sighting = sight("color_003.jpg", BOARD, board_poses(1, 1, CENTER)[0], COLOR_CAMERA)
+    correction = DisparityCorrection(np.full((480, 640), 2.0, np.float32))
+    (board,) = read_boards_in_depth(tmp_path, [sighting], correction)
+    assert np.isnan(board.raw[5, 6])
+    assert board.raw[0, 0] == 698
+    with pytest.raises(InputError, match=r"depth_004.png is no readable image"):
+        read_boards_in_depth(tmp_path, [replace(sighting, name="color_004.jpg")])
