@@ -13,6 +13,7 @@ from emulated_usbfs import HERE, EmulatedUsbfs, describe_kinect, emulated_usbfs,
 from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.models import Model
+from kinect_v1.modes import DEPTH_11
 
 WANTED = 4
 CLIENT = HERE / "driver_client.py"
@@ -80,6 +81,52 @@ def test_models_and_calibration_of_each_sensor(three: list[dict[str, Any]], tmp_
         expected["zero_plane"]["rgb_distance_cm"] = RGB_DISTANCE_CM
         assert found[serial]["model"] == model.value
         assert found[serial]["calibration"] == expected
+
+
+def test_damage_on_the_way_and_in_the_commands(
+    tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    serial = SERIALS[2]
+    first = DEPTH_11.packets - DEPTH_11.packets // 2
+    faults = [
+        {
+            "kind": kind,
+            "where": "depth",
+            "at": first + frame * DEPTH_11.packets + at,
+            "count": count,
+        }
+        for kind, frame, at, count in [
+            ("lost", 1, 9, 1),
+            ("lost", 3, 0, 1),
+            ("lost", 5, 241, 1),
+            ("lost", 7, 80, 20),
+            ("packet magic", 9, 100, 1),
+            ("flag", 11, 100, 1),
+            ("short", 13, 100, 1),
+            ("repeated", 15, 100, 1),
+        ]
+    ]
+    faults.append({"kind": "full reply", "at": 5, "count": 3})
+    kinect = describe_kinect(tmp_path, Model.WINDOWS, serial, footage, faults=faults)
+    with emulated_usbfs(tmp_path, kinect) as usbfs:
+        request = {"serials": [serial], "frames": 10, "depth": "depth-11"}
+        found = run_driver(usbfs, "stream", request, tmp_path)
+    sent = images[serial]["depth-11"]
+    numbers = [find(image, sent) for image in np.load(tmp_path / f"{serial}-depth.npy")]
+    assert numbers == [number % FRAMES for number in (0, 2, 4, 6, 8, 10, 12, 14, 16, 17)]
+    assert found[serial]["discarded"]["depth"] == 8
+
+
+@pytest.mark.parametrize("kind", ["stall", "no reply"])
+def test_a_dead_command_channel(kind: str, tmp_path: Path) -> None:
+    serial = SERIALS[0]
+    faults = [{"kind": kind, "at": 0, "count": 1 << 40}]
+    kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, {}, faults=faults)
+    with emulated_usbfs(tmp_path, kinect) as usbfs:
+        done = usbfs.run(sys.executable, "-m", "kinect_v1", "info")
+    assert done.returncode == 1
+    assert done.stderr.count("\n") == 1
+    assert done.stderr.endswith("plug it in again.\n")
 
 
 def test_two_sensors_share_a_controller_one_after_the_other(

@@ -3,12 +3,19 @@
 pyusb's own `iso_read` keeps one transfer in flight and loses the packets' lengths. Here many
 transfers are queued on pyusb's library, context and handle; one thread a context handles events,
 and every transfer is submitted again from its callback.
+
+The interpreter lock is what endangers streams: whoever gives it away beside a busy thread waits
+5 ms for it. So the thread waits for libusb's files without the lock, and then handles all that is
+ready in one call that keeps it (`ctypes.PyDLL`); libusb's own threads never wait for Python with a
+lock that such a call needs.
 """
 
 from __future__ import annotations
 
 import ctypes
 import errno
+import itertools
+import select
 import sys
 import threading
 from dataclasses import dataclass
@@ -28,7 +35,7 @@ from kinect_v1.packets import PacketBlock, PacketReceiver
 _ISOCHRONOUS = 1
 _COMPLETED, _CANCELLED, _NO_DEVICE = 0, 3, 5
 _ERROR_NO_DEVICE, _ERROR_NO_MEMORY = -4, -11
-_EVENT_WAIT_US = 50_000
+_EVENT_WAIT_MS = 50
 _CANCEL_LIMIT_S = 5.0
 _NO_MEMORY = (
     "The system grants no memory for another USB stream; raise it with: "
@@ -98,10 +105,21 @@ class _TimeValue(ctypes.Structure):
     _fields_ = [("seconds", ctypes.c_long), ("microseconds", ctypes.c_long)]
 
 
-def load_library(name: str) -> Any:
-    """Load an own copy of the bindings, so that argument types do not clash with pyusb's."""
-    bindings = getattr(ctypes, "WinDLL" if sys.platform == "win32" else "CDLL")
-    library = bindings(name, use_errno=True)
+class _PollFile(ctypes.Structure):
+    _fields_ = [("number", ctypes.c_int), ("events", ctypes.c_short)]
+
+
+def load_library(name: str, *, keep_lock: bool = False) -> Any:
+    """Load an own copy of the bindings, so that argument types do not clash with pyusb's.
+
+    Parameters
+    ----------
+    name
+    keep_lock
+        Whether calls keep the interpreter lock.
+    """
+    windows = "WinDLL" if sys.platform == "win32" else "CDLL"
+    library = getattr(ctypes, "PyDLL" if keep_lock else windows)(name, use_errno=True)
     pointer = ctypes.POINTER(_Transfer)
     library.libusb_alloc_transfer.restype = pointer
     library.libusb_alloc_transfer.argtypes = [ctypes.c_int]
@@ -114,14 +132,25 @@ def load_library(name: str) -> Any:
         ctypes.POINTER(_TimeValue),
         ctypes.c_void_p,
     ]
+    library.libusb_get_pollfds.restype = ctypes.POINTER(ctypes.POINTER(_PollFile))
+    library.libusb_get_pollfds.argtypes = [ctypes.c_void_p]
+    library.libusb_free_pollfds.argtypes = [ctypes.POINTER(ctypes.POINTER(_PollFile))]
     return library
 
 
 class EventLoop:
-    """The one thread that handles the events of a libusb context, while any stream runs."""
+    """The one thread that handles the events of a libusb context, while any stream runs.
 
-    def __init__(self, library: Any, context: ctypes.c_void_p) -> None:
-        self.library = library
+    Parameters
+    ----------
+    name
+        File of the library.
+    context
+    """
+
+    def __init__(self, name: str, context: ctypes.c_void_p) -> None:
+        self.library = load_library(name)
+        self.quick = load_library(name, keep_lock=sys.platform != "win32")
         self._context = context
         self._lock = threading.Lock()
         self._streams = 0
@@ -145,11 +174,26 @@ class EventLoop:
                 self._thread = None
 
     def _run(self) -> None:
-        wait = _TimeValue(0, _EVENT_WAIT_US)
         while self._streams:
-            self.library.libusb_handle_events_timeout_completed(
-                self._context, ctypes.byref(wait), None
+            waited = self._wait()
+            library, wait_us = (self.quick, 0) if waited else (self.library, _EVENT_WAIT_MS * 1000)
+            library.libusb_handle_events_timeout_completed(
+                self._context, ctypes.byref(_TimeValue(0, wait_us)), None
             )
+
+    def _wait(self) -> bool:
+        """Wait until libusb has something to do; False where it has no files to wait for."""
+        files = self.library.libusb_get_pollfds(self._context)
+        if not files:
+            return False
+        poll = select.poll()
+        for i in itertools.count():
+            if not files[i]:
+                break
+            poll.register(files[i].contents.number, files[i].contents.events)
+        self.library.libusb_free_pollfds(files)
+        poll.poll(_EVENT_WAIT_MS)
+        return True
 
 
 class _Slot:
@@ -228,7 +272,7 @@ class IsochronousStream:
             if self._stopping:
                 return
             self._stopping = True
-            for key in self._under_way:
+            for key in tuple(self._under_way):
                 library.libusb_cancel_transfer(self._slots[key].pointer)
             if not self._changed.wait_for(lambda: not self._under_way, _CANCEL_LIMIT_S):
                 raise TransferError(
@@ -259,7 +303,7 @@ class IsochronousStream:
         with self._changed:
             self._under_way.add(key)
             ctypes.set_errno(0)
-            code = self._loop.library.libusb_submit_transfer(self._slots[key].pointer)
+            code = self._loop.quick.libusb_submit_transfer(self._slots[key].pointer)
             if code == 0:
                 return None
             self._under_way.discard(key)

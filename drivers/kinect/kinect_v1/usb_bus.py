@@ -30,7 +30,6 @@ from kinect_v1.isochronous import (
     IsochronousStream,
     StreamTarget,
     bandwidth_full,
-    load_library,
     unplugged,
 )
 from kinect_v1.models import PRODUCTS, VENDOR
@@ -71,7 +70,7 @@ class LibusbBackend:
 
     def __init__(self, backend: Any) -> None:
         self._backend = backend
-        self._loop = EventLoop(load_library(backend.lib._name), backend.ctx)
+        self._loop = EventLoop(backend.lib._name, backend.ctx)
         self._places: dict[Any, tuple[int, int]] = {}
         self._claimed: dict[tuple[int, int], Any] = {}
 

@@ -130,6 +130,7 @@ class EmulatedCamera(EmulatedFunction):
         self._calibration = calibration
         self._modes = modes
         self._faults = {name: FaultPlan() for name in ("command", "depth", "video")}
+        self._refusals = {name: FaultPlan() for name in ("depth", "video")}
         self._replies: list[bytes] = []
         self._sources: dict[int, PacketSource | None] = {0x81: None, 0x82: None}
 
@@ -142,12 +143,12 @@ class EmulatedCamera(EmulatedFunction):
 
     def inject(self, fault: Fault) -> None:
         """Let something go wrong from now on."""
-        self._faults[fault.where].inject(fault)
+        refusal = fault.kind == "no bandwidth"  # happens to starts, not to packets
+        (self._refusals if refusal else self._faults)[fault.where].inject(fault)
 
     def refuses_stream(self, endpoint: int) -> bool:
         """Tell whether a fault says that the controller is full."""
-        plan = self._faults["depth" if endpoint == DEPTH.endpoint else "video"]
-        return bool(plan) and "no bandwidth" in plan.step()
+        return bool(self._refusals["depth" if endpoint == DEPTH.endpoint else "video"].step())
 
     @property
     def emitter_on(self) -> bool:

@@ -32,8 +32,8 @@ class Fault:
     where
         On the command channel, or on one of the two streams.
     at
-        How many commands or packets pass before it, from when it is injected, or from the start of
-        the stream where that comes later.
+        How many commands, packets, or (for "no bandwidth") starts pass before it, from when it is
+        injected.
     count
         How many it strikes.
     """
