@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+
 from kinect_v1.camera import Camera, CameraSettings, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import MODES

@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 from kinect_samples import Footage, make_calibration
+
 from kinect_v1.models import Model
 
 HERE = Path(__file__).resolve().parent

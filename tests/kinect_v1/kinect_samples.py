@@ -6,9 +6,10 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
+
 from kinect_v1.calibration import Calibration, Padding, RegistrationInfo, ZeroPlane
 from kinect_v1.modes import PixelFormat, StreamMode
-from numpy.typing import NDArray
 
 Images = dict[str, dict[str, list[NDArray[Any]]]]
 """Pictures by serial number and mode."""

@@ -9,6 +9,7 @@ from typing import NoReturn
 import numpy as np
 import pytest
 from kinect_samples import FRAMES, SERIALS, SPEED, Footage, Images, make_calibration
+
 from kinect_v1 import commands
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.camera import CameraSettings, ColorSettings, open_camera

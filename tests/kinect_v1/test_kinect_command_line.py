@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kinect_samples import SERIALS, Images
+
 from kinect_v1.__main__ import main
 from kinect_v1.errors import LibusbMissingError
 from kinect_v1.recordings import read_depth, read_received, read_recording

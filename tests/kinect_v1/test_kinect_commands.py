@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from kinect_v1 import commands
 from kinect_v1.command_channel import CommandChannel
 from kinect_v1.errors import CommandRefusedError, ProtocolError, TransferError

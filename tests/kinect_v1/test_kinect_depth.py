@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from kinect_samples import make_calibration
+
 from kinect_v1.calibration import Padding
 from kinect_v1.depth import (
     DepthRegistration,

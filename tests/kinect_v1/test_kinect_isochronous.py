@@ -8,6 +8,7 @@ import importlib
 from typing import Any
 
 import pytest
+
 from kinect_v1.errors import (
     BandwidthError,
     KinectError,

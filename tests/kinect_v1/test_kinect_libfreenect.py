@@ -22,6 +22,7 @@ from emulated_usbfs import (
     require_libfreenect,
 )
 from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+
 from kinect_v1.calibration import RGB_DISTANCE_CM, decode_zero_plane, encode_zero_plane
 from kinect_v1.depth import DepthRegistration, millimetre_table, registration_table, shift_table
 from kinect_v1.emulation.playback import make_footage

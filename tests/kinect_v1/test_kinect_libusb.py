@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from emulated_usbfs import HERE, EmulatedUsbfs, describe_kinect, emulated_usbfs, require_usbfs
 from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH_11

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 from kinect_samples import SERIALS, make_calibration
+
 from kinect_v1.camera import open_camera
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.errors import UnsupportedError

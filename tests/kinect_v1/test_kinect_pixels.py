@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from kinect_v1.modes import BAYER_640, DEPTH_11
 from kinect_v1.pixels import decode_image, demosaic, encode_image, mosaic, pack, unpack
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from emulated_usbfs import HERE, SYSTEM_PYTHON, require_libfreenect
 from kinect_samples import SERIALS, Images, make_calibration
+
 from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.playback import recorded_kinect

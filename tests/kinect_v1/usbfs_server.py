@@ -22,6 +22,7 @@ import gi
 gi.require_version("UMockdev", "1.0")
 from flawed_kinects import build_kinect  # noqa: E402
 from gi.repository import GLib, UMockdev  # noqa: E402
+
 from kinect_v1.emulation.device import (  # noqa: E402
     EmulatedCamera,
     EmulatedFunction,
