@@ -23,7 +23,7 @@ from insole_core.geometry.arrays import FloatArray
 
 SPAN_RAW = 100.0
 """Raw units per unit of t."""
-_ROUNDS = 5
+_ROUNDS = 4
 _GAUGE = 1e-4
 """Holds the one plane that walls of unknown position cannot tell from a distortion."""
 _CUT = 6.0
@@ -92,9 +92,14 @@ def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
     weight = blocks.weight
     count = blocks.weight.shape[1]
     decay = 0.0
-    for _ in range(_ROUNDS):
+    planes = np.zeros((len(weight), 3))
+    for number in range(_ROUNDS):
         factor = _factor(weight, t, stiffness, smoothing, decay)
-        unknowns, planes = _solve(factor, blocks, weight, t)
+        # The planes hardly move while the weights settle, and they are the costly part.
+        if number in (0, _ROUNDS - 1):
+            unknowns, planes = _solve(factor, blocks, weight, t)
+        else:
+            unknowns = _solve_map_alone(factor, blocks.residual - planes @ blocks.rows.T, weight, t)
         offset, slope = unknowns[:count], unknowns[count:]
         remaining = blocks.residual - offset - slope * t - planes @ blocks.rows.T
         decay = _common_decay(offset, slope)
@@ -147,7 +152,7 @@ def _solve(
     Returns the map's unknowns, and a correction (n, 3) of every plane.
     """
     pulled = weight * blocks.residual
-    alone = factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
+    alone = _solve_map_alone(factor, blocks.residual, weight, t)
     planes = np.zeros((len(weight), 3))
     free = np.flatnonzero(blocks.free_plane)
     if not len(free):
@@ -170,6 +175,14 @@ def _solve(
     solved = np.linalg.lstsq(normal, right, rcond=1e-12)[0]
     planes[free] = solved.reshape(-1, 3)
     return alone - answer @ solved, planes
+
+
+def _solve_map_alone(
+    factor: _Factor, residual: FloatArray, weight: FloatArray, t: FloatArray
+) -> FloatArray:
+    """Solve for the map's unknowns with the planes as they are."""
+    pulled = weight * residual
+    return factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
 
 
 def _noise(remaining: FloatArray, weight: FloatArray) -> float:
