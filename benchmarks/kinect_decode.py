@@ -24,6 +24,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+from benchmarks._measure import print_table
 from kinect_v1.emulation.faults import FaultPlan
 from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S, PacketSource
 from kinect_v1.emulation.playback import make_footage
@@ -31,8 +33,6 @@ from kinect_v1.isochronous import IsochronousStream, QueueSize, StreamTarget
 from kinect_v1.models import Model
 from kinect_v1.modes import BAYER_1280, DEPTH_11, StreamMode
 from kinect_v1.streams import Stream
-
-from benchmarks._measure import print_table
 
 SENSORS = 3
 SECONDS = 4
@@ -171,6 +171,7 @@ def measure_processes() -> list[list[str]]:
     sys.path.insert(0, str(HARNESS))
     from emulated_usbfs import SYSTEM_PYTHON, describe_kinect, emulated_usbfs, missing_libfreenect
     from kinect_samples import SERIALS, make_image
+
     from kinect_v1.pixels import encode_image
 
     reason = missing_libfreenect()

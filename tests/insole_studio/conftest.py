@@ -9,8 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from insole_studio.bootstrap import Application, Places, build_application
-from insole_studio.shell.questions import Answer
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -19,6 +17,8 @@ from insole_core.cases.record import Source
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.shell.questions import Answer
 
 LENGTH_MM = 250.0
 

@@ -4,12 +4,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from insole_studio.bootstrap import Places, ScriptedStudio, run_application
-from insole_studio.jobs import Jobs
-from insole_studio.settings import load_settings
-from insole_studio.shell.main_window import MainWindow
-from insole_studio.workbench.autosave import Autosave
-from insole_studio.workbench.case import Case
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
@@ -17,6 +11,12 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case
 from insole_core.cases.record import CaseRecord, Patient
 from insole_core.geometry.side import Side
+from insole_studio.bootstrap import Places, ScriptedStudio, run_application
+from insole_studio.jobs import Jobs
+from insole_studio.settings import load_settings
+from insole_studio.shell.main_window import MainWindow
+from insole_studio.workbench.autosave import Autosave
+from insole_studio.workbench.case import Case
 
 
 def test_the_whole_journey_by_program(

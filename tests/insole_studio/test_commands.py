@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from insole_studio.cli import run
 from scipy.interpolate import LinearNDInterpolator
 
 from insole_core.export.ply import write_ply
@@ -21,6 +20,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.simulate import FootShape, build_foot
+from insole_studio.cli import run
 
 SMALL_SESSION = Path(__file__).parents[1] / "data" / "sessions" / "left_small.zip"
 

@@ -4,13 +4,13 @@ import threading
 from collections.abc import Iterator
 
 import pytest
-from insole_studio.jobs import JobProgress, Jobs
 from PySide6.QtCore import QThread
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.errors import InputError
 from insole_core.progress import Progress
+from insole_studio.jobs import JobProgress, Jobs
 
 
 @pytest.fixture

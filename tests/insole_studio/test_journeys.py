@@ -6,15 +6,15 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from insole_studio.bootstrap import Application, grab_window
-from insole_studio.scene.camera import Preset
-from insole_studio.scene.view import SceneView
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from insole_core.insole.design import Pelott
+from insole_studio.bootstrap import Application, grab_window
+from insole_studio.scene.camera import Preset
+from insole_studio.scene.view import SceneView
 
 LEFT = Qt.MouseButton.LeftButton
 MIDDLE = Qt.MouseButton.MiddleButton

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
+from insole_core.geometry.side import Side
 from insole_studio.scene.camera import (
     MAX_ELEVATION_DEG,
     Camera,
@@ -12,8 +14,6 @@ from insole_studio.scene.camera import (
     fitted,
     look,
 )
-
-from insole_core.geometry.side import Side
 
 SIZE = (800, 600)
 ANGLES = st.floats(-400, 400)

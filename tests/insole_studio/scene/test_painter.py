@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 import pyvista as pv
-from insole_studio.scene.camera import Camera, Preset, Subject, fitted, look
-from insole_studio.scene.painter import Painter, direction_words
-from insole_studio.scene.pointer import Handle
 
 from insole_core.cases.record import KeyPoint, ReferencePlane
 from insole_core.geometry.side import Side
+from insole_studio.scene.camera import Camera, Preset, Subject, fitted, look
+from insole_studio.scene.painter import Painter, direction_words
+from insole_studio.scene.pointer import Handle
 
 SIZE = (300, 400)
 

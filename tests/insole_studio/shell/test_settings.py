@@ -5,6 +5,7 @@ import logging
 from pathlib import Path
 
 import pytest
+
 from insole_studio.settings import RECENT_COUNT, Settings, load_settings, save_settings
 
 

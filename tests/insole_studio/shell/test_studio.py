@@ -8,9 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from insole_studio.bootstrap import Application, grab_window
-from insole_studio.shell.questions import Answer
-from insole_studio.widgets.error_dialog import ErrorDialog
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
@@ -19,6 +16,9 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_core.progress import Progress
+from insole_studio.bootstrap import Application, grab_window
+from insole_studio.shell.questions import Answer
+from insole_studio.widgets.error_dialog import ErrorDialog
 
 Settle = Callable[[], None]
 

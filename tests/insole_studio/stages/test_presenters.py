@@ -6,6 +6,12 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
 from insole_studio.stages.design.parameters_presenter import ParametersPresenter
@@ -20,12 +26,6 @@ from insole_studio.tools.posting import PostingTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pelott_sizes
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
-
-from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
-from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
 
 
 class MockView:

@@ -7,6 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+
+from insole_core.cases.record import ReferencePlane, Source
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
 from insole_studio.scene.camera import Camera, Preset, Subject, look
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.tools.hand import Hand
@@ -16,10 +20,6 @@ from insole_studio.tools.pelott import PelottTool
 from insole_studio.tools.plane import PlaneTool
 from insole_studio.tools.posting import PostingTool, posting_of
 from insole_studio.workbench.case import Case
-
-from insole_core.cases.record import ReferencePlane, Source
-from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
 
 CAMERA = Camera(height_mm=400.0)
 SIZE = (400, 400)

@@ -3,10 +3,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from insole_studio.widgets.number_field import NumberField
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
+
+from insole_studio.widgets.number_field import NumberField
 
 
 @pytest.fixture(params=["en_GB", "sv_SE"])

@@ -8,15 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from insole_studio.bootstrap import Application, Places, build_application
-from insole_studio.jobs import Jobs
-from insole_studio.workbench.autosave import Autosave, find_recovered
-from insole_studio.workbench.case import Case
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.record import Patient, Source
 from insole_core.geometry.side import Side
+from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.jobs import Jobs
+from insole_studio.workbench.autosave import Autosave, find_recovered
+from insole_studio.workbench.case import Case
 
 PROGRAM = """
     import os, signal, sys

@@ -3,11 +3,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from insole_studio.workbench.case import Case
 
 from insole_core.cases.record import Annotations, KeyPoint, Patient, Source
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott
+from insole_studio.workbench.case import Case
 
 SOURCE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
 

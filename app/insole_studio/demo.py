@@ -1,0 +1,93 @@
+"""``python -m insole_studio.demo``: the product on a recorded session and on the bundled case.
+
+With a screen it opens the window. Without one it does the same work in the real window on a virtual
+screen (or, where there is none, in Qt's offscreen mode), writes the insoles and pictures of the
+window, and says where.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from insole_core.progress import SILENT
+from insole_core.resources import resource_path
+
+OUTPUT = Path("demo-output")
+SESSION = OUTPUT / "session.zip"
+SEED = 12
+_VIRTUAL = "INSOLE_STUDIO_DEMO_VIRTUAL"
+
+
+def main() -> int:
+    """Show what the product does; give the exit code."""
+    OUTPUT.mkdir(exist_ok=True)
+    if not SESSION.exists():
+        print("Simulating a recorded session of three views …", flush=True)
+        _simulate()
+    if os.environ.get(_VIRTUAL):
+        return _scripted()
+    if _has_screen():
+        print("Opening the window; the bundled case is under Case ▸ Open the example.", flush=True)
+        return _interactive()
+    print("There is no screen: doing the same off-screen.", flush=True)
+    return _virtual()
+
+
+def _has_screen() -> bool:
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _simulate() -> None:
+    from insole_core.recording.writer import write_session
+    from insole_core.simulate import SimulationOptions, simulate_session
+
+    simulated = simulate_session(SimulationOptions(seed=SEED), SILENT)
+    write_session(simulated.session, SESSION, simulated.truth, simulated.sensor2reference)
+
+
+def _interactive() -> int:
+    from insole_studio.bootstrap import run_application
+
+    return run_application([SESSION])
+
+
+def _virtual() -> int:
+    """Start this module again where Qt finds a screen that nobody sees."""
+    call = [sys.executable, "-m", "insole_studio.demo"]
+    environment = {**os.environ, _VIRTUAL: "1"}
+    if shutil.which("xvfb-run"):
+        call = ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", *call]
+        environment["QT_QPA_PLATFORM"] = "xcb"
+    else:
+        environment["QT_QPA_PLATFORM"] = "offscreen"
+    return subprocess.run(call, env=environment, check=False).returncode
+
+
+def _scripted() -> int:
+    from insole_studio.bootstrap import Places, ScriptedStudio
+
+    places = Places(OUTPUT / "settings.json", OUTPUT / "autosave")
+    with ScriptedStudio(places) as studio:
+        studio.open(SESSION)
+        studio.place_pelott(0.0, 140.0)
+        studio.screenshot(OUTPUT / "session.png")
+        studio.export(OUTPUT / "session-insole.stl")
+    with ScriptedStudio(places) as studio:
+        studio.open(resource_path("example/example.insole"))
+        studio.screenshot(OUTPUT / "case.png")
+        studio.export(OUTPUT / "case-insole.stl")
+    print(f"Written to {OUTPUT.resolve()}:")
+    for name in ("session.png", "session-insole.stl", "case.png", "case-insole.stl"):
+        size = (OUTPUT / name).stat().st_size
+        print(f"  {name}  {size // 1024} kB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
