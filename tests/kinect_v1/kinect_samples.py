@@ -18,7 +18,7 @@ Footage = dict[str, dict[str, list[bytes]]]
 
 SERIALS = ("A00362A00127049A", "A00364817648045A", "B00366600698045B")
 FRAMES = 3
-SPEED = 20.0
+SPEED = 10.0
 """Of the emulated sensors' time: tests need not wait."""
 
 

@@ -101,6 +101,17 @@ def test_calibration_is_the_devices_own(index: int, bus: UsbBus) -> None:
     assert found == expected
 
 
+def test_a_calibration_cut_short_is_refused_and_the_sensor_given_back(
+    bus: UsbBus, kinects: list[EmulatedKinect], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(kinects[0].camera, "fixed_parameters", lambda: bytes(60))
+        with pytest.raises(ProtocolError, match="60 bytes") as caught:
+            open_camera(SERIALS[0], bus=bus)
+    assert_one_sentence(caught.value)
+    open_camera(SERIALS[0], bus=bus).close()
+
+
 def test_frames_can_be_delivered_instead_of_read(bus: UsbBus) -> None:
     delivered: list[Frame] = []
     with open_camera(SERIALS[0], bus=bus) as camera:

@@ -17,6 +17,10 @@ from kinect_v1.usb_bus import UsbBus
 Output = pytest.CaptureFixture[str]
 
 
+def is_one_of(image: np.ndarray, sent: list[np.ndarray]) -> bool:
+    return any(np.array_equal(image, other) for other in sent)
+
+
 def test_list_names_every_sensor(bus: UsbBus, capsys: Output) -> None:
     assert main(["list"], lambda: bus) == 0
     lines = [line.split("\t") for line in capsys.readouterr().out.splitlines()]
@@ -51,10 +55,10 @@ def test_record_keeps_frames_exactly(
     recording = read_recording(folder)
     depth = [read_depth(file) for file in recording.of_kind("d")]
     assert len(depth) == 4
-    assert all(
-        np.array_equal(d, images[SERIALS[0]]["depth-11"][i % 3]) for i, d in enumerate(depth)
-    )
-    assert np.array_equal(read_received(recording.of_kind(kind)[0]), images[SERIALS[0]][mode][0])
+    pictures = [read_received(file) for file in recording.of_kind(kind)]
+    assert pictures
+    assert all(is_one_of(image, images[SERIALS[0]]["depth-11"]) for image in depth)
+    assert all(is_one_of(image, images[SERIALS[0]][mode]) for image in pictures)
     assert len(recording.of_kind("a")) == 1
 
 

@@ -6,6 +6,8 @@ import struct
 from dataclasses import asdict, astuple, dataclass
 from typing import Any
 
+from kinect_v1.errors import ProtocolError
+
 RGB_DISTANCE_CM = 2.4
 """Used in place of the 2.3 that devices report; libfreenect does the same, and it fits better."""
 
@@ -105,24 +107,33 @@ class Calibration:
 
 def decode_zero_plane(data: bytes) -> ZeroPlane:
     """Read the reply to the command for fixed parameters, without its error word."""
-    emitter, _rgb, distance, pixel = _ZERO_PLANE.unpack_from(data, _ZERO_PLANE_OFFSET)
+    emitter, _rgb, distance, pixel = _unpack(_ZERO_PLANE, data, _ZERO_PLANE_OFFSET)
     return ZeroPlane(emitter, RGB_DISTANCE_CM, distance, pixel)
 
 
 def decode_registration(data: bytes) -> RegistrationInfo:
     """Read the 29 numbers of the registration."""
-    return RegistrationInfo(*_REGISTRATION.unpack_from(data))
+    return RegistrationInfo(*_unpack(_REGISTRATION, data))
 
 
 def decode_padding(data: bytes) -> Padding:
     """Read the three line counts."""
-    return Padding(*_PADDING.unpack_from(data))
+    return Padding(*_unpack(_PADDING, data))
 
 
 def decode_constant_shift(data: bytes) -> int:
     """Read the constant shift, in quarter pixels of the wide image."""
-    (shift,) = _SHIFT.unpack_from(data)
+    (shift,) = _unpack(_SHIFT, data)
     return int(shift)
+
+
+def _unpack(layout: struct.Struct, data: bytes, offset: int = 0) -> tuple[Any, ...]:
+    if len(data) < offset + layout.size:
+        raise ProtocolError(
+            f"The sensor sent only {len(data)} bytes of its calibration; unplug the sensor and "
+            "plug it in again."
+        )
+    return layout.unpack_from(data, offset)
 
 
 def encode_zero_plane(plane: ZeroPlane, total_bytes: int) -> bytes:
