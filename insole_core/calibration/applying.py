@@ -50,9 +50,7 @@ def apply_correction(
             )
         warnings.append(f"{problem}; the depth may be wrong by several millimetres.")
     warnings += _age_warning(correction, now)
-    return CorrectedSensor(
-        replace(sensor, correction=correction, correction_raw=correction.offset), tuple(warnings)
-    )
+    return CorrectedSensor(replace(sensor, correction=correction), tuple(warnings))
 
 
 def _age_warning(correction: DisparityCorrection, now: datetime) -> list[str]:

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import io
 import re
-import zipfile
 from functools import partial
 from pathlib import Path
 
-import numpy as np
-
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import ByteArray, Float32Array, RawArray
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.json_object import JsonObject
 from insole_core.recording.images import PngKind, check_png, decode_color, decode_depth
 from insole_core.recording.manifest_json import parse_manifest
 from insole_core.recording.sensor_json import DEPTH_SIZE, correction_name, parse_sensor
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.store import FolderStore, Store, ZipStore
+from insole_core.sensing.correction import DisparityCorrection, parse_correction
 
 _GREY, _RGB = 0, 2
 
@@ -114,19 +111,7 @@ def _read_color(store: Store, names: list[str], index: int) -> ByteArray:
     return decode_color(names[index], store.read(names[index]))
 
 
-def _correction(store: Store, name: str) -> Float32Array:
+def _correction(store: Store, name: str) -> DisparityCorrection:
     if name not in store.names():
         raise InputError(f"{name} is missing, but sensor.json names it as disparity_correction.")
-    try:
-        with np.load(io.BytesIO(store.read(name)), allow_pickle=False) as arrays:
-            offset = arrays["offset"]
-    except (ValueError, OSError, KeyError, zipfile.BadZipFile, EOFError) as error:
-        raise InputError(
-            f'{name} holds no readable array "offset"; calibrate the sensor again.'
-        ) from error
-    if offset.shape != DEPTH_SIZE[::-1] or not np.isfinite(offset).all():
-        raise InputError(
-            f'{name}: the array "offset" must hold 480×640 finite numbers; '
-            "calibrate the sensor again."
-        )
-    return np.asarray(offset, np.float32)
+    return parse_correction(name, store.read(name))

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from insole_core.geometry.arrays import Float32Array, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.json_object import JsonObject
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
     FactoryDisparity,
@@ -24,14 +25,14 @@ COLOR_SIZES = ((1280, 1024), (1280, 960), (640, 480))
 _TINY = 1e-9
 
 
-def parse_sensor(root: JsonObject, correction_raw: Float32Array | None) -> Sensor:
+def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
     """Read one sensor's calibration.
 
     Parameters
     ----------
     root
         The whole of sensor.json.
-    correction_raw : (480, 640) float32, raw units, optional
+    correction : optional
         What ``disparity_correction`` names, already loaded.
 
     Raises
@@ -49,7 +50,7 @@ def parse_sensor(root: JsonObject, correction_raw: Float32Array | None) -> Senso
         color_camera=_camera(root.object("color_camera"), COLOR_SIZES),
         depth2color=_depth2color(root.object("depth2color")),
         disparity=_disparity(root.object("disparity")),
-        correction_raw=correction_raw,
+        correction=correction,
         faces=tuple(faces),
     )
 

@@ -8,8 +8,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-import numpy as np
-
 from insole_core.export.atomic import replacing_file, replacing_folder
 from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
@@ -76,9 +74,9 @@ def _write_parts(
 
 def _write_view(view: View, folder: Path) -> None:
     folder.mkdir(parents=True)
-    correction = view.sensor.correction_raw
+    correction = view.sensor.correction
     if correction is not None:
-        np.savez_compressed(folder / _CORRECTION, offset=correction)
+        correction.save(folder / _CORRECTION)
     name = None if correction is None else _CORRECTION
     _write_json(folder / "sensor.json", sensor_json(view.sensor, name))
     for index in range(view.depth_count):

@@ -163,6 +163,9 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
             f"version {VERSION}); update the program."
         )
     _check_map(name, "offset", offset)
+    if "record" not in arrays:
+        # Another program's file: what its further arrays mean is not known here.
+        return DisparityCorrection(offset.astype(np.float32))
     for key in _ARRAYS:
         if key in arrays:
             _check_map(name, key, arrays[key])

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from insole_core.geometry.arrays import Float32Array, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.correction import DisparityCorrection
@@ -26,10 +26,8 @@ class Sensor:
         Depth camera frame to colour camera frame, thesis (13).
     disparity
         Raw number, already corrected, to depth.
-    correction_raw : (height, width) float32, raw units, optional
-        Subtracted from the raw number of every pixel before the conversion, thesis (16).
     correction : optional
-        The same with what refines it; where it is given it takes the place of `correction_raw`.
+        What is subtracted from every raw number before the conversion, thesis (16).
     faces
         The marker groups of the reference system that this sensor sees.
     """
@@ -40,16 +38,16 @@ class Sensor:
     color_camera: Camera
     depth2color: FloatArray
     disparity: DisparityModel
-    correction_raw: Float32Array | None = None
-    faces: tuple[str, ...] = field(default_factory=tuple)
     correction: DisparityCorrection | None = None
+    faces: tuple[str, ...] = field(default_factory=tuple)
+
+    def corrected(self, raw: FloatArray) -> FloatArray:
+        """Take the sensor's distortion out of a raw image (height, width), NaN = no reading."""
+        return raw if self.correction is None else self.correction.corrected(raw)
 
     def depth_mm(self, raw: FloatArray) -> FloatArray:
         """Correct and convert a raw image (height, width), NaN = no reading, to mm along z."""
-        if self.correction is not None:
-            return self.correction.depth_mm(raw, self.disparity)
-        corrected = raw if self.correction_raw is None else raw - self.correction_raw
-        return self.disparity.depth_mm(corrected)
+        return self.disparity.depth_mm(self.corrected(raw))
 
     def points(self, depth_mm: FloatArray) -> FloatArray:
         """Every pixel of a depth image in space, thesis (10), (11).

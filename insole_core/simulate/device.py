@@ -12,6 +12,7 @@ from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.recording.sensor_json import DEPTH_SIZE
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 
@@ -92,7 +93,7 @@ def make_device(
         color_camera=_color_camera(color_size, rng),
         depth2color=_depth2color(rng),
         disparity=disparity,
-        correction_raw=_rounded(distortion + _RESIDUAL_RMS_RAW * residual),
+        correction=DisparityCorrection(_rounded(distortion + _RESIDUAL_RMS_RAW * residual)),
         faces=faces,
     )
     return Device(sensor, distortion, float(disparity.raw(np.array(distance_mm))))

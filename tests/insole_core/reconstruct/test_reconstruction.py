@@ -25,6 +25,7 @@ from insole_core.reconstruct import (
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
@@ -79,13 +80,14 @@ def turned(session: Session, name: str, right: int, down: int) -> Session:
     """The session with the pictures of one view, and its calibration, mirrored or turned."""
     view = view_of(session, name)
     axes = np.diag([right, down, 1.0, 1.0])
-    offset = view.sensor.correction_raw
+    correction = view.sensor.correction
+    assert correction is not None
     sensor = replace(
         view.sensor,
         depth_camera=turned_camera(view.sensor.depth_camera, right, down),
         color_camera=turned_camera(view.sensor.color_camera, right, down),
         depth2color=axes @ view.sensor.depth2color @ axes,
-        correction_raw=None if offset is None else offset[::down, ::right],
+        correction=DisparityCorrection(correction.offset[::down, ::right]),
     )
     return altered(
         session,

@@ -21,8 +21,16 @@ from insole_core.recording.session import (
 )
 from insole_core.recording.writer import write_session
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
+
+
+def make_correction(serial: str) -> DisparityCorrection:
+    ramp = np.linspace(-3, 3, 480 * 640, dtype=np.float32).reshape(480, 640)
+    record = CorrectionRecord(serial, "2026-11-01T09:00:00+00:00", "smooth map", {"rms": 0.5})
+    coverage = np.full((480, 640), 6, np.uint8)
+    return DisparityCorrection(ramp, ramp / 1000, 650.0, (500.0, 900.0), coverage, record=record)
 
 
 def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:
@@ -37,9 +45,7 @@ def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:
         disparity=FactoryDisparity(1200.0, 1.042, 75.0, 200.0)
         if corrected
         else LinearInverseDisparity(3.33, -0.00307),
-        correction_raw=np.linspace(-3, 3, 480 * 640, dtype=np.float32).reshape(480, 640)
-        if corrected
-        else None,
+        correction=make_correction(serial) if corrected else None,
         faces=(face,),
     )
 

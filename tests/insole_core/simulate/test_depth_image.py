@@ -99,8 +99,8 @@ def test_the_shadow_falls_on_the_side_away_from_the_projector(device: Device) ->
 
 
 def test_the_correction_is_nearly_the_true_distortion(device: Device) -> None:
-    assert device.sensor.correction_raw is not None
-    residual = device.distortion_raw - device.sensor.correction_raw
+    assert device.sensor.correction is not None
+    residual = device.distortion_raw - device.sensor.correction.offset
 
     assert np.sqrt((device.distortion_raw**2).mean()) == pytest.approx(3.0, abs=1e-6)
     assert np.sqrt((residual**2).mean()) == pytest.approx(0.2, abs=0.02)
