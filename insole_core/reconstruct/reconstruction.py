@@ -1,27 +1,36 @@
-"""From a recorded session to one coloured foot, the thesis's chain (chapters 4 to 6)."""
+"""From a recorded session to one coloured foot: the thesis's chain, and the better one."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.blobs import find_blobs
 from insole_core.reconstruct.coloring import color_points, mean_color
+from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.midline import cut_at_midline
-from insole_core.reconstruct.overlap import blend_overlaps
 from insole_core.reconstruct.registration import (
     DEFAULT_LIMITS,
     Registration,
     RegistrationLimits,
     register,
 )
-from insole_core.reconstruct.result import Method, Reconstruction, Residuals, ViewResult
+from insole_core.reconstruct.result import (
+    Method,
+    Reconstruction,
+    Residuals,
+    Surface,
+    ViewResult,
+)
 from insole_core.reconstruct.sheet import (
     Sheet,
     join,
@@ -31,10 +40,11 @@ from insole_core.reconstruct.sheet import (
 )
 from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.reconstruct.stopwatch import Stopwatch
-from insole_core.reconstruct.volume import is_inside, volume_of_interest
+from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
 from insole_core.recording.session import Box, Session, View
 from insole_core.sensing.frames import mean_raw, median_raw
-from insole_core.sensing.sensor import Sensor
+
+_Part = TypeVar("_Part")
 
 
 def reconstruct(
@@ -42,6 +52,7 @@ def reconstruct(
     method: Method = "fused",
     progress: Progress = SILENT,
     limits: RegistrationLimits = DEFAULT_LIMITS,
+    on_preview: Callable[[TriangleMesh], None] | None = None,
 ) -> Reconstruction:
     """Make one coloured foot, in the reference frame, from the views of a session.
 
@@ -50,66 +61,167 @@ def reconstruct(
     session
     method
         ``thesis``: median of the frames, depth in whole mm, views cut where they overlap.
-        ``fused``: mean of the frames in disparity, fractions of a mm, overlaps blended by weight.
+        ``fused``: mean of the frames in disparity, and the likeliest smooth surface of all views.
     progress
     limits
         When the pose of a view is good enough.
+    on_preview
+        Is given a coloured mesh before the last step, for ``fused`` only.
 
     Raises
     ------
     ReconstructionError
         When no view can be used; the sentence names the reason of each.
     """
-    chain = _Chain(session, method, limits, Stopwatch())
-    sheets: list[Sheet] = []
-    results: list[ViewResult] = []
-    for number, view in enumerate(session.views):
-        start, end = (0.9 * (number + done) / len(session.views) for done in (0, 1))
-        try:
-            sheet, registration = chain.measure(view, progress.part(start, end))
-        except ReconstructionError as error:
-            results.append(ViewResult(view.name, used=False, reason=str(error)))
-            continue
-        sheets.append(sheet)
-        results.append(_used(view, registration))
-    _check_any_used(session, results)
-    progress.step(0.9, "Joining the views")
-    mesh = chain.merge(sheets)
-    progress.step(1.0, "The foot is ready")
-    return Reconstruction(mesh, tuple(results), _warnings(results), chain.clock.seconds)
+    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(on_preview)
+    return _Chain(session, way, limits, Stopwatch()).run(progress)
+
+
+class _Way(Protocol[_Part]):
+    """What the methods do differently."""
+
+    def average(self, frames: Iterable[RawArray]) -> FloatArray:
+        """Give one raw image of many."""
+        ...
+
+    def rounded(self, depth_mm: FloatArray) -> FloatArray:
+        """Give depth in the resolution that the method keeps."""
+        ...
+
+    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> _Part:
+        """Give the part of a placed view that shows the foot."""
+        ...
+
+    def join(self, parts: list[_Part], progress: Progress) -> Surface:
+        """Make one surface of all views."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
-class _Chain:
+class _Measured:
+    """One view, its frames averaged; depth in the depth camera's frame."""
+
+    view: View
+    raw: FloatArray
+    points: FloatArray
+    color: ByteArray
+
+
+class _Thesis:
+    """Chapters 5 and 6: the baseline."""
+
+    def average(self, frames: Iterable[RawArray]) -> FloatArray:
+        return median_raw(frames)
+
+    def rounded(self, depth_mm: FloatArray) -> FloatArray:
+        return np.asarray(np.rint(depth_mm))
+
+    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Sheet:
+        sensor = measured.view.sensor
+        placed = transform(sensor2reference, measured.points)
+        inside = is_inside(placed, box)
+        edges = longest_edges(measured.points[..., 2], sensor.depth_camera.fx)
+        triangles = triangulate(placed, inside, edges)
+        check_any_inside(inside)
+        colors = color_points(measured.points, inside, measured.color, sensor)
+        return without_small_pieces(
+            Sheet(placed, triangles, colors, sensor2reference, sensor.depth_camera)
+        )
+
+    def join(self, parts: list[Sheet], progress: Progress) -> Surface:
+        progress.step(0.0, "Cutting the views where they overlap")
+        return Surface(join([without_small_pieces(sheet) for sheet in cut_at_midline(parts)]))
+
+
+@dataclass(frozen=True)
+class _Fused:
+    """The best there is."""
+
+    on_preview: Callable[[TriangleMesh], None] | None
+
+    def average(self, frames: Iterable[RawArray]) -> FloatArray:
+        return mean_raw(frames)
+
+    def rounded(self, depth_mm: FloatArray) -> FloatArray:
+        return depth_mm
+
+    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Reading:
+        view = measured.view
+        return read_volume(
+            view.name,
+            view.sensor,
+            sensor2reference,
+            box,
+            raw=measured.raw,
+            color=measured.color,
+        )
+
+    def join(self, parts: list[Reading], progress: Progress) -> Surface:
+        return fuse(parts, progress, on_preview=self.on_preview)
+
+
+@dataclass(frozen=True, eq=False)
+class _Chain(Generic[_Part]):
     """The steps of one reconstruction, with what they all need."""
 
     session: Session
-    method: Method
+    way: _Way[_Part]
     limits: RegistrationLimits
     clock: Stopwatch
 
-    def measure(self, view: View, progress: Progress) -> tuple[Sheet, Registration]:
-        """Bring one view to the reference frame as a surface."""
+    def run(self, progress: Progress) -> Reconstruction:
+        """Go through the views, then join them."""
+        parts: list[_Part] = []
+        results: list[ViewResult] = []
+        views = self.session.views
+        for number, view in enumerate(views):
+            start, end = (0.5 * (number + done) / len(views) for done in (0, 1))
+            try:
+                part, registration = self._place(view, progress.part(start, end))
+            except ReconstructionError as error:
+                results.append(ViewResult(view.name, used=False, reason=str(error)))
+                continue
+            parts.append(part)
+            results.append(_used(view, registration))
+        _check_any_used(self.session, results)
+        with self.clock.measuring("surface"):
+            surface = self.way.join(parts, progress.part(0.5, 1.0))
+        progress.step(1.0, "The foot is ready")
+        return Reconstruction(
+            surface.mesh,
+            tuple(results),
+            _warnings(results),
+            self.clock.seconds,
+            surface.deviation_mm,
+        )
+
+    def _place(self, view: View, progress: Progress) -> tuple[_Part, Registration]:
+        """Bring one view to the reference frame."""
         progress.step(0.0, f"Averaging the frames of the view {view.name}")
         with self.clock.measuring("frames"):
-            points = view.sensor.points(average_depth(view, self.method))
-            color = mean_color(view)
-        progress.step(0.4, f"Finding the markers of the view {view.name}")
+            measured = self._measure(view)
+        progress.step(0.6, f"Finding the markers of the view {view.name}")
         with self.clock.measuring("markers"):
-            sightings = locate_blobs(find_blobs(color), points, view.sensor)
+            sightings = locate_blobs(find_blobs(measured.color), measured.points, view.sensor)
             system = self.session.manifest.reference_system
             registration = register(sightings, system, view.sensor.faces, self.limits)
-        progress.step(0.8, f"Building the surface of the view {view.name}")
         with self.clock.measuring("surface"):
             box = volume_of_interest(self.session.manifest)
-            sheet = _build_sheet(points, color, view.sensor, registration.sensor2reference, box)
-        return sheet, registration
+            part = self.way.cut_out(measured, registration.sensor2reference, box)
+        return part, registration
 
-    def merge(self, sheets: list[Sheet]) -> TriangleMesh:
-        """Make one mesh of the views' surfaces."""
-        with self.clock.measuring("merge"):
-            merged = cut_at_midline(sheets) if self.method == "thesis" else blend_overlaps(sheets)
-            return join([without_small_pieces(sheet) for sheet in merged])
+    def _measure(self, view: View) -> _Measured:
+        """Average a view's frames and convert them, thesis (12), (16), 6.1."""
+        frames = (view.read_depth(index) for index in range(view.depth_count))
+        raw = view.sensor.corrected(self.way.average(frames))
+        depth_mm = view.sensor.disparity.depth_mm(raw)
+        if not np.isfinite(depth_mm).any():
+            raise ReconstructionError(
+                "its depth frames hold no reading; check the sensor's distance and that no "
+                "sunlight falls on the foot"
+            )
+        points = view.sensor.points(self.way.rounded(depth_mm))
+        return _Measured(view, raw, points, mean_color(view))
 
 
 def _warnings(results: list[ViewResult]) -> tuple[str, ...]:
@@ -117,47 +229,6 @@ def _warnings(results: list[ViewResult]) -> tuple[str, ...]:
         f"The view {result.name} is left out: {result.reason}."
         for result in results
         if not result.used
-    )
-
-
-def average_depth(view: View, method: Method) -> FloatArray:
-    """Average a view's depth frames and convert them, thesis (12), (16), 6.1.
-
-    Returns
-    -------
-    (height, width) float64, mm along z, NaN = no reading; whole mm for the thesis's method
-
-    Raises
-    ------
-    ReconstructionError
-        When no pixel has a reading in at least half of the frames.
-    """
-    frames = (view.read_depth(index) for index in range(view.depth_count))
-    raw = median_raw(frames) if method == "thesis" else mean_raw(frames)
-    depth_mm = view.sensor.depth_mm(raw)
-    if not np.isfinite(depth_mm).any():
-        raise ReconstructionError(
-            "its depth frames hold no reading; check the sensor's distance and that no sunlight "
-            "falls on the foot"
-        )
-    return np.asarray(np.rint(depth_mm)) if method == "thesis" else depth_mm
-
-
-def _build_sheet(
-    points: FloatArray, color: ByteArray, sensor: Sensor, sensor2reference: FloatArray, box: Box
-) -> Sheet:
-    placed = transform(sensor2reference, points)
-    inside = is_inside(placed, box)
-    edges = longest_edges(points[..., 2], sensor.depth_camera.fx)
-    triangles = triangulate(placed, inside, edges)
-    if len(triangles) == 0:
-        raise ReconstructionError(
-            "it measured no surface in the volume of interest; check that the foot was in place "
-            'and "volume_of_interest_mm" in manifest.json'
-        )
-    colors = color_points(points, inside, color, sensor)
-    return without_small_pieces(
-        Sheet(placed, triangles, colors, sensor2reference, sensor.depth_camera)
     )
 
 

@@ -65,6 +65,21 @@ class ViewResult:
 
 
 @dataclass(frozen=True, eq=False)
+class Surface:
+    """A coloured mesh, mm, reference frame, and how certain it is.
+
+    Parameters
+    ----------
+    mesh
+    deviation_mm : (n,) float64, optional
+        Standard deviation of every vertex along the surface's normal, where it is known.
+    """
+
+    mesh: TriangleMesh
+    deviation_mm: FloatArray | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Reconstruction:
     """A coloured foot and how it came about.
 
@@ -77,12 +92,15 @@ class Reconstruction:
         A sentence each.
     seconds
         Time of every step, by name.
+    deviation_mm : (n,) float64, optional
+        Standard deviation of every vertex along the surface's normal; not for the thesis's chain.
     """
 
     mesh: TriangleMesh
     views: tuple[ViewResult, ...]
     warnings: tuple[str, ...]
     seconds: dict[str, float]
+    deviation_mm: FloatArray | None = None
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.recording.session import Box, Manifest, ReferenceSystem
 
@@ -23,6 +24,21 @@ def is_inside(points: FloatArray, box: Box) -> BoolArray:
     """Tell which points (..., 3) in the reference frame lie in the box; NaN does not."""
     low, high = np.array(box.min_mm), np.array(box.max_mm)
     return np.asarray(((points >= low) & (points <= high)).all(-1))
+
+
+def check_any_inside(found: BoolArray) -> None:
+    """Refuse a view of which nothing was found in the volume.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    if not found.any():
+        raise ReconstructionError(
+            "it measured no surface in the volume of interest; check that the foot was in place "
+            'and "volume_of_interest_mm" in manifest.json'
+        )
 
 
 def _enclosed(system: ReferenceSystem) -> Box:

@@ -167,14 +167,15 @@ def test_the_report_holds_what_the_contract_says(reconstruction: Reconstruction)
     assert report["warnings"] == []
 
 
-def test_the_thesis_has_its_depth_in_whole_mm(session: Session) -> None:
-    from insole_core.reconstruct.reconstruction import average_depth
-
-    view = view_of(session, "left")
-    for method, whole in (("thesis", True), ("fused", False)):
-        depth_mm = average_depth(view, method)  # type: ignore[arg-type]
-        measured = depth_mm[np.isfinite(depth_mm)]
-        assert bool((measured == np.rint(measured)).all()) is whole
+@pytest.mark.parametrize(("method", "whole"), [("thesis", True), ("fused", False)])
+def test_the_thesis_has_its_depth_in_whole_mm(
+    session: Session, method: Method, whole: bool
+) -> None:
+    result = reconstruct(replace(session, views=(view_of(session, "left"),)), method)
+    pose = result.views[0].sensor2reference
+    assert pose is not None
+    depth_mm = transform(inverse(pose), result.mesh.vertices)[:, 2]
+    assert bool((np.abs(depth_mm - np.rint(depth_mm)) < 1e-6).all()) is whole
 
 
 @pytest.mark.parametrize("method", ["thesis", "fused"])

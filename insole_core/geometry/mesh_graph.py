@@ -1,0 +1,71 @@
+"""How the vertices of a mesh are joined: neighbours, pieces, borders, and smoothing over them."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.csgraph import connected_components
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+
+_SHRINK, _GROW = 0.5, -0.52
+
+
+def edges(mesh: TriangleMesh) -> tuple[IntArray, IntArray]:
+    """Give every edge once (n, 2), lower index first, and how many triangles it has (n,)."""
+    sides = np.sort(mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64), axis=1)
+    count = len(mesh.vertices)
+    key, sharing = np.unique(sides[:, 0] * count + sides[:, 1], return_counts=True)
+    return np.stack(np.divmod(key, count), axis=1), sharing
+
+
+def adjacency(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
+    """Give the symmetric matrix (n, n) with a 1 for every edge."""
+    ends, _ = edges(mesh)
+    row, column = np.concatenate([ends, ends[:, ::-1]]).T
+    count = len(mesh.vertices)
+    return sparse.csr_array((np.ones(len(row)), (row, column)), (count, count))
+
+
+def laplacian(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
+    """Give the uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
+    links = adjacency(mesh)
+    degree = np.maximum(links.sum(1), 1)
+    return sparse.csr_array(sparse.diags_array(1 / degree) @ links - sparse.eye_array(len(degree)))
+
+
+def is_border(mesh: TriangleMesh) -> BoolArray:
+    """Tell which vertices (n,) lie on an edge with one triangle."""
+    ends, sharing = edges(mesh)
+    border = np.zeros(len(mesh.vertices), dtype=bool)
+    border[ends[sharing == 1]] = True
+    return border
+
+
+def large_pieces(mesh: TriangleMesh, least_share: float) -> TriangleMesh:
+    """Keep the connected pieces that have at least such a share of all triangles."""
+    count, piece = connected_components(adjacency(mesh), directed=False)
+    size = np.bincount(piece[mesh.triangles[:, 0]], minlength=count)
+    return mesh.part(size[piece] > least_share * len(mesh.triangles))
+
+
+def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
+    """Smooth the vertices (n, 3) without shrinking, Taubin 1995; the border stays."""
+    smoothing = laplacian(mesh)
+    inner = ~is_border(mesh)[:, None]
+    vertices = mesh.vertices
+    for _ in range(rounds):
+        for step in (_SHRINK, _GROW):
+            vertices = vertices + step * inner * (smoothing @ vertices)
+    return vertices
+
+
+def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
+    """Average the vertex normals (n, 3) over their neighbours, some rounds; unit length."""
+    smoothing = laplacian(mesh)
+    normals = mesh.vertex_normals
+    for _ in range(rounds):
+        normals = normals + 0.7 * (smoothing @ normals)
+        normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    return normals

@@ -1,0 +1,1 @@
+"""From placed depth readings of all views to one smooth surface."""

@@ -1,0 +1,95 @@
+"""What the readings say about a mesh: how far each vertex would have to move along its normal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.ray_casting import RayCaster
+from insole_core.reconstruct.fusion.reading import Reading
+
+_NOISE_RAW = 0.35
+"""Standard deviation of a mean reading on a surface that faces the sensor."""
+_SPOT_OFFSET_PX = 1.0
+"""How far the centre of the pattern's spots in a window lies from the window's centre."""
+SHARED_PX = 20
+"""So many neighbouring readings share their error: the sensor compares windows of 9 x 9 pixels."""
+_LEAST_COSINE = 0.2
+_OUTLIER_RAW = 8.0
+
+
+@dataclass(frozen=True, eq=False)
+class Observations:
+    """Readings of one view on the mesh, as linear equations for the vertices' displacements.
+
+    Parameters
+    ----------
+    design : (k, n) sparse, raw units per mm
+        Change of each reading with the displacement of each vertex along its normal.
+    residuals : (k,) float64, raw units
+        Reading minus what the mesh would give.
+    information : (k,) float64
+        Inverse variance of the readings, with what they share with their neighbours.
+    terms : (k, 3) float64
+        Change of each reading with the view's offset and tilts.
+    """
+
+    design: sparse.csr_array[np.float64]
+    residuals: FloatArray
+    information: FloatArray
+    terms: FloatArray
+
+
+def observe(
+    reading: Reading,
+    pixels: FloatArray,
+    mesh: TriangleMesh,
+    normals: FloatArray,
+    caster: RayCaster,
+) -> Observations:
+    """Compare a reading with the mesh, ray by ray.
+
+    Parameters
+    ----------
+    reading
+    pixels : (height, width, 2) float64, px
+        Where in the depth image each reading belongs.
+    mesh, caster
+        The same surface.
+    normals : (n, 3) float64
+        Along which the vertices may move.
+    """
+    known = np.isfinite(reading.raw)
+    rays = reading.directions(pixels[known])
+    hits = caster.cast(reading.origin_mm, rays)
+    rays, raw = rays[hits.ray], reading.raw[known][hits.ray]
+    corners = mesh.triangles[hits.triangle]
+    normal = np.einsum("nk,nkc->nc", hits.weights, normals[corners])
+    depth_mm = reading.depth_along(np.einsum("nk,nkc->nc", hits.weights, mesh.vertices[corners]))
+    along = np.einsum("nc,nc->n", normal, rays)
+    cosine = -along / (np.linalg.norm(normal, axis=1) * np.linalg.norm(rays, axis=1))
+    residuals = raw - reading.sensor.disparity.raw(depth_mm)
+    good = (cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW)
+    slope = reading.raw_per_mm(depth_mm)
+    weights = hits.weights[good] * (slope / along)[good, None]
+    count = int(good.sum())
+    design = sparse.csr_array(
+        (weights.ravel(), corners[good].ravel(), np.arange(0, 3 * count + 1, 3)),
+        (count, len(mesh.vertices)),
+    )
+    pixel_mm = depth_mm / reading.sensor.depth_camera.fx
+    tangent = np.sqrt(1 / np.clip(cosine, 0.05, 1) ** 2 - 1)
+    variance = _NOISE_RAW**2 + (_SPOT_OFFSET_PX * slope * pixel_mm * tangent) ** 2
+    view_terms = _view_terms(reading, pixels[known][hits.ray[good]])
+    return Observations(design, residuals[good], 1 / (SHARED_PX * variance[good]), view_terms)
+
+
+def _view_terms(reading: Reading, pixels: FloatArray) -> FloatArray:
+    """Offset and tilt over the view: 1, and the pixel's place across the foot, per 100 px."""
+    camera = reading.sensor.depth_camera
+    place = (pixels - [camera.width / 2, camera.height / 2]) / 100
+    return np.column_stack([np.ones(len(place)), place])

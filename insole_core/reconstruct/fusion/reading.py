@@ -1,0 +1,124 @@
+"""What one placed view measured of the foot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.reconstruct.volume import check_any_inside, is_inside
+from insole_core.recording.session import Box
+from insole_core.sensing.sensor import Sensor
+
+_MARGIN_PX = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """The part of a view's depth image that may show the foot, in disparity.
+
+    Parameters
+    ----------
+    name
+        Of the view.
+    sensor
+    sensor2reference : (4, 4) float64, mm
+    corner : (u, v), px
+        Position of ``raw[0, 0]`` in the depth image.
+    raw : (height, width) float64, raw units
+        Averaged and corrected; NaN where nothing was measured in the volume of interest.
+    color : (height, width, 3) uint8, RGB
+        Of the sensor's colour camera, whole.
+    """
+
+    name: str
+    sensor: Sensor
+    sensor2reference: FloatArray
+    corner: tuple[int, int]
+    raw: FloatArray
+    color: ByteArray
+
+    @cached_property
+    def pixels(self) -> FloatArray:
+        """(height, width, 2) positions in the depth image, px."""
+        height, width = self.raw.shape
+        v, u = np.mgrid[:height, :width].astype(float)
+        return np.stack([u + self.corner[0], v + self.corner[1]], axis=-1)
+
+    @cached_property
+    def origin_mm(self) -> FloatArray:
+        """(3,) place of the depth camera, reference frame."""
+        return np.asarray(self.sensor2reference[:3, 3])
+
+    @cached_property
+    def color2reference(self) -> FloatArray:
+        """(4, 4) colour camera frame to reference frame, mm."""
+        return np.asarray(self.sensor2reference @ inverse(self.sensor.depth2color))
+
+    def directions(self, pixels: FloatArray) -> FloatArray:
+        """Rays (..., 3) through depth pixels (..., 2): reference frame, 1 along the depth axis."""
+        normalised = self.sensor.depth_camera.normalised(pixels)
+        ahead = np.concatenate([normalised, np.ones((*pixels.shape[:-1], 1))], axis=-1)
+        return np.asarray(ahead @ self.sensor2reference[:3, :3].T)
+
+    def points(self, raw: FloatArray) -> FloatArray:
+        """Give the places (height, width, 3) of a raw image of this part, mm, reference frame."""
+        depth_mm = self.sensor.disparity.depth_mm(raw)
+        return self.origin_mm + depth_mm[..., None] * self.directions(self.pixels)
+
+    def depth_along(self, points: FloatArray) -> FloatArray:
+        """Give the distance (...,) of places in the reference frame along the depth axis, mm."""
+        return np.asarray((points - self.origin_mm) @ self.sensor2reference[:3, 2])
+
+    def raw_per_mm(self, depth_mm: FloatArray) -> FloatArray:
+        """Give the change of the raw number with depth, at depths of any shape."""
+        disparity = self.sensor.disparity
+        return np.asarray(disparity.raw(depth_mm + 0.5) - disparity.raw(depth_mm - 0.5))
+
+    def project(self, points: FloatArray) -> FloatArray:
+        """Give the positions (n, 2) of places (n, 3) in this part of the depth image, px."""
+        in_sensor = transform(inverse(self.sensor2reference), points)
+        return np.asarray(self.sensor.depth_camera.project(in_sensor) - np.array(self.corner))
+
+    def without(self, wrong: BoolArray) -> Reading:
+        """Leave out some pixels (height, width)."""
+        return replace(self, raw=np.where(wrong, np.nan, self.raw))
+
+
+def read_volume(
+    name: str,
+    sensor: Sensor,
+    sensor2reference: FloatArray,
+    box: Box,
+    *,
+    raw: FloatArray,
+    color: ByteArray,
+) -> Reading:
+    """Cut out of a whole depth image what lies in the volume of interest.
+
+    Parameters
+    ----------
+    raw : (480, 640) float64, raw units
+        Averaged and corrected, NaN = no reading.
+
+    Raises
+    ------
+    ReconstructionError
+        When nothing lies there.
+    """
+    whole = Reading(name, sensor, sensor2reference, (0, 0), raw, color)
+    inside = is_inside(whole.points(raw), box)
+    check_any_inside(inside)
+    rows, columns = (_extent(np.any(inside, axis=axis)) for axis in (1, 0))
+    part = np.where(inside, raw, np.nan)[rows, columns]
+    return replace(whole, corner=(columns.start, rows.start), raw=part)
+
+
+def _extent(occupied: BoolArray) -> slice:
+    index = np.flatnonzero(occupied)
+    return slice(
+        max(int(index[0]) - _MARGIN_PX, 0), min(int(index[-1]) + _MARGIN_PX + 1, len(occupied))
+    )

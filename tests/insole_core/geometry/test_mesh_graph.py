@@ -1,0 +1,71 @@
+"""Neighbours, borders, pieces, smoothing and subdivision, on shapes with known answers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from insole_core.geometry import mesh_graph
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.subdivision import subdivided
+from insole_core.geometry.surface_nets import surface_nets
+
+RADIUS_MM = 9.3
+
+
+@pytest.fixture(scope="module")
+def ball() -> TriangleMesh:
+    lattice = np.stack(np.mgrid[-12:13, -12:13, -12:13].astype(float), axis=-1)
+    distance = np.linalg.norm(lattice, axis=-1) - RADIUS_MM
+    return surface_nets(distance, np.ones(distance.shape, bool), np.full(3, -12.0), 1.0)
+
+
+def test_a_ball_is_closed_faces_outwards_and_has_its_volume(ball: TriangleMesh) -> None:
+    assert ball.is_closed
+    assert ball.volume_mm3 == pytest.approx(4 / 3 * np.pi * RADIUS_MM**3, rel=0.02)
+    np.testing.assert_allclose(np.linalg.norm(ball.vertices, axis=1), RADIUS_MM, atol=0.2)
+
+
+def test_the_surface_ends_where_the_lattice_is_unknown() -> None:
+    values = np.broadcast_to(np.arange(6.0) - 2.4, (6, 6, 6)).copy()
+    known = np.ones(values.shape, bool)
+    known[4:] = False
+    mesh = surface_nets(values, known, np.array([10.0, 20.0, 30.0]), 2.0)
+    np.testing.assert_allclose(mesh.vertices[:, 2], 30 + 2 * 2.4)
+    assert mesh.bounds_mm[1, 0] == pytest.approx(10 + 2 * 2.5)
+    np.testing.assert_allclose(mesh.triangle_normals, [[0, 0, 1]] * len(mesh.triangles))
+
+
+def test_a_ball_has_no_border_and_half_of_it_has_one(ball: TriangleMesh) -> None:
+    assert not mesh_graph.is_border(ball).any()
+    half = ball.part(ball.vertices[:, 2] > 0)
+    border = mesh_graph.is_border(half)
+    assert 0 < half.vertices[border, 2].max() < 2.0
+
+
+def test_only_large_pieces_remain(ball: TriangleMesh) -> None:
+    low, high = ball.vertices[:, 2] < -8, ball.vertices[:, 2] > 0
+    kept = mesh_graph.large_pieces(ball.part(low | high), 0.2)
+    assert kept.vertices[:, 2].min() > 0
+    assert len(mesh_graph.large_pieces(ball.part(low | high), 0.001).vertices) == (low | high).sum()
+
+
+def test_relaxing_takes_steps_away_without_shrinking(ball: TriangleMesh) -> None:
+    outwards = ball.vertices / np.linalg.norm(ball.vertices, axis=1, keepdims=True)
+    steps = np.random.default_rng(1).normal(0, 0.1, (len(outwards), 1))
+    rough = TriangleMesh(ball.vertices + steps * outwards, ball.triangles)
+    relaxed = TriangleMesh(mesh_graph.relaxed(rough, 10), ball.triangles)
+    assert relaxed.volume_mm3 == pytest.approx(ball.volume_mm3, rel=0.01)
+    before, after = (np.linalg.norm(m.vertices, axis=1).std() for m in (rough, relaxed))
+    assert after < before / 2
+
+
+def test_subdivision_rounds_edges_and_keeps_vertices(ball: TriangleMesh) -> None:
+    fine, ends = subdivided(ball)
+    assert fine.is_closed
+    assert len(fine.triangles) == 4 * len(ball.triangles)
+    np.testing.assert_array_equal(fine.vertices[: len(ball.vertices)], ball.vertices)
+    straight = ball.vertices[ends].mean(1)
+    exact = 4 / 3 * np.pi * RADIUS_MM**3
+    flat = TriangleMesh(straight, fine.triangles).volume_mm3
+    assert abs(fine.volume_mm3 - exact) < abs(flat - exact)
