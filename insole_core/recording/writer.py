@@ -15,10 +15,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
-from insole_core.recording.sensor_json import sensor_json
+from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Session, View
-
-_CORRECTION = "correction.npz"
 
 
 def write_session(
@@ -74,11 +72,7 @@ def _write_parts(
 
 def _write_view(view: View, folder: Path) -> None:
     folder.mkdir(parents=True)
-    correction = view.sensor.correction
-    if correction is not None:
-        correction.save(folder / _CORRECTION)
-    name = None if correction is None else _CORRECTION
-    _write_json(folder / "sensor.json", sensor_json(view.sensor, name))
+    write_sensor(view.sensor, folder)
     for index in range(view.depth_count):
         (folder / f"depth_{index:03d}.png").write_bytes(encode_png(view.read_depth(index)))
     for index in range(view.color_count):

@@ -1,0 +1,110 @@
+"""The sensors of this clinic as they were calibrated last: a folder for each serial number."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import platformdirs
+
+from insole_core.errors import InputError, OutputError, UsageError
+from insole_core.export.atomic import describe, replacing_folder
+from insole_core.recording.sensor_folder import (
+    CORRECTION_FILE,
+    SENSOR_FILE,
+    read_sensor,
+    write_sensor,
+)
+from insole_core.sensing.sensor import Sensor
+
+_SERIAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
+
+
+def sensors_folder_of_user() -> Path:
+    """Give the folder in which this user's sensors are kept."""
+    return platformdirs.user_data_path("insole-studio", appauthor=False) / "sensors"
+
+
+class SensorStore:
+    """Keeps ``sensor.json``, ``correction.npz`` and the reports of every sensor.
+
+    Parameters
+    ----------
+    folder
+        Holds one folder for each serial number; made when the first sensor is saved.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def folder_of(self, serial: str) -> Path:
+        """Give the folder of a sensor, whether it is there or not.
+
+        Raises
+        ------
+        UsageError
+            When it cannot be a serial number.
+        """
+        if not _SERIAL.fullmatch(serial):
+            raise UsageError(
+                f'"{serial}" is no serial number of a sensor; give its letters and digits as '
+                "they stand on its label."
+            )
+        return self._folder / serial
+
+    def serials(self) -> list[str]:
+        """List the sensors that were saved."""
+        return sorted(path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
+
+    def load(self, serial: str) -> Sensor | None:
+        """Read a sensor; None when it was never saved.
+
+        Raises
+        ------
+        InputError
+            When its files are damaged, or are those of another sensor.
+        """
+        folder = self.folder_of(serial)
+        if not (folder / SENSOR_FILE).exists():
+            return None
+        sensor = read_sensor(folder)
+        if sensor.serial != serial:
+            raise InputError(
+                f"{folder} holds the calibration of sensor {sensor.serial}; calibrate sensor "
+                f"{serial} again."
+            )
+        return sensor
+
+    def save(self, sensor: Sensor, attach: Callable[[Path], None] = lambda _folder: None) -> Path:
+        """Replace what is kept of a sensor, as a whole or not at all; other files stay.
+
+        Parameters
+        ----------
+        sensor
+        attach
+            Writes further files, for example reports, into the folder it is given.
+
+        Returns
+        -------
+        Path
+            The folder of the sensor.
+
+        Raises
+        ------
+        OutputError
+        """
+        folder = self.folder_of(sensor.serial)
+        try:
+            self._folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise OutputError(describe(self._folder, error)) from error
+        with replacing_folder(folder) as beside:
+            if folder.exists():
+                shutil.copytree(folder, beside, dirs_exist_ok=True)
+            if sensor.correction is None:
+                (beside / CORRECTION_FILE).unlink(missing_ok=True)
+            write_sensor(sensor, beside)
+            attach(beside)
+        return folder

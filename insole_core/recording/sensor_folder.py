@@ -1,0 +1,53 @@
+"""One sensor as a folder: sensor.json, and correction.npz beside it where it has one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from insole_core.errors import InputError
+from insole_core.json_object import JsonObject
+from insole_core.recording.sensor_json import correction_name, parse_sensor, sensor_json
+from insole_core.sensing.correction import load_correction
+from insole_core.sensing.sensor import Sensor
+
+SENSOR_FILE = "sensor.json"
+CORRECTION_FILE = "correction.npz"
+
+
+def read_sensor(folder: Path) -> Sensor:
+    """Read the sensor of a folder, for example of one view of a session.
+
+    Raises
+    ------
+    InputError
+        When a file is missing, or breaks the format.
+    """
+    path = folder / SENSOR_FILE
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"{path} cannot be read ({error.strerror}); name a folder that holds a sensor.json."
+        ) from error
+    root = JsonObject.parse(SENSOR_FILE, content)
+    named = correction_name(root)
+    return parse_sensor(root, None if named is None else load_correction(folder / named))
+
+
+def write_sensor(sensor: Sensor, folder: Path) -> None:
+    """Write a sensor into a folder that is there.
+
+    Raises
+    ------
+    OutputError
+        When the correction cannot be written.
+    OSError
+        When sensor.json cannot; the caller, who made the folder, says what that means.
+    """
+    name = None
+    if sensor.correction is not None:
+        name = CORRECTION_FILE
+        sensor.correction.save(folder / name)
+    text = json.dumps(sensor_json(sensor, name), indent=1, ensure_ascii=False)
+    (folder / SENSOR_FILE).write_text(text + "\n", encoding="utf-8")
