@@ -7,8 +7,8 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole, active_pads
-from insole_core.insole.egg import pelott_heights
 from insole_core.insole.height_field import HeightField
+from insole_core.insole.pads import pad_heights
 
 _APEX_INSET = 0.1  # an apex stays this share of a cell away from the cell's edges
 
@@ -25,12 +25,12 @@ def block_solid(insole: Insole) -> TriangleMesh:
     """
     field = insole.contact
     top = field.triangles()
-    apexes, top = _insert_apexes(insole, top)
+    tips, top = _insert_apexes(insole, top)
     rim = _rim(field)
     floor = field.nodes[rim] * [1, 1, 0]
     centre = np.array([[field.x_mm.mean(), field.y_mm.mean(), 0.0]])
-    first_floor = len(field.nodes) + len(apexes)
-    vertices = np.concatenate([field.nodes, apexes, floor, centre])
+    first_floor = len(field.nodes) + len(tips)
+    vertices = np.concatenate([field.nodes, tips, floor, centre])
     return TriangleMesh(vertices, np.concatenate([top, _sides(rim, first_floor)]))
 
 
@@ -56,27 +56,37 @@ def _sides(rim: IndexArray, first_floor: int) -> IndexArray:
     )
 
 
-def _insert_apexes(insole: Insole, triangles: IndexArray) -> tuple[FloatArray, IndexArray]:
-    """Replace the two triangles of each cell that holds an apex by a fan of four about it."""
+def apexes(insole: Insole) -> dict[tuple[int, int], FloatArray]:
+    """Point (3,) of the exact surface at the apex of each pad, by cell (row, column) of the grid.
+
+    A cell that holds several apexes gives the first.
+    """
     field = insole.contact
     rows, columns = field.heights_mm.shape
-    apexes: dict[int, FloatArray] = {}
+    found: dict[tuple[int, int], FloatArray] = {}
     for pad in active_pads(insole.design):
         column, row = (np.array(pad.centre_mm) - [field.x0_mm, field.y0_mm]) / field.step_mm
         j, i = int(np.floor(column)), int(np.floor(row))
         if 0 <= i < rows - 1 and 0 <= j < columns - 1:
-            apexes.setdefault(i * (columns - 1) + j, _apex(insole, i, j, column - j, row - i))
-    cells = np.array(list(apexes), dtype=np.int64)
+            found.setdefault((i, j), _apex(insole, i, j, column - j, row - i))
+    return found
+
+
+def _insert_apexes(insole: Insole, triangles: IndexArray) -> tuple[FloatArray, IndexArray]:
+    """Replace the two triangles of each cell that holds an apex by a fan of four about it."""
+    rows, columns = insole.contact.heights_mm.shape
+    tips = apexes(insole)
+    cells = np.array([i * (columns - 1) + j for i, j in tips], dtype=np.int64)
     cell_count = (rows - 1) * (columns - 1)
     keep = np.ones(len(triangles), dtype=bool)
     keep[np.concatenate([cells, cells + cell_count])] = False
     fans = [triangles[keep]]
-    for number, cell in enumerate(apexes):
+    for number, cell in enumerate(cells):
         a, b, c = triangles[cell]
         d = triangles[cell + cell_count, 2]
         tip = rows * columns + number
         fans.append(np.array([[a, b, tip], [b, c, tip], [c, d, tip], [d, a, tip]], np.int32))
-    return np.array(list(apexes.values())).reshape(-1, 3), np.concatenate(fans)
+    return np.array(list(tips.values())).reshape(-1, 3), np.concatenate(fans)
 
 
 def _apex(insole: Insole, i: int, j: int, u: float, v: float) -> FloatArray:
@@ -88,7 +98,7 @@ def _apex(insole: Insole, i: int, j: int, u: float, v: float) -> FloatArray:
     base = field.heights_mm[i : i + 2, j : j + 2].ravel().copy()
     added = 0.0
     for pad in active_pads(insole.design):
-        base -= pelott_heights(pad, corners)
-        added += float(pelott_heights(pad, np.array([x, y])))
+        base -= pad_heights(pad, corners)
+        added += float(pad_heights(pad, np.array([x, y])))
     weights = np.array([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v])
     return np.array([x, y, weights @ base + added])

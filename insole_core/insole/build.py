@@ -11,9 +11,9 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.contact import ContactBase, contact_base
 from insole_core.insole.design import InsoleDesign, Pelott
-from insole_core.insole.egg import egg_outline, pelott_heights
 from insole_core.insole.height_field import HeightField
 from insole_core.insole.limits import check_design
+from insole_core.insole.pads import pad_heights, pad_outline
 from insole_core.progress import SILENT, Progress
 
 LEAST_MATERIAL_MM = 0.3
@@ -80,12 +80,12 @@ def active_pads(design: InsoleDesign) -> list[Pelott]:
 
 
 def _raise(heights: FloatArray, field: HeightField, pad: Pelott) -> None:
-    outline = egg_outline(pad)
+    outline = pad_outline(pad)
     (left, back), (right, front) = outline.min(axis=0), outline.max(axis=0)
     columns = slice(*np.searchsorted(field.x_mm, [left, right]))
     rows = slice(*np.searchsorted(field.y_mm, [back, front]))
     x, y = np.meshgrid(field.x_mm[columns], field.y_mm[rows])
-    heights[rows, columns] += pelott_heights(pad, np.stack([x, y], axis=-1))
+    heights[rows, columns] += pad_heights(pad, np.stack([x, y], axis=-1))
 
 
 def _check_material(contact: HeightField) -> None:

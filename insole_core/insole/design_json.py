@@ -9,14 +9,21 @@ from typing import Any, NoReturn
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Correction, InsoleDesign, Pelott, Posting
-from insole_core.insole.limits import check_design
+from insole_core.insole.design import (
+    CORRECTION_TYPES,
+    Correction,
+    InsoleDesign,
+    Layers,
+    Outline,
+)
+from insole_core.insole.limits import CHOICES, check_design
 
 FORMAT, VERSION = "insole-design", 1
 
-_TYPES: dict[str, type[Correction]] = {Pelott.type: Pelott, Posting.type: Posting}
-_PAIRS = ("centre_mm", "sigma_mm")
-_TEXTS = ("id", "author", "created_at", "shape")
+_PLACES = ("centre_mm", "sigma_mm", "apex_mm")
+_PLACE_LISTS = ("outline_mm", "points_mm")
+_TEXTS = {"id", "author", "created_at"} | {key for words in CHOICES.values() for key in words}
+_PARTS: dict[str, type[Any]] = {"outline": Outline, "layers": Layers}
 
 
 def read_design(path: Path) -> InsoleDesign:
@@ -48,13 +55,13 @@ def read_design(path: Path) -> InsoleDesign:
 
 def design_to_json(design: InsoleDesign) -> dict[str, Any]:
     """Give a design as plain values for `json.dump`."""
-    values = {f.name: getattr(design, f.name) for f in fields(design)}
     return {
         "format": FORMAT,
         "version": VERSION,
-        **values,
+        **_to_json(design),
         "side": str(design.side),
-        "corrections": [_correction_to_json(c) for c in design.corrections],
+        "corrections": [{"type": c.type, **_to_json(c)} for c in design.corrections],
+        **{key: _to_json(getattr(design, key)) for key in _PARTS},
     }
 
 
@@ -66,47 +73,55 @@ def design_from_json(content: Any) -> InsoleDesign:
     DesignError
         One sentence that names the key.
     """
-    top = _object(content, "the design")
-    if top.get("format") != FORMAT:
+    top = dict(_object(content, "the design"))
+    if top.pop("format", None) != FORMAT:
         raise DesignError(f'format must be "{FORMAT}"; this is no design of an insole.')
-    _check_version(top.get("version"))
-    allowed = {f.name for f in fields(InsoleDesign)}
-    _check_keys(top, allowed | {"format", "version"}, {"side", "corrections"}, "the design")
-    if not isinstance(top["corrections"], list):
+    _check_version(top.pop("version", None))
+    _check_keys(top, InsoleDesign, "the design")
+    corrections = top.pop("corrections", None)
+    if not isinstance(corrections, list):
         raise DesignError("corrections must be a list; put the corrections in [ ].")
-    numbers = {key: _number(top[key], key) for key in allowed & top.keys() if key.endswith("_mm")}
     design = InsoleDesign(
-        side=_side(top["side"]),
-        corrections=tuple(_correction(c, n) for n, c in enumerate(top["corrections"])),
-        **numbers,
+        side=_side(top.pop("side")),
+        corrections=tuple(_correction(c, n) for n, c in enumerate(corrections)),
+        **{key: _part(key, top.pop(key)) for key in _PARTS.keys() & top.keys()},
+        **{key: _value(key, value, key) for key, value in top.items()},
     )
     check_design(design)
     return design
 
 
-def _correction_to_json(correction: Correction) -> dict[str, Any]:
-    values = {f.name: getattr(correction, f.name) for f in fields(correction)}
-    plain = {k: list(v) if isinstance(v, tuple) else v for k, v in values.items()}
-    return {"type": correction.type, **{k: v for k, v in plain.items() if v is not None}}
+def _to_json(value: Any) -> dict[str, Any]:
+    """The fields of a value; what is None is left out."""
+    values = {f.name: getattr(value, f.name) for f in fields(value)}
+    return {key: _plain(content) for key, content in values.items() if content is not None}
+
+
+def _plain(content: Any) -> Any:
+    return [_plain(part) for part in content] if isinstance(content, tuple) else content
+
+
+def _part(key: str, content: Any) -> Any:
+    return _read(_PARTS[key], dict(_object(content, key)), key)
 
 
 def _correction(content: Any, number: int) -> Correction:
     where = f"corrections[{number}]"
     given = dict(_object(content, where))
     name = given.pop("type", None)
-    if not isinstance(name, str) or name not in _TYPES:
-        known = ", ".join(f'"{known}"' for known in _TYPES)
+    if not isinstance(name, str) or name not in CORRECTION_TYPES:
+        known = ", ".join(f'"{known}"' for known in CORRECTION_TYPES)
         raise DesignError(
             f"{where} is of the type {json.dumps(name)}, which this version does not know;"
             f" it knows {known}."
         )
-    kind = _TYPES[name]
-    described: dict[str, Field[Any]] = {f.name: f for f in fields(kind)}
-    required = {
-        k for k, f in described.items() if f.default is MISSING and f.default_factory is MISSING
-    }
-    _check_keys(given, set(described), required, f"{where} ({name})")
-    return kind(**{k: _value(k, v, f"{k} of {where} ({name})") for k, v in given.items()})
+    correction: Correction = _read(CORRECTION_TYPES[name], given, f"{where} ({name})")
+    return correction
+
+
+def _read(kind: type[Any], given: dict[str, Any], where: str) -> Any:
+    _check_keys(given, kind, where)
+    return kind(**{k: _value(k, v, f"{k} of {where}") for k, v in given.items()})
 
 
 def _value(key: str, value: Any, where: str) -> Any:
@@ -118,11 +133,19 @@ def _value(key: str, value: Any, where: str) -> Any:
         if not isinstance(value, bool):
             raise DesignError(f"{where} must be true or false.")
         return value
-    if key in _PAIRS:
-        if not isinstance(value, list) or len(value) != 2:
-            raise DesignError(f"{where} must be two numbers in [ ].")
-        return tuple(_number(part, where) for part in value)
+    if key in _PLACES:
+        return _place(value, where)
+    if key in _PLACE_LISTS:
+        if not isinstance(value, list):
+            raise DesignError(f"{where} must be a list of places, each two numbers in [ ].")
+        return tuple(_place(place, where) for place in value)
     return _number(value, where)
+
+
+def _place(value: Any, where: str) -> tuple[float, float]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise DesignError(f"{where} must be two numbers in [ ].")
+    return _number(value[0], where), _number(value[1], where)
 
 
 def _number(value: Any, where: str) -> float:
@@ -156,10 +179,16 @@ def _check_version(version: Any) -> None:
         )
 
 
-def _check_keys(given: dict[str, Any], allowed: set[str], required: set[str], where: str) -> None:
+def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
+    described: dict[str, Field[Any]] = {f.name: f for f in fields(kind)}
+    required = {
+        k for k, f in described.items() if f.default is MISSING and f.default_factory is MISSING
+    }
+    if kind is InsoleDesign:
+        required |= {"corrections"}
     for key in sorted(required - given.keys()):
         raise DesignError(f'{where} lacks the key "{key}"; add it.')
-    for key in sorted(given.keys() - allowed):
+    for key in sorted(given.keys() - described.keys()):
         raise DesignError(
             f'{where} has the key "{key}", which this version does not know;'
             " check its spelling or leave it out."

@@ -1,7 +1,7 @@
-"""What the numbers of a design may be: one table for files, spin boxes and the builder.
+"""What the values of a design may be: one table for files, spin boxes and the builder.
 
 The ranges are wide, from what devices and shops can do; what is usual or advisable is a matter of
-the clinic's own rules.
+the clinic's own rules (`insole_core.insole.rules`).
 """
 
 from __future__ import annotations
@@ -11,7 +11,21 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from insole_core.errors import DesignError
-from insole_core.insole.design import Correction, InsoleDesign, Pelott, Posting
+from insole_core.insole.design import (
+    ArchRaise,
+    BrushStroke,
+    Correction,
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Outline,
+    Pelott,
+    Posting,
+)
+from insole_core.insole.outline_curve import crosses_itself
+from insole_core.insole.pad_shapes import PAD_SHAPES, encloses_centre
 
 
 @dataclass(frozen=True)
@@ -29,32 +43,74 @@ class Range:
         return f"{self.least:g} to {self.greatest:g} {self.unit}".rstrip()
 
 
+_PLACE = Range(-400, 400)
+_SHARE = Range(0, 1, "")
+_ANGLE = Range(-15, 15, "degrees")
+
 DESIGN_RANGES = {
     "thickness_mm": Range(0.5, 40),
     "grid_mm": Range(0.25, 5),
     "max_height_mm": Range(5, 45),
     "margin_mm": Range(0, 50),
 }
+OUTLINE_RANGES = {
+    "toe_allowance_mm": Range(-20, 30),
+    "ball_allowance_mm": Range(-20, 20),
+    "heel_allowance_mm": Range(-20, 20),
+    "shoe_size_eu": Range(16, 52, ""),
+    "points_mm": _PLACE,
+}
+LAYER_RANGES = {"cover_mm": Range(0, 5), "shell_mm": Range(0, 10), "base_mm": Range(0, 10)}
 CORRECTION_RANGES: dict[type[Correction], dict[str, Range]] = {
     Pelott: {
-        "centre_mm": Range(-400, 400),
+        "centre_mm": _PLACE,
         "length_mm": Range(5, 200),
         "width_mm": Range(5, 150),
         "height_mm": Range(-20, 20),
         "turn_deg": Range(-360, 360, "degrees"),
-        "egg_ratio": Range(0, 1, ""),
+        "egg_ratio": _SHARE,
         "sigma_mm": Range(1, 400),
+        "blend_mm": Range(0.5, 100),
+        "outline_mm": Range(-200, 200),
     },
     Posting: {
-        "rearfoot_deg": Range(-15, 15, "degrees"),
-        "forefoot_deg": Range(-15, 15, "degrees"),
+        "rearfoot_deg": _ANGLE,
+        "forefoot_deg": _ANGLE,
+        "blend_start": _SHARE,
+        "blend_end": _SHARE,
+    },
+    ForefootTwist: {"angle_deg": _ANGLE, "blend_start": _SHARE, "blend_end": _SHARE},
+    HeelSkive: {"depth_mm": Range(0.5, 8), "slope_deg": Range(5, 30, "degrees")},
+    HeelLift: {"height_mm": Range(-10, 20), "fade_start": _SHARE, "fade_end": _SHARE},
+    ArchRaise: {
+        "height_mm": Range(-20, 20),
+        "apex_mm": _PLACE,
+        "length_mm": Range(20, 200),
+        "width_mm": Range(10, 150),
+    },
+    HeelCup: {"depth_mm": Range(0, 30), "fade_start": _SHARE, "fade_end": _SHARE},
+    BrushStroke: {
+        "points_mm": _PLACE,
+        "radius_mm": Range(2, 80),
+        "strength": Range(0, 10, ""),
     },
 }
-PELOTT_SHAPES = ("egg",)
+PELOTT_SHAPES = PAD_SHAPES
+CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
+    InsoleDesign: {"bottom": ("flat", "following")},
+    Outline: {"source": ("foot", "shoe_size", "drawn"), "extent": ("full", "three_quarter")},
+    Pelott: {"shape": PAD_SHAPES},
+    Posting: {"method": ("extrinsic", "intrinsic")},
+    HeelSkive: {"border": ("medial", "lateral")},
+    BrushStroke: {"mode": ("push", "pull", "smooth")},
+}
+POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
+"""Least and greatest number of places in a list of them."""
+LEAST_DRAWN_POINTS = 4
 
 
 def check_design(design: InsoleDesign) -> None:
-    """Refuse a design with a value out of range.
+    """Refuse a design with a value out of range or with corrections that contradict themselves.
 
     Raises
     ------
@@ -62,14 +118,15 @@ def check_design(design: InsoleDesign) -> None:
         Names the key, the value, and what is allowed.
     """
     _check(design, DESIGN_RANGES, "")
+    _check(design.outline, OUTLINE_RANGES, " of outline")
+    _check(design.layers, LAYER_RANGES, " of layers")
+    _check_outline(design.outline)
     for number, correction in enumerate(design.corrections):
         where = f" of corrections[{number}] ({correction.type})"
         _check(correction, CORRECTION_RANGES[type(correction)], where)
-        if isinstance(correction, Pelott) and correction.shape not in PELOTT_SHAPES:
-            raise DesignError(
-                f'shape{where} is "{correction.shape}", and only "egg" is known;'
-                ' write "egg" or leave it out.'
-            )
+        _check_zone(correction, where)
+        if isinstance(correction, Pelott):
+            _check_pad(correction, where)
     ids = [c.id for c in design.corrections]
     if len(set(ids)) < len(ids):
         twice = next(i for i in ids if ids.count(i) > 1)
@@ -78,10 +135,73 @@ def check_design(design: InsoleDesign) -> None:
 
 def _check(value: Any, ranges: dict[str, Range], where: str) -> None:
     for key in (f.name for f in fields(value) if f.name in ranges):
-        content = getattr(value, key)
-        for number in content if isinstance(content, tuple) else (content,):
-            if number is not None and number not in ranges[key]:
+        for number in _numbers(getattr(value, key)):
+            if number not in ranges[key]:
                 raise DesignError(
                     f"{key}{where} is {number:g}, and must be {ranges[key]};"
                     " put in a value of that range."
                 )
+    for key, words in CHOICES.get(type(value), {}).items():
+        if getattr(value, key) not in words:
+            allowed = ", ".join(f'"{word}"' for word in words)
+            raise DesignError(f'{key}{where} is "{getattr(value, key)}", and must be {allowed}.')
+    for key in (f.name for f in fields(value) if f.name in POINT_COUNTS):
+        _check_count(key, getattr(value, key), where)
+
+
+def _numbers(content: Any) -> list[float]:
+    """All numbers of a value: of one, a place, a list of places, or of nothing."""
+    if isinstance(content, tuple):
+        return [number for part in content for number in _numbers(part)]
+    return [] if content is None else [content]
+
+
+def _check_count(key: str, points: tuple[Any, ...] | None, where: str) -> None:
+    least, greatest = POINT_COUNTS[key]
+    if points is not None and not least <= len(points) <= greatest:
+        raise DesignError(
+            f"{key}{where} has {len(points)} places, and must have {least} to {greatest};"
+            " draw it again."
+        )
+
+
+def _check_zone(correction: Correction, where: str) -> None:
+    for name in ("blend", "fade"):
+        start = getattr(correction, f"{name}_start", None)
+        end = getattr(correction, f"{name}_end", None)
+        if start is not None and end is not None and end - start < 0.05:
+            raise DesignError(
+                f"{name}_end{where} is {end:g}, and must lie at least 0.05 beyond {name}_start"
+                f" ({start:g}), or the surface gets a step."
+            )
+
+
+def _check_pad(pad: Pelott, where: str) -> None:
+    if (pad.shape == "outline") != (pad.outline_mm is not None):
+        raise DesignError(
+            f'outline_mm{where} belongs to the shape "outline" and to no other;'
+            " draw an outline, or choose another shape and leave it out."
+        )
+    if pad.outline_mm is None:
+        return
+    if crosses_itself(pad.outline_mm):
+        raise DesignError(f"outline_mm{where} crosses itself; draw the outline again in one round.")
+    if not encloses_centre(pad):
+        raise DesignError(
+            f"outline_mm{where} does not go round the pad's centre; put the apex into the outline."
+        )
+
+
+def _check_outline(outline: Outline) -> None:
+    if outline.source == "shoe_size" and outline.shoe_size_eu is None:
+        raise DesignError("shoe_size_eu of outline is missing; put in the size of the shoe.")
+    if outline.source != "drawn":
+        return
+    points = outline.points_mm or ()
+    if len(points) < LEAST_DRAWN_POINTS:
+        raise DesignError(
+            f"points_mm of outline has {len(points)} places, and a drawn outline needs at least"
+            f" {LEAST_DRAWN_POINTS}; draw it again."
+        )
+    if crosses_itself(points):
+        raise DesignError("The drawn outline of the insole crosses itself; move its points apart.")

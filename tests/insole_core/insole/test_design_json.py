@@ -15,9 +15,24 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.design import (
+    CORRECTION_TYPES,
+    BrushStroke,
+    InsoleDesign,
+    Layers,
+    Outline,
+    Pelott,
+    Posting,
+)
 from insole_core.insole.design_json import design_from_json, design_to_json, read_design
-from insole_core.insole.limits import CORRECTION_RANGES, DESIGN_RANGES, Range
+from insole_core.insole.limits import (
+    CHOICES,
+    CORRECTION_RANGES,
+    DESIGN_RANGES,
+    LAYER_RANGES,
+    OUTLINE_RANGES,
+    Range,
+)
 
 SCHEMA = json.loads(
     (Path(__file__).parents[3] / "docs" / "formats" / "design.schema.json").read_text("utf-8")
@@ -38,25 +53,68 @@ def within(limits: Range) -> st.SearchStrategy[float]:
     return st.floats(limits.least, limits.greatest)
 
 
+def place(limits: Range) -> st.SearchStrategy[tuple[float, float]]:
+    return st.tuples(within(limits), within(limits))
+
+
 def correction(kind: type, **extra: Any) -> st.SearchStrategy[Any]:
-    numbers = {k: within(r) for k, r in CORRECTION_RANGES[kind].items() if k not in extra}
+    ranges = CORRECTION_RANGES[kind]
+    numbers = {k: within(r) for k, r in ranges.items() if k not in extra}
+    words = {k: st.sampled_from(v) for k, v in CHOICES.get(kind, {}).items() if k not in extra}
+    zones = {k: st.floats(0, 0.5) for k in ranges if k.endswith("_start")}
+    zones |= {k: st.floats(0.55, 1) for k in ranges if k.endswith("_end")}
     texts = {"author": st.text(max_size=8), "enabled": st.booleans()}
-    return st.builds(kind, **numbers, **texts, **extra)
+    return st.builds(kind, **{**numbers, **words, **zones, **texts, **extra})
 
 
 PELOTT = CORRECTION_RANGES[Pelott]
+SQUARE = ((-10.0, -10.0), (10.0, -10.0), (10.0, 12.0), (-10.0, 10.0))
+PADS = correction(
+    Pelott,
+    shape=st.sampled_from([s for s in CHOICES[Pelott]["shape"] if s != "outline"]),
+    outline_mm=st.none(),
+    centre_mm=place(PELOTT["centre_mm"]),
+    sigma_mm=st.none() | place(PELOTT["sigma_mm"]),
+    blend_mm=st.none() | within(PELOTT["blend_mm"]),
+)
+FREE_PADS = correction(
+    Pelott,
+    shape=st.just("outline"),
+    outline_mm=st.just(SQUARE),
+    centre_mm=place(PELOTT["centre_mm"]),
+    sigma_mm=st.none(),
+    blend_mm=st.none(),
+)
+STROKES = correction(
+    BrushStroke,
+    points_mm=st.lists(
+        place(CORRECTION_RANGES[BrushStroke]["points_mm"]), min_size=1, max_size=4
+    ).map(tuple),
+)
+OTHERS = [
+    correction(
+        kind,
+        **(
+            {"apex_mm": st.none() | place(PELOTT["centre_mm"])} if kind.type == "arch_raise" else {}
+        ),
+    )
+    for kind in CORRECTION_TYPES.values()
+    if kind not in (Pelott, BrushStroke)
+]
+outlines = st.builds(
+    Outline,
+    source=st.sampled_from(["foot", "shoe_size", "drawn"]),
+    extent=st.sampled_from(CHOICES[Outline]["extent"]),
+    points_mm=st.just(SQUARE),
+    **{k: within(r) for k, r in OUTLINE_RANGES.items() if k != "points_mm"},
+)
 designs = st.builds(
     InsoleDesign,
     side=st.sampled_from(Side),
-    corrections=st.lists(
-        correction(
-            Pelott,
-            centre_mm=st.tuples(within(PELOTT["centre_mm"]), within(PELOTT["centre_mm"])),
-            sigma_mm=st.none() | st.tuples(within(PELOTT["sigma_mm"]), within(PELOTT["sigma_mm"])),
-        )
-        | correction(Posting),
-        max_size=4,
-    ).map(tuple),
+    corrections=st.lists(st.one_of(PADS, FREE_PADS, STROKES, *OTHERS), max_size=4).map(tuple),
+    outline=outlines,
+    layers=st.builds(Layers, **{k: within(r) for k, r in LAYER_RANGES.items()}),
+    bottom=st.sampled_from(CHOICES[InsoleDesign]["bottom"]),
     **{key: within(limits) for key, limits in DESIGN_RANGES.items()},
 )
 
@@ -96,32 +154,41 @@ def test_every_design_comes_back_and_obeys_the_schema(design):
     assert design_from_json(content) == design
 
 
-def test_defaults_of_the_schema_are_those_of_the_values():
-    pairs = [
-        (InsoleDesign, SCHEMA["properties"]),
-        (Pelott, SCHEMA["$defs"]["pelott"]["properties"]),
-        (Posting, SCHEMA["$defs"]["posting"]["properties"]),
-    ]
-    for kind, described in pairs:
-        assert {f.name for f in fields(kind)} == described.keys() - {"format", "version", "type"}
-        for field in fields(kind):
-            if "default" in described[field.name]:
-                assert field.default == described[field.name]["default"]
-            elif field.name not in ("corrections", "sigma_mm"):
-                assert field.default is MISSING
+DESCRIBED = [
+    (InsoleDesign, DESIGN_RANGES, SCHEMA["properties"]),
+    (Outline, OUTLINE_RANGES, SCHEMA["$defs"]["outline"]["properties"]),
+    (Layers, LAYER_RANGES, SCHEMA["$defs"]["layers"]["properties"]),
+    *(
+        (kind, CORRECTION_RANGES[kind], SCHEMA["$defs"][name]["properties"])
+        for name, kind in CORRECTION_TYPES.items()
+    ),
+]
+KINDS = [kind.__name__ for kind, _, _ in DESCRIBED]
 
 
-def test_ranges_of_the_schema_are_those_of_the_reader():
-    described = [(DESIGN_RANGES, SCHEMA["properties"])] + [
-        (ranges, SCHEMA["$defs"][kind.type]["properties"])
-        for kind, ranges in CORRECTION_RANGES.items()
-    ]
-    for ranges, properties in described:
-        for key, limits in ranges.items():
-            number = properties[key].get("items", properties[key])
-            assert (number["minimum"], number["maximum"]) == (limits.least, limits.greatest)
-        bounded = {k for k, v in properties.items() if "minimum" in v.get("items", v)}
-        assert bounded == ranges.keys()
+@pytest.mark.parametrize(("kind", "ranges", "described"), DESCRIBED, ids=KINDS)
+def test_defaults_of_the_schema_are_those_of_the_values(kind, ranges, described):
+    assert {f.name for f in fields(kind)} == described.keys() - {"format", "version", "type"}
+    for field in fields(kind):
+        default = None if field.default is MISSING else field.default
+        if field.name != "corrections":
+            assert described[field.name].get("default") == (default if default != () else None)
+
+
+def _number_of(described: dict[str, Any]) -> dict[str, Any]:
+    while "items" in described:
+        described = described["items"]
+    return described
+
+
+@pytest.mark.parametrize(("kind", "ranges", "described"), DESCRIBED, ids=KINDS)
+def test_ranges_of_the_schema_are_those_of_the_reader(kind, ranges, described):
+    for key, limits in ranges.items():
+        number = _number_of(described[key])
+        assert (number["minimum"], number["maximum"]) == (limits.least, limits.greatest)
+    assert {k for k, v in described.items() if "minimum" in _number_of(v)} == ranges.keys()
+    words = {k: tuple(v["enum"]) for k, v in described.items() if "enum" in v and k != "side"}
+    assert words == CHOICES.get(kind, {})
 
 
 BAD = [

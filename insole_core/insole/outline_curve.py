@@ -1,0 +1,63 @@
+"""Closed curves through a few places: the outlines of insoles and of free-hand pads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray
+
+_POINTS_PER_SPAN = 8
+
+
+def closed_curve(points: Sequence[tuple[float, float]] | FloatArray) -> FloatArray:
+    """Lay a closed curve with continuous direction through places (Catmull-Rom).
+
+    Parameters
+    ----------
+    points
+        At least three; the first is not repeated.
+
+    Returns
+    -------
+    (8 n, 2) float64
+        Begins with the first place; not repeated at the end.
+    """
+    p1 = np.asarray(points, dtype=float)
+    p0, p2, p3 = np.roll(p1, 1, axis=0), np.roll(p1, -1, axis=0), np.roll(p1, -2, axis=0)
+    t = (np.arange(_POINTS_PER_SPAN) / _POINTS_PER_SPAN)[:, None, None]
+    curve = 0.5 * (
+        2 * p1
+        + (p2 - p0) * t
+        + (2 * p0 - 5 * p1 + 4 * p2 - p3) * t**2
+        + (3 * p1 - p0 - 3 * p2 + p3) * t**3
+    )
+    return np.asarray(curve.transpose(1, 0, 2).reshape(-1, 2))
+
+
+def crosses_itself(points: Sequence[tuple[float, float]] | FloatArray) -> bool:
+    """Whether the closed polygon through places crosses itself."""
+    start = np.asarray(points, dtype=float)
+    end = np.roll(start, -1, axis=0)
+    # Which side of the line through each edge do the ends of all edges lie on?
+    along = end - start
+    from_start = _cross(along[:, None], start[None] - start[:, None])
+    from_end = _cross(along[:, None], end[None] - start[:, None])
+    parted = from_start * from_end < 0
+    return bool((parted & parted.T).any())
+
+
+def inside_curve(curve: FloatArray, places: FloatArray) -> BoolArray:
+    """Whether places (..., 2) lie in the closed polygon (n, 2), by the even-odd rule."""
+    x, y = places[..., 0, None], places[..., 1, None]
+    x1, y1 = curve.T
+    x2, y2 = np.roll(curve, -1, axis=0).T
+    spans = (y1 > y) != (y2 > y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        crossing = x1 + (y - y1) / (y2 - y1) * (x2 - x1)
+    return np.asarray((spans & (crossing > x)).sum(axis=-1) % 2 == 1)
+
+
+def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

@@ -1,0 +1,110 @@
+"""Outlines of all pads, about their apex and before they are turned (pad frame, mm).
+
+An egg is (26) of the thesis; the other shapes are superellipses, a bow, and free curves. Sizes are
+data (resources/pads/library.json); shapes are code, so that a prescription can be replayed.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.corrections import Pelott, Place
+from insole_core.insole.egg_curve import egg_curve
+from insole_core.insole.outline_curve import closed_curve, inside_curve
+
+PAD_SHAPES = (
+    "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
+)  # fmt: skip
+DOMED = ("egg", "drop", "arch_support", "outline")
+"""Shapes with one summit; the others have a flat top."""
+
+_DROP_RATIO = 0.9
+_SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
+_LEG_SHARE = 0.3  # breadth of a horseshoe's leg against the width
+_POINTS = 720
+_TIP_POINTS = 24
+
+
+def local_outline(pad: Pelott) -> FloatArray:
+    """Outline (n, 2) about the apex, not turned; shared, not to be written to."""
+    ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
+    return _outline(pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm)
+
+
+def pad2insole(pad: Pelott) -> FloatArray:
+    """(2, 2) rotation, pad frame to insole frame."""
+    angle = np.radians(pad.turn_deg)
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def encloses_centre(pad: Pelott) -> bool:
+    """Whether the apex of a free outline lies within it."""
+    return bool(inside_curve(local_outline(pad), np.zeros(2)))
+
+
+@lru_cache(maxsize=64)
+def _outline(
+    shape: str,
+    length_mm: float,
+    width_mm: float,
+    ratio: float,
+    corners_mm: tuple[Place, ...] | None,
+) -> FloatArray:
+    if corners_mm is not None:
+        outline = _counter_clockwise(closed_curve(corners_mm))
+    elif shape in {"egg", "drop"}:
+        outline = egg_curve(length_mm, width_mm, ratio)
+    elif shape == "horseshoe":
+        outline = _bow(length_mm, width_mm)
+    else:
+        outline = _superellipse(shape, length_mm, width_mm)
+    outline.setflags(write=False)
+    return outline
+
+
+def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
+    """|x / a|^n + |y / b|^n = 1; an arch support has two different halves."""
+    right, left = {
+        "bar": ((0.5, 5.0), (0.5, 5.0)),
+        "mortons_extension": ((0.5, 4.0), (0.5, 4.0)),
+        "cut_out": ((0.5, 2.0), (0.5, 2.0)),
+        "arch_support": ((_SUPPORT_FLAT, 4.0), (_SUPPORT_ROUND, 2.0)),
+    }[shape]
+    angle = (np.arange(_POINTS) + 0.5) / _POINTS * 2 * np.pi
+    cos, sin = np.cos(angle), np.sin(angle)
+    half, power = (np.where(cos > 0, r, s) for r, s in zip(right, left, strict=True))
+    x = half * width_mm * np.sign(cos) * np.abs(cos) ** (2 / power)
+    y = 0.5 * length_mm * np.sign(sin) * np.abs(sin) ** (2 / power)
+    return np.stack([x, y], axis=1)
+
+
+def _bow(length_mm: float, width_mm: float) -> FloatArray:
+    """A horseshoe: a half ring about the centre, two legs towards +y, round tips."""
+    leg = _LEG_SHARE * width_mm
+    outer, inner = width_mm / 2, width_mm / 2 - leg
+    middle = outer - leg / 2
+    reach = max(length_mm - outer - leg / 2, 0.0)
+    back = np.linspace(-np.pi, 0, _POINTS // 4)
+    tip = np.linspace(0, np.pi, _TIP_POINTS + 2)[1:-1]
+    parts = [
+        outer * _circle(back) + [0.0, 0.0],
+        leg / 2 * _circle(tip) + [middle, reach],
+        inner * _circle(back[::-1]),
+        leg / 2 * _circle(tip) + [-middle, reach],
+    ]
+    legs = [[outer, reach]], [[inner, reach]], [[-inner, reach]], [[-outer, reach]]
+    way = [parts[0], legs[0], parts[1], legs[1], parts[2], legs[2], parts[3], legs[3]]
+    return np.concatenate([np.asarray(part) for part in way])
+
+
+def _circle(angle: FloatArray) -> FloatArray:
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _counter_clockwise(curve: FloatArray) -> FloatArray:
+    x, y = curve.T
+    area = (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
+    return curve if area > 0 else curve[::-1].copy()

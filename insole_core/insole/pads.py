@@ -1,0 +1,161 @@
+"""What pads add to the contact surface: Gaussian neighbourhood (25), and a smooth edge.
+
+The thesis cuts the Gaussian off at the outline, which leaves a step there. Here it is multiplied by
+a window that falls to zero at the outline with zero slope, so that the skin meets no edge; outside
+the outline nothing changes, and at the apex the height is exactly the one asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from scipy.ndimage import map_coordinates
+from scipy.spatial import cKDTree
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.blending import smooth_step
+from insole_core.insole.corrections import Pelott
+from insole_core.insole.pad_shapes import DOMED, local_outline, pad2insole
+
+_PLATEAU = 0.5  # share of the way to the outline that the window of a dome leaves untouched
+_WIDEST_EDGE = 0.95  # share of the way to the outline that the edge may take
+_FLAT_EDGE = 0.25  # breadth of a flat pad's edge against its width
+_INSET_MM = 0.02  # a flat pad ends this much within its outline: the depth is interpolated
+_DEPTH_CELLS = 160
+_OUTLINE_PITCH = 0.2  # of a cell
+
+
+def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
+    """Outline of a pad, counter-clockwise, the first point not repeated.
+
+    Parameters
+    ----------
+    pad
+    points
+        At most so many, for drawing; by default all.
+
+    Returns
+    -------
+    (n, 2) float64, mm, insole frame
+    """
+    outline = local_outline(pad)
+    if points is not None:
+        outline = outline[:: -(-len(outline) // points)]
+    return np.asarray(outline @ pad2insole(pad).T + np.array(pad.centre_mm))
+
+
+def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
+    """Height that a pad adds at places (..., 2) of the insole frame, mm."""
+    local = (np.asarray(xy, dtype=float) - np.array(pad.centre_mm)) @ pad2insole(pad)
+    if pad.shape in {"egg", "drop", "arch_support"}:
+        return np.asarray(pad.height_mm * _dome(pad, local) * _radial_window(pad, local))
+    window = _edge_window(pad, local)
+    dome = _dome(pad, local) if pad.shape in DOMED else 1.0
+    return np.asarray(pad.height_mm * dome * window)
+
+
+def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
+    """The Gaussian of (25), 1 at the apex."""
+    if pad.sigma_mm is None:
+        sigma = np.ptp(local_outline(pad), axis=0) / 2
+    else:
+        sigma = np.array(pad.sigma_mm)
+    x, y = local[..., 0] / sigma[0], local[..., 1] / sigma[1]
+    return np.asarray(np.exp(-0.5 * (x * x + y * y)))
+
+
+def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
+    """1 round the apex, 0 from the outline on, along rays from the apex."""
+    angle, radius = _polar_outline(local_outline(pad).tobytes())
+    x, y = local[..., 0], local[..., 1]
+    reach = np.interp(np.arctan2(y, x), angle, radius)
+    share = np.hypot(x, y) / reach
+    if pad.blend_mm is None:
+        return 1 - smooth_step(share, _PLATEAU, 1.0)
+    edge = np.minimum(pad.blend_mm / reach, _WIDEST_EDGE)
+    return 1 - smooth_step((share - 1) / edge, -1.0, 0.0)
+
+
+@lru_cache(maxsize=64)
+def _polar_outline(outline: bytes) -> tuple[FloatArray, FloatArray]:
+    """Angles from -pi to pi, in order, and the distance of the outline there."""
+    x, y = np.frombuffer(outline).reshape(-1, 2).T
+    angle = np.arctan2(y, x)
+    order = np.argsort(angle)
+    angle, radius = angle[order], np.hypot(x, y)[order]
+    angle = np.concatenate([angle[-1:] - 2 * np.pi, angle, angle[:1] + 2 * np.pi])
+    return angle, np.concatenate([radius[-1:], radius, radius[:1]])
+
+
+def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
+    """1 deep inside, 0 from the outline on, by the distance from the outline."""
+    depth = _depth(local_outline(pad).tobytes())
+    if pad.blend_mm is not None:
+        edge = pad.blend_mm
+    elif pad.shape in DOMED:
+        edge = np.inf
+    else:
+        edge = _FLAT_EDGE * float(np.ptp(local_outline(pad)[:, 0]))
+    at_apex = float(depth.at(np.zeros(2)))
+    whole = depth.deepest_mm if pad.shape == "horseshoe" else at_apex
+    edge = min(edge, _WIDEST_EDGE * (whole - _INSET_MM))
+    return smooth_step(depth.at(local), _INSET_MM, _INSET_MM + edge)
+
+
+@dataclass(frozen=True, eq=False)
+class _Depth:
+    """Distance from an outline, positive inside, on a grid about it.
+
+    Parameters
+    ----------
+    first_mm : (2,)
+        Place of the first node.
+    step_mm
+    values : (nx, ny) float64, mm
+    """
+
+    first_mm: FloatArray
+    step_mm: float
+    values: FloatArray
+
+    @property
+    def deepest_mm(self) -> float:
+        return float(self.values.max())
+
+    def at(self, local: FloatArray) -> FloatArray:
+        """Distance at places (..., 2), linear between the nodes; negative beyond the grid."""
+        index = (np.moveaxis(local, -1, 0) - self.first_mm[(...,) + (None,) * (local.ndim - 1)]) / (
+            self.step_mm
+        )
+        return np.asarray(map_coordinates(self.values, index, order=1, cval=-1.0))
+
+
+@lru_cache(maxsize=16)
+def _depth(outline: bytes) -> _Depth:
+    """Distance field of an outline: kept, so that moving and turning a pad is cheap."""
+    curve = np.frombuffer(outline).reshape(-1, 2)
+    # Symmetric about the apex, so that a mirrored outline has the mirrored field.
+    reach = np.abs(curve).max(axis=0)
+    step = float(2 * reach.max() / _DEPTH_CELLS)
+    half = np.ceil(reach / step).astype(int) + 1
+    x, y = (np.arange(-n, n + 1) * step for n in half)
+    places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
+    points, inward = _dense(curve, _OUTLINE_PITCH * step)
+    _, nearest = cKDTree(points).query(places)
+    # Along the edge's normal the distance does not depend on where the edge was sampled.
+    values = ((places - points[nearest]) * inward[nearest]).sum(axis=-1)
+    return _Depth(-half * step, step, values)
+
+
+def _dense(curve: FloatArray, pitch_mm: float) -> tuple[FloatArray, FloatArray]:
+    """Points (n, 2) on a counter-clockwise polygon and the inward normals of their edges."""
+    edge = np.roll(curve, -1, axis=0) - curve
+    length = np.hypot(*edge.T)
+    count = np.ceil(np.maximum(length / pitch_mm, 1)).astype(int)
+    which = np.repeat(np.arange(len(curve)), count)
+    number = np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)
+    share = ((number + 0.5) / count[which])[:, None]
+    normal = np.stack([-edge[:, 1], edge[:, 0]], axis=1) / np.maximum(length, 1e-12)[:, None]
+    return curve[which] + share * edge[which], normal[which]
