@@ -32,10 +32,13 @@ from insole_studio.tools.orbit import OrbitTool
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.tools.plane import PlaneTool
 from insole_studio.tools.posting import PostingTool
+from insole_studio.tools.section import SectionTool
+from insole_studio.tools.tool import Tool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pelott_sizes
+from insole_studio.workbench.section import Section
 
 log = logging.getLogger(__name__)
 
@@ -94,9 +97,16 @@ def build_application(application: QApplication, places: Places) -> Application:
     jobs = Jobs()
     case = Case()
     surface = InsoleSurface(case, jobs)
-    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
-    hand = Hand(case, tools)
-    stage = DesignStage(case=case, surface=surface, hand=hand, sizes=load_pelott_sizes(), dark=dark)
+    section = Section()
+    hand = Hand(case, make_tools(section))
+    stage = DesignStage(
+        case=case,
+        surface=surface,
+        section=section,
+        hand=hand,
+        sizes=load_pelott_sizes(),
+        dark=dark,
+    )
     status = StatusBar(jobs)
     window = MainWindow(stage, status)
     autosave = Autosave(case, jobs, places.autosave_folder)
@@ -118,6 +128,18 @@ def build_application(application: QApplication, places: Places) -> Application:
     window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
     return Application(studio, window, stage, case, surface, hand, jobs, autosave, settings, places)
+
+
+def make_tools(section: Section) -> tuple[Tool, ...]:
+    """Give one of every tool."""
+    return (
+        OrbitTool(),
+        KeyPointTool(),
+        PelottTool(),
+        PostingTool(),
+        PlaneTool(),
+        SectionTool(section),
+    )
 
 
 def run_application(

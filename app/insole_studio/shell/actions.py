@@ -186,6 +186,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("A plane to look at the foot against"),
         "R",
     ),
+    _tool(
+        "section",
+        lambda: tr("Section"),
+        lambda: tr("Cut the insole and measure its thickness"),
+        "S",
+    ),
     _preset(Preset.PLANTAR, 1, lambda: tr("Plantar")),
     _preset(Preset.MEDIAL, 2, lambda: tr("Medial")),
     _preset(Preset.LATERAL, 3, lambda: tr("Lateral")),
@@ -273,14 +279,21 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
-        ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane"),
+        (
+            "tool_orbit",
+            "tool_key_point",
+            "tool_pelott",
+            "tool_posting",
+            "tool_plane",
+            "tool_section",
+        ),
     ),
     (lambda: tr("&Help"), ("about",)),
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (
     ("open_session", "open_archive", "save", "export"),
-    ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane"),
+    ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane", "tool_section"),
     ("fit", "linked", "height_map"),
     ("undo", "redo"),
 )

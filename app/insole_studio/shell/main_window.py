@@ -15,7 +15,8 @@ from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 
 PATIENT_PX = 248
-PARAMETERS_PX = 136
+PARAMETERS_PX = 152
+SECTION_SHARE = 0.36
 
 
 class MainWindow(QMainWindow):
@@ -37,6 +38,8 @@ class MainWindow(QMainWindow):
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
         self._parameters = self._dock("parameters", tr("Parameters"), stage.parameters)
+        self._section = self._dock("section", tr("Section"), stage.section)
+        self._docks = (self._patient, self._foot, self._parameters, self._section)
         self._place_docks()
         self._add_dock_actions()
 
@@ -82,6 +85,10 @@ class MainWindow(QMainWindow):
             [self._patient, self._foot], [PATIENT_PX, round(0.46 * shared)], horizontal
         )
         self.resizeDocks([self._parameters], [PARAMETERS_PX], vertical)
+        section = round(SECTION_SHARE * self.width())
+        self.resizeDocks(
+            [self._parameters, self._section], [self.width() - section, section], horizontal
+        )
 
     def layout_state(self) -> tuple[str, str]:
         """Give geometry and docks, packed as text."""
@@ -180,11 +187,12 @@ class MainWindow(QMainWindow):
         self.addDockWidget(area.LeftDockWidgetArea, self._patient)
         self.addDockWidget(area.RightDockWidgetArea, self._foot)
         self.addDockWidget(area.BottomDockWidgetArea, self._parameters)
+        self.splitDockWidget(self._parameters, self._section, Qt.Orientation.Horizontal)
 
     def _add_dock_actions(self) -> None:
         view = self._menus[2]
         view.addSeparator()
-        for dock in (self._patient, self._foot, self._parameters):
+        for dock in self._docks:
             view.addAction(dock.toggleViewAction())
 
 

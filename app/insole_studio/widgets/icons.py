@@ -18,6 +18,7 @@ _NAMES = {
     "pelott": "mdi6.egg-outline",
     "posting": "mdi6.angle-acute",
     "plane": "mdi6.square-opacity",
+    "section": "mdi6.box-cutter",
     "eye": "mdi6.eye-outline",
     "eye-off": "mdi6.eye-off-outline",
     "remove": "mdi6.close",

@@ -17,6 +17,7 @@ from insole_core.insole.contact import ContactBase, base_key, contact_base
 from insole_core.insole.design import InsoleDesign
 from insole_core.insole.height_field import HeightField
 from insole_core.insole.limits import check_design
+from insole_core.insole.posting import posted_mesh, posting_angles
 from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 from insole_studio.workbench.case import Case
@@ -41,6 +42,7 @@ class InsoleSurface(QObject):
         self._base: ContactBase | None = None
         self._base_of: tuple[Foot, tuple[float, ...]] | None = None
         self._block: TriangleMesh | None = None
+        self._standing: tuple[tuple[object, ...], TriangleMesh] | None = None
         self._shown_design: InsoleDesign | None = None
         self.contact: HeightField | None = None
         self.mesh: TriangleMesh | None = None
@@ -57,6 +59,20 @@ class InsoleSurface(QObject):
         if design is None or foot is None:
             return True
         return self._has_base(foot, design) and not self.problem
+
+    @property
+    def standing_foot(self) -> TriangleMesh | None:
+        """The foot as the insole holds it: turned by the posting, on the least thickness."""
+        design, foot = self._shown_design, self._case.foot
+        if design is None or foot is None:
+            return None
+        key = (foot, posting_angles(design), design.thickness_mm)
+        if self._standing is None or self._standing[0] != key:
+            turned = posted_mesh(foot, *posting_angles(design))
+            lift = design.thickness_mm - turned.vertices[:, 2].min()
+            raised = replace(turned, vertices=turned.vertices + np.array([0, 0, lift]))
+            self._standing = (key, raised)
+        return self._standing[1]
 
     def _forget(self) -> None:
         self._jobs.cancel(CHANNEL)

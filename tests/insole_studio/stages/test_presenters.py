@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -12,20 +13,19 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
+from insole_studio.bootstrap import make_tools
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
 from insole_studio.stages.design.parameters_presenter import ParametersPresenter
 from insole_studio.stages.design.patient_presenter import PatientPresenter
 from insole_studio.stages.design.rows import FieldGroup
+from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.tools.hand import Hand
-from insole_studio.tools.key_point import KeyPointTool
-from insole_studio.tools.orbit import OrbitTool
 from insole_studio.tools.pelott import PelottTool
-from insole_studio.tools.plane import PlaneTool
-from insole_studio.tools.posting import PostingTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pelott_sizes
+from insole_studio.workbench.section import Section, SectionPlane
 
 
 class MockView:
@@ -80,9 +80,13 @@ def case() -> Case:
 
 
 @pytest.fixture
-def hand(case: Case) -> Hand:
-    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
-    return Hand(case, tools)
+def hand(case: Case, section: Section) -> Hand:
+    return Hand(case, make_tools(section))
+
+
+@pytest.fixture
+def section(qapp: QApplication) -> Section:
+    return Section()
 
 
 @pytest.fixture
@@ -247,9 +251,9 @@ class TestParameters:
 
 class TestModels:
     def test_no_foot_offers_what_comes_next(
-        self, view: Any, case: Case, surface: InsoleSurface, hand: Hand
+        self, view: Any, case: Case, surface: InsoleSurface, section: Section, hand: Hand
     ) -> None:
-        FootPresenter(view, case, surface, hand).show_all()
+        FootPresenter(view, case, surface, section, hand).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["open_session", "open_mesh"]
@@ -260,11 +264,12 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
+        section: Section,
         hand: Hand,
         open_foot: Any,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, case, surface, hand)
+        presenter = FootPresenter(view, case, surface, section, hand)
         open_foot(side)
         assert case.foot is not None
         assert view.shown["show_mesh"] == (case.foot.mesh,)
@@ -277,11 +282,12 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
+        section: Section,
         hand: Hand,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = InsolePresenter(view, case, surface, hand)
+        presenter = InsolePresenter(view, case, surface, section, hand)
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         before = surface.height_mm(0.0, 150.0)
@@ -301,6 +307,7 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
+        section: Section,
         hand: Hand,
         open_foot: Any,
         qtbot: QtBot,
@@ -314,3 +321,55 @@ class TestModels:
         qtbot.waitUntil(lambda: surface.is_current, timeout=20_000)
         # A left foot's medial side is +x; a varus post raises it.
         assert surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0) > flat + 3.0
+
+
+class TestSection:
+    @pytest.mark.parametrize("side", list(Side))
+    def test_the_cut_shows_pad_and_words_where_they_are(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        section: Section,
+        open_foot: Any,
+        qtbot: QtBot,
+        side: Side,
+    ) -> None:
+        presenter = SectionPresenter(view, case, surface, section)
+        assert "section tool" in view.shown["show_sentence"][0]
+        open_foot(side)
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        section.show(SectionPlane((0.0, 150.0)))
+        presenter.show()
+        before = height_in(view, 0.0)
+        add_pelott(case, height_mm=6.0)
+        assert height_in(view, 0.0) == pytest.approx(before + 6.0, abs=0.05)
+        _top, _bottom, skin, ends = view.shown["show_cut"]
+        assert len(skin) > 10
+        assert ends[0 if side is Side.RIGHT else 1] == "Medial"
+
+    def test_along_the_foot_the_toes_are_at_the_right(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        section: Section,
+        open_foot: Any,
+        qtbot: QtBot,
+    ) -> None:
+        presenter = SectionPresenter(view, case, surface, section)
+        open_foot()
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        section.show(SectionPlane((20.0, 110.0), 90.0))
+        top, _bottom, _skin, ends = view.shown["show_cut"]
+        assert ends == ("Heel", "Toes")
+        # The arch of the test's foot is highest at y = 110.
+        assert abs(top[top[:, 1].argmax(), 0]) < 2.0
+        section.show(SectionPlane((500.0, 110.0), 90.0))
+        presenter.show()
+        assert "beside" in view.shown["show_sentence"][0]
+
+
+def height_in(view: Any, along_mm: float) -> float:
+    top = view.shown["show_cut"][0]
+    return float(np.interp(along_mm, top[:, 0], top[:, 1]))

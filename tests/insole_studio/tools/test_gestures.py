@@ -11,15 +11,14 @@ import pytest
 from insole_core.cases.record import ReferencePlane, Source
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_studio.bootstrap import make_tools
 from insole_studio.scene.camera import Camera, Preset, Subject, look
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.tools.hand import Hand
-from insole_studio.tools.key_point import NAMES, KeyPointTool, distances
-from insole_studio.tools.orbit import OrbitTool
-from insole_studio.tools.pelott import PelottTool
-from insole_studio.tools.plane import PlaneTool
-from insole_studio.tools.posting import PostingTool, posting_of
+from insole_studio.tools.key_point import NAMES, distances
+from insole_studio.tools.posting import posting_of
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.section import Section, SectionPlane
 
 CAMERA = Camera(height_mm=400.0)
 SIZE = (400, 400)
@@ -58,9 +57,13 @@ def case(make_foot: Any) -> Case:
 
 
 @pytest.fixture
-def hand(case: Case) -> Hand:
-    tools = (OrbitTool(), KeyPointTool(), PelottTool(), PostingTool(), PlaneTool())
-    return Hand(case, tools)
+def hand(case: Case, section: Section) -> Hand:
+    return Hand(case, make_tools(section))
+
+
+@pytest.fixture
+def section() -> Section:
+    return Section()
 
 
 def drag(hand: Hand, *places: tuple[float, float], handle: str | None = None) -> None:
@@ -287,3 +290,36 @@ def test_undo_in_the_middle_of_a_drag_is_not_lost(case: Case, hand: Hand) -> Non
 def test_every_tool_says_what_one_can_do(case: Case, hand: Hand, tool: str) -> None:
     hand.take(tool)
     assert 10 < len(hand.tool.hint(case)) < 90
+
+
+class TestSection:
+    def test_a_click_cuts_there_and_a_drag_moves_the_cut(
+        self, hand: Hand, section: Section
+    ) -> None:
+        hand.take("section")
+        drag(hand, (10.0, 60.0), (10.0, 60.0))
+        assert section.plane == SectionPlane((10.0, 60.0))
+        drag(hand, (10.0, 60.0), (0.0, 90.0), handle="section-move")
+        assert section.plane == SectionPlane((0.0, 90.0))
+
+    def test_its_end_turns_it(self, hand: Hand, section: Section) -> None:
+        hand.take("section")
+        section.show(SectionPlane((10.0, 60.0)))
+        drag(hand, (55.0, 60.0), (10.0, 110.0), handle="section-turn")
+        assert section.plane == SectionPlane((10.0, 60.0), 90.0)
+
+    def test_escape_puts_it_back(self, hand: Hand, section: Section) -> None:
+        hand.take("section")
+        section.show(SectionPlane((10.0, 60.0)))
+        hand.press(at(Phase.PRESS, 30.0, 80.0), GROUND)
+        hand.drag(at(Phase.MOVE, 35.0, 85.0))
+        assert section.plane != SectionPlane((10.0, 60.0))
+        hand.cancel()
+        assert section.plane == SectionPlane((10.0, 60.0))
+
+    def test_it_is_no_step_of_undo(self, hand: Hand, case: Case, section: Section) -> None:
+        hand.take("section")
+        drag(hand, (10.0, 60.0), (20.0, 60.0))
+        assert len(case.history) == 0
+        assert hand.nudge(at(Phase.MOVE, 0.0, 0.0), 0, 1)
+        assert section.plane == SectionPlane((20.0, 60.5))

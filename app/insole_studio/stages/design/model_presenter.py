@@ -19,9 +19,10 @@ from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.section import Section, section_line
 
 OUTLINE_POINTS = 96
-_NOTHING = (object(),) * 4
+_NOTHING = (object(),) * 5
 
 
 class ModelPanel(Protocol):
@@ -42,6 +43,7 @@ class ModelPanel(Protocol):
     def show_handles(self, handles: tuple[Handle, ...]) -> None: ...  # noqa: D102
     def show_key_points(self, points: Sequence[KeyPoint]) -> None: ...  # noqa: D102
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
+    def show_section(self, line: FloatArray | None) -> None: ...  # noqa: D102
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
     def show_warning(self, text: str) -> None: ...  # noqa: D102
 
@@ -51,10 +53,18 @@ class ModelPresenter:
 
     subject: Subject
 
-    def __init__(self, panel: ModelPanel, case: Case, surface: InsoleSurface, hand: Hand) -> None:
+    def __init__(
+        self,
+        panel: ModelPanel,
+        case: Case,
+        surface: InsoleSurface,
+        section: Section,
+        hand: Hand,
+    ) -> None:
         self.panel = panel
         self._case = case
         self._surface = surface
+        self._section = section
         self._hand = hand
         self._marked: tuple[object, ...] = _NOTHING
         """What the marks were drawn for: several facts may change at once."""
@@ -64,6 +74,7 @@ class ModelPresenter:
         case.selection_changed.connect(self.show_marks)
         hand.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
+        section.changed.connect(self.show_marks)
 
     @property
     def side(self) -> Side:
@@ -103,7 +114,8 @@ class ModelPresenter:
         if self.mesh is None:
             return
         record = self._case.shown
-        state = (record, self._case.selection, self._hand.tool, self._surface.contact)
+        plane = self._section.plane
+        state = (record, self._case.selection, self._hand.tool, self._surface.contact, plane)
         if all(a is b for a, b in zip(state, self._marked, strict=True)):
             return
         self._marked = state
@@ -112,6 +124,7 @@ class ModelPresenter:
         on_foot = self.subject is Subject.FOOT
         self.panel.show_key_points(record.annotations.key_points if on_foot else ())
         self._show_plane(record.annotations.plane)
+        self.panel.show_section(self._section_line())
 
     def press(self, event: PointerEvent) -> bool:
         """Begin a gesture of the tool."""
@@ -143,6 +156,16 @@ class ModelPresenter:
             size = 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
         self.panel.show_plane(plane, size)
 
+    def _section_line(self) -> FloatArray | None:
+        plane = self._section.plane
+        line = section_line(self._surface, plane) if plane is not None else None
+        return None if line is None else line + np.array([0.0, 0.0, self._lift_mm])
+
+    @property
+    def _lift_mm(self) -> float:
+        """Of what is drawn here over the contact surface."""
+        return self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
+
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
         design = self._case.shown.design
         pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
@@ -155,8 +178,7 @@ class ModelPresenter:
     def _outline(self, pad: Pelott) -> FloatArray:
         around = egg_outline(pad, OUTLINE_POINTS)
         closed = np.concatenate([around, around[:1]])
-        lift = self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
-        return np.column_stack([closed, self._surface.heights_mm(closed) + lift])
+        return np.column_stack([closed, self._surface.heights_mm(closed) + self._lift_mm])
 
 
 class FootPresenter(ModelPresenter):
@@ -199,8 +221,15 @@ class InsolePresenter(ModelPresenter):
 
     subject = Subject.INSOLE
 
-    def __init__(self, panel: ModelPanel, case: Case, surface: InsoleSurface, hand: Hand) -> None:
-        super().__init__(panel, case, surface, hand)
+    def __init__(
+        self,
+        panel: ModelPanel,
+        case: Case,
+        surface: InsoleSurface,
+        section: Section,
+        hand: Hand,
+    ) -> None:
+        super().__init__(panel, case, surface, section, hand)
         self._map_shown = False
         surface.failed.connect(self.panel.show_warning)
 

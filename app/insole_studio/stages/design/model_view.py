@@ -118,6 +118,12 @@ class ModelView(QWidget):
         self.scene.painter.show_plane(plane, size_mm)
         self.scene.request_render()
 
+    def show_section(self, line: FloatArray | None) -> None:
+        """Draw where the section plane cuts."""
+        lines = [] if line is None else [line]
+        self.scene.painter.show_lines("section", lines, self.scene.painter.scheme.mark, 3.0)
+        self.scene.request_render()
+
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None:
         """Write the anatomical words around the box."""
         self.scene.painter.show_directions(side, bounds_mm)

@@ -19,11 +19,14 @@ from insole_studio.stages.design.parameters_presenter import ParametersPresenter
 from insole_studio.stages.design.parameters_view import ParametersView
 from insole_studio.stages.design.patient_presenter import PatientPresenter
 from insole_studio.stages.design.patient_view import PatientView
+from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
+from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import PadSize
+from insole_studio.workbench.section import Section
 
 
 class DesignStage(QObject):
@@ -38,6 +41,7 @@ class DesignStage(QObject):
         *,
         case: Case,
         surface: InsoleSurface,
+        section: Section,
         hand: Hand,
         sizes: Sequence[PadSize],
         dark: bool,
@@ -49,16 +53,18 @@ class DesignStage(QObject):
         self.linked = True
         self.patient = PatientView()
         self.parameters = ParametersView()
+        self.section = SectionChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
-        self.foot_presenter = FootPresenter(self.foot, case, surface, hand)
-        self.insole_presenter = InsolePresenter(self.insole, case, surface, hand)
+        self.foot_presenter = FootPresenter(self.foot, case, surface, section, hand)
+        self.insole_presenter = InsolePresenter(self.insole, case, surface, section, hand)
         self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
             Subject.FOOT: (self.foot, self.foot_presenter),
             Subject.INSOLE: (self.insole, self.insole_presenter),
         }
         self._patient_presenter = PatientPresenter(self.patient, case)
         self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, sizes)
+        self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False

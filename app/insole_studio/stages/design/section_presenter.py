@@ -1,0 +1,58 @@
+"""Between the section plane and the panel that draws what it cuts."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.side import Side
+from insole_studio.texts import tr
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.section import Section, SectionPlane, cut_profile
+
+
+class SectionPanel(Protocol):
+    """What the section panel shows."""
+
+    def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
+    def show_cut(  # noqa: D102
+        self, top: FloatArray, bottom: FloatArray, skin: FloatArray, ends: tuple[str, str]
+    ) -> None: ...
+
+
+class SectionPresenter:
+    """Cuts anew whenever the insole or the plane is another."""
+
+    def __init__(
+        self, panel: SectionPanel, case: Case, surface: InsoleSurface, section: Section
+    ) -> None:
+        self._panel = panel
+        self._case = case
+        self._surface = surface
+        self._section = section
+        surface.changed.connect(self.show)
+        section.changed.connect(self.show)
+        self.show()
+
+    def show(self) -> None:
+        """Show the cut, or what to do for one."""
+        plane, side = self._section.plane, self._case.side
+        if plane is None or side is None:
+            self._panel.show_sentence(tr("Choose the section tool and click on the sole."))
+            return
+        profile = cut_profile(self._surface, plane)
+        if profile is None:
+            self._panel.show_sentence(tr("The section lies beside the insole."))
+            return
+        self._panel.show_cut(profile.top, profile.bottom, profile.skin, end_words(plane, side))
+
+
+def end_words(plane: SectionPlane, side: Side) -> tuple[str, str]:
+    """Name the left and the right end of a cut."""
+    x, y = plane.along
+    if abs(y) > abs(x):
+        words, forward = (tr("Heel"), tr("Toes")), y > 0
+    else:
+        words, forward = (tr("Lateral"), tr("Medial")), (x > 0) == (side is Side.LEFT)
+    return words if forward else (words[1], words[0])

@@ -1,0 +1,179 @@
+"""A cut through the insole, true to scale, with rulers in mm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from insole_core.geometry.arrays import FloatArray
+
+LEFT_PX, BOTTOM_PX, FREE_PX = 40.0, 22.0, 12.0
+STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+LEAST_TICK_PX = 28.0
+ABOVE_MM = 22.0
+"""How much of the foot above the insole is shown."""
+
+
+@dataclass(frozen=True)
+class _Scale:
+    """From mm to pixels: the same in both directions."""
+
+    left_mm: float
+    low_mm: float
+    px_per_mm: float
+    frame: QRectF
+
+    def point(self, s_mm: float, z_mm: float) -> QPointF:
+        return QPointF(
+            self.frame.left() + (s_mm - self.left_mm) * self.px_per_mm,
+            self.frame.bottom() - (z_mm - self.low_mm) * self.px_per_mm,
+        )
+
+    def along_mm(self, x_px: float) -> float:
+        return self.left_mm + (x_px - self.frame.left()) / self.px_per_mm
+
+
+class SectionChart(QWidget):
+    """Draws the insole as a body, the skin as a line; the pointer measures the thickness."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._sentence = ""
+        self._top: FloatArray | None = None
+        self._bottom = self._skin = np.empty((0, 2))
+        self._ends = ("", "")
+        self._pointer_px: float | None = None
+        self.setMouseTracking(True)
+        self.setMinimumSize(260, 112)
+
+    def sizeHint(self) -> QSize:
+        """Wide and low, as a cut is."""
+        return QSize(420, 132)
+
+    def show_sentence(self, sentence: str) -> None:
+        """Show what to do instead of a cut."""
+        self._top, self._sentence = None, sentence
+        self.update()
+
+    def show_cut(
+        self, top: FloatArray, bottom: FloatArray, skin: FloatArray, ends: tuple[str, str]
+    ) -> None:
+        """Show a cut.
+
+        Parameters
+        ----------
+        top, bottom : (n, 2) mm, point by point above each other
+        skin : (k, 2, 2) mm, segments
+        ends
+            Anatomical words at the left and at the right.
+        """
+        self._top, self._bottom, self._skin, self._ends = top, bottom, skin, ends
+        self.update()
+
+    def thickness_mm(self, s_mm: float) -> float | None:
+        """Material at a place of the cut; None beside it."""
+        if self._top is None or not self._top[0, 0] <= s_mm <= self._top[-1, 0]:
+            return None
+        top = np.interp(s_mm, self._top[:, 0], self._top[:, 1])
+        return float(top - np.interp(s_mm, self._bottom[:, 0], self._bottom[:, 1]))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw body, skin, rulers and the measured place."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if self._top is None:
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.setPen(self.palette().placeholderText().color())
+            painter.drawText(self.rect().adjusted(16, 0, -16, 0), flags, self._sentence)
+        else:
+            scale = self._scale()
+            self._paint_rulers(painter, scale)
+            painter.setClipRect(scale.frame)
+            self._paint_cut(painter, scale)
+            self._paint_measured(painter, scale)
+        painter.end()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Measure under the pointer."""
+        self._pointer_px = event.position().x()
+        self.update()
+
+    def leaveEvent(self, _event: QEvent) -> None:
+        """Measure no more."""
+        self._pointer_px = None
+        self.update()
+
+    def _scale(self) -> _Scale:
+        assert self._top is not None
+        frame = QRectF(
+            LEFT_PX, FREE_PX, self.width() - LEFT_PX - FREE_PX, self.height() - BOTTOM_PX - FREE_PX
+        )
+        low_s, high_s = self._top[0, 0], self._top[-1, 0]
+        high_z = float(self._top[:, 1].max()) + ABOVE_MM / 2
+        wide = max(high_s - low_s, 1.0) + 4.0
+        px_per_mm = min(frame.width() / wide, frame.height() / (high_z + 1.0))
+        left = (low_s + high_s) / 2 - frame.width() / px_per_mm / 2
+        return _Scale(left, -1.0, px_per_mm, frame)
+
+    def _paint_cut(self, painter: QPainter, scale: _Scale) -> None:
+        assert self._top is not None
+        around = np.concatenate([self._top, self._bottom[::-1]])
+        body = QPolygonF([scale.point(*point) for point in around])
+        accent = self.palette().highlight().color()
+        fill = QColor(accent)
+        fill.setAlpha(56)
+        painter.setBrush(fill)
+        painter.setPen(QPen(accent, 1.5))
+        painter.drawPolygon(body)
+        painter.setPen(QPen(QColor("#c4684a"), 1.5))
+        painter.drawLines([QLineF(scale.point(*a), scale.point(*b)) for a, b in self._skin])
+
+    def _paint_rulers(self, painter: QPainter, scale: _Scale) -> None:
+        frame = scale.frame
+        painter.setPen(QPen(self.palette().mid().color(), 1))
+        painter.drawLine(frame.bottomLeft(), frame.bottomRight())
+        painter.drawLine(frame.bottomLeft(), frame.topLeft())
+        painter.setPen(self.palette().windowText().color())
+        for s in _ticks(scale.left_mm, scale.along_mm(frame.right()), scale.px_per_mm):
+            at = scale.point(s, scale.low_mm)
+            painter.drawLine(at, at + QPointF(0, 4))
+            words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
+            painter.drawText(words, Qt.AlignmentFlag.AlignCenter, f"{s:g}")
+        high = scale.low_mm + frame.height() / scale.px_per_mm
+        for z in _ticks(scale.low_mm, high, scale.px_per_mm, 18.0):
+            at = scale.point(scale.left_mm, z)
+            painter.drawLine(at, at - QPointF(4, 0))
+            words = QRectF(0, at.y() - 9, LEFT_PX - 7, 18)
+            end = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(words, end, f"{z:g}")
+        painter.setPen(self.palette().placeholderText().color())
+        top = QRectF(frame.left() + 6, frame.top() - 4, frame.width() - 12, 18)
+        painter.drawText(top, Qt.AlignmentFlag.AlignLeft, self._ends[0])
+        painter.drawText(top, Qt.AlignmentFlag.AlignRight, self._ends[1])
+
+    def _paint_measured(self, painter: QPainter, scale: _Scale) -> None:
+        if self._pointer_px is None or self._top is None:
+            return
+        s = scale.along_mm(self._pointer_px)
+        thickness = self.thickness_mm(s)
+        if thickness is None:
+            return
+        z = float(np.interp(s, self._top[:, 0], self._top[:, 1]))
+        painter.setPen(QPen(self.palette().windowText().color(), 1, Qt.PenStyle.DashLine))
+        painter.drawLine(scale.point(s, z - thickness), scale.point(s, z))
+        text = f"{thickness:.1f} mm"
+        painter.drawText(scale.point(s, z) + QPointF(6, -6), text)
+
+
+def _ticks(
+    low_mm: float, high_mm: float, px_per_mm: float, least_px: float = LEAST_TICK_PX
+) -> Iterator[float]:
+    wide_enough = (step for step in STEPS_MM if step * px_per_mm >= least_px)
+    step = next(wide_enough, STEPS_MM[-1])
+    first = int(np.ceil(low_mm / step))
+    return (number * step for number in range(first, int(np.floor(high_mm / step)) + 1))

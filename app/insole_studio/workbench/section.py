@@ -1,0 +1,107 @@
+"""The section plane that one looks at the insole through, and what it cuts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.section import section_segments
+from insole_studio.workbench.insole_surface import InsoleSurface
+
+REACH_MM = 400.0
+
+
+@dataclass(frozen=True)
+class SectionPlane:
+    """An upright plane through the insole.
+
+    Parameters
+    ----------
+    origin_mm
+        A place (x, y) it passes through; distances along it count from there.
+    turn_deg
+        0 cuts across the foot, 90 along it.
+    """
+
+    origin_mm: tuple[float, float]
+    turn_deg: float = 0.0
+
+    @property
+    def along(self) -> FloatArray:
+        """(2,) unit vector in the plane, to the right of its picture."""
+        angle = np.radians(self.turn_deg)
+        return np.array([np.cos(angle), np.sin(angle)])
+
+    @property
+    def normal(self) -> FloatArray:
+        """(3,) unit vector across the plane."""
+        x, y = self.along
+        return np.array([-y, x, 0.0])
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """What the plane cuts; distances along the plane and heights, mm.
+
+    Parameters
+    ----------
+    top, bottom : (n, 2) float64
+        The contact surface and the bottom of the insole, point by point above each other.
+    skin : (k, 2, 2) float64
+        Segments of the foot as it stands on the insole.
+    """
+
+    top: FloatArray
+    bottom: FloatArray
+    skin: FloatArray
+
+
+class Section(QObject):
+    """The plane of now, or None; it belongs to the look, not to the case."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.plane: SectionPlane | None = None
+
+    def show(self, plane: SectionPlane | None) -> None:
+        """Look through another plane."""
+        if plane != self.plane:
+            self.plane = plane
+            self.changed.emit()
+
+
+def cut_profile(surface: InsoleSurface, plane: SectionPlane) -> Profile | None:
+    """Cut insole and foot; None where the plane misses the insole."""
+    line = section_line(surface, plane)
+    standing = surface.standing_foot
+    if line is None or standing is None:
+        return None
+    origin = np.array(plane.origin_mm)
+    distance = (line[:, :2] - origin) @ plane.along
+    segments = section_segments(standing, np.append(origin, 0.0), plane.normal)
+    skin = np.stack([(segments[..., :2] - origin) @ plane.along, segments[..., 2]], axis=-1)
+    return Profile(
+        top=np.stack([distance, line[:, 2]], axis=1),
+        bottom=np.stack([distance, np.zeros(len(line))], axis=1),
+        skin=skin,
+    )
+
+
+def section_line(surface: InsoleSurface, plane: SectionPlane) -> FloatArray | None:
+    """Give the cut through the contact surface, (n, 3) mm; None where there is none."""
+    field = surface.contact
+    if field is None:
+        return None
+    count = round(2 * REACH_MM / field.step_mm)
+    distance = np.linspace(-REACH_MM, REACH_MM, count + 1)
+    places = np.array(plane.origin_mm) + distance[:, None] * plane.along
+    heights = field.height_at(places)
+    on_insole = np.isfinite(heights)
+    if on_insole.sum() < 2:
+        return None
+    return np.column_stack([places, heights])[on_insole]

@@ -1,0 +1,36 @@
+"""Where a plane cuts a surface."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+
+
+def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray) -> FloatArray:
+    """Cut a mesh with a plane.
+
+    Parameters
+    ----------
+    mesh
+    origin, normal : (3,) float64
+        A point of the plane and its direction, in the frame of the mesh.
+
+    Returns
+    -------
+    (k, 2, 3) float64
+        One segment a triangle that the plane passes through, in no particular order.
+    """
+    height = (mesh.vertices - origin) @ normal
+    above = height >= 0
+    count = above[mesh.triangles].sum(axis=1)
+    cut = mesh.triangles[(count == 1) | (count == 2)]
+    # The corner that is alone on its side comes first: both cut edges leave from it.
+    lonely = above[cut].sum(axis=1) == 1
+    alone = np.where(lonely[:, None], above[cut], ~above[cut]).argmax(axis=1)
+    corner = cut[np.arange(len(cut))[:, None], (alone[:, None] + np.arange(3)) % 3]
+    first, others = corner[:, :1], corner[:, 1:]
+    share = height[first] / (height[first] - height[others])
+    start, end = mesh.vertices[first], mesh.vertices[others]
+    return np.asarray(start + share[..., None] * (end - start))
