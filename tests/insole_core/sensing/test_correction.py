@@ -51,6 +51,12 @@ def test_an_offset_alone_is_enough(tmp_path: Path) -> None:
     assert loaded.covered.all()
 
 
+def test_arrays_of_another_program_are_left_alone(tmp_path: Path) -> None:
+    path = tmp_path / "foreign.npz"
+    np.savez(path, offset=RAMP, slope=np.ones(3), coverage=np.zeros((480, 640)))
+    assert load_correction(path).slope is None
+
+
 def test_the_slope_acts_within_the_range_only() -> None:
     at = {r: correction().offset_at(np.full((480, 640), r))[0, 0] for r in (600.0, 650.0, 500.0)}
     assert at[650.0] == pytest.approx(-3)
@@ -89,7 +95,7 @@ def test_age() -> None:
         ({"other": RAMP}, "no readable array"),
         ({"offset": RAMP[:10]}, "480×640 finite"),
         ({"offset": np.full((480, 640), np.nan)}, "480×640 finite"),
-        ({"offset": RAMP, "slope": RAMP[:, :5]}, '"slope" must hold'),
+        ({"offset": RAMP, "slope": RAMP[:, :5], "record": np.array("{}")}, '"slope" must hold'),
         ({"offset": RAMP, "record": np.array('{"version": 9}')}, "newer than this program"),
         ({"offset": RAMP, "record": np.array("nonsense")}, "no readable array"),
     ],
