@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from insole_core.insole.design import InsoleDesign
 
 NAME = "design"
-HELP = "make the insole of a session or a scanned foot, as STL"
+HELP = "make the insole of a session or a scanned foot, for the shop"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,9 +24,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
-    parser.add_argument("--out", type=Path, required=True, metavar="insole.stl")
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
+    )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
-    parser.add_argument("--kind", choices=["insole", "block", "positive"], default="block")
+    parser.add_argument(
+        "--kind", choices=["insole", "block", "positive"], default="insole",
+        help="the insole (default), the contact surface in a block, or the foot as a mould",
+    )  # fmt: skip
     parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
     parser.add_argument(
         "--force", action="store_true", help="go on although the shape looks like the other foot"
@@ -35,12 +40,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, build the insole, write it."""
-    _check_call(arguments)
     from insole_core.export.atomic import replacing_file
-    from insole_core.export.stl import write_stl
-    from insole_core.insole.block import block_solid
+    from insole_core.export.solid_file import check_suffix, write_solids
+    from insole_core.export.three_mf import Part
     from insole_core.insole.build import build_insole
+    from insole_core.solids.solid import make_solid
 
+    check_suffix(arguments.out)
     design = _read_prescription(arguments.prescription)
     side = _agreed_side(arguments.side, design)
     with replacing_file(arguments.out) as beside:
@@ -48,19 +54,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         for note in foot.notes:
             print(note, file=sys.stderr)
         insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
-        progress.step(0.9, "Writing the insole")
-        write_stl(block_solid(insole), beside)
+        solid = make_solid(insole, arguments.kind, progress=progress.part(0.9, 0.95))
+        progress.step(0.95, f"Writing the {arguments.kind}")
+        write_solids([Part(solid, f"{insole.design.side} {arguments.kind}")], beside)
     progress.step(1.0, f"Done: {arguments.out}")
-
-
-def _check_call(arguments: argparse.Namespace) -> None:
-    if arguments.out.suffix.lower() != ".stl":
-        raise UsageError(f"--out is {arguments.out}, but the insole is written as .stl.")
-    if arguments.kind != "block":
-        raise UsageError(
-            f"--kind {arguments.kind} cannot be made yet; call it with --kind block, "
-            "the contact surface in a block for the CNC shop."
-        )
 
 
 def _read_prescription(path: Path | None) -> InsoleDesign | None:

@@ -1,0 +1,29 @@
+"""Wavefront OBJ, millimetres."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.export.atomic import replacing_file
+from insole_core.geometry.mesh import TriangleMesh
+
+
+def write_obj(mesh: TriangleMesh, path: Path) -> None:
+    """Write a mesh as OBJ; colours follow the coordinates of their vertex, as most programs read.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    numbers, form = mesh.vertices, "v %.5f %.5f %.5f\n"
+    if mesh.colors is not None:
+        numbers = np.concatenate([numbers, mesh.colors / 255], axis=1)
+        form = "v %.5f %.5f %.5f %.4f %.4f %.4f\n"
+    vertices = form * len(numbers) % tuple(numbers.ravel().tolist())
+    corners = (mesh.triangles + 1).ravel().tolist()
+    triangles = "f %d %d %d\n" * len(mesh.triangles) % tuple(corners)
+    with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(f"# Insole Studio, unit mm\n{vertices}{triangles}")

@@ -1,0 +1,70 @@
+"""One door for all formats a shop asks for: the suffix of the name decides."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.errors import UsageError
+from insole_core.export.obj import write_obj
+from insole_core.export.ply import write_ply
+from insole_core.export.stl import write_ascii_stl, write_stl
+from insole_core.export.three_mf import Part, write_3mf
+from insole_core.geometry.mesh import TriangleMesh
+
+SUFFIXES = (".stl", ".3mf", ".ply", ".obj")
+
+
+def check_suffix(path: Path, what: str = "the insole") -> None:
+    """Refuse a name whose suffix is no format of solids.
+
+    Raises
+    ------
+    UsageError
+    """
+    if path.suffix.lower() not in SUFFIXES:
+        known = ", ".join(SUFFIXES)
+        raise UsageError(f"{path} names no format that {what} is written as; choose {known}.")
+
+
+def write_solids(parts: Sequence[Part], path: Path, *, ascii_stl: bool = False) -> None:
+    """Write parts in the format that the suffix of `path` names.
+
+    3MF keeps the parts apart; in the other formats they are shells of one mesh.
+
+    Raises
+    ------
+    UsageError
+        When the format is not known.
+    OutputError
+        When the place cannot be written; what stood there before is untouched.
+    """
+    check_suffix(path)
+    kind = path.suffix.lower()
+    if kind == ".3mf":
+        write_3mf(parts, path)
+        return
+    mesh = merged([part.mesh for part in parts])
+    if kind == ".stl":
+        (write_ascii_stl if ascii_stl else write_stl)(mesh, path)
+    elif kind == ".obj":
+        write_obj(mesh, path)
+    else:
+        write_ply(mesh, path)
+
+
+def merged(meshes: Sequence[TriangleMesh]) -> TriangleMesh:
+    """Put meshes side by side into one; colours stay where all have them."""
+    if len(meshes) == 1:
+        return meshes[0]
+    first = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+    colors = [mesh.colors for mesh in meshes if mesh.colors is not None]
+    return TriangleMesh(
+        np.concatenate([mesh.vertices for mesh in meshes]),
+        np.concatenate(
+            [mesh.triangles + np.int32(at) for mesh, at in zip(meshes, first, strict=True)]
+        ),
+        np.concatenate(colors) if len(colors) == len(meshes) else None,
+    )

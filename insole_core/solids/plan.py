@@ -1,0 +1,175 @@
+"""The part of a lattice inside an outline, triangulated in the (x, y)-plane.
+
+Marching squares on a signed distance: full cells are halved, cells that the outline crosses are
+cut where it crosses their edges. Neighbouring cells share the crossings, so the triangulation has
+neither gap nor overlap, whatever the outline's shape.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+
+FULL = 15
+"""The case of a cell with all corners inside."""
+_NEAREST = 0.08
+"""A crossing keeps this share of a cell's side away from the nodes: no triangle degenerates."""
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """Triangles over a lattice of (ny, nx) nodes.
+
+    Parameters
+    ----------
+    ends : (n, 2) int64
+        Flat indices of the two lattice nodes between which each vertex lies.
+    share : (n,) float64
+        Its place between them, 0 at the first; a node of the lattice has 0 and twice itself.
+    triangles : (m, 3) int32
+        Counter-clockwise. Index n + k is the centre of the k-th cell of `fans`.
+    border : (k, 2) int32
+        Edges of the border, the inside on their left.
+    fans
+        Cells (row, column) that got a further vertex, in the order of their indices.
+    """
+
+    ends: IntArray
+    share: FloatArray
+    triangles: IndexArray
+    border: IndexArray
+    fans: tuple[tuple[int, int], ...] = ()
+
+    def carry(self, values: FloatArray) -> FloatArray:
+        """Interpolate values at the lattice's nodes (ny, nx, ...) to the vertices (n, ...)."""
+        flat = values.reshape(-1, *values.shape[2:])
+        first, last = flat[self.ends[:, 0]], flat[self.ends[:, 1]]
+        share = self.share.reshape(-1, *(1,) * (values.ndim - 2))
+        return np.asarray(first + share * (last - first))
+
+
+def trim(inside_mm: FloatArray, fans: tuple[tuple[int, int], ...] = ()) -> Plan:
+    """Triangulate where a signed distance to an outline is positive.
+
+    Parameters
+    ----------
+    inside_mm : (ny, nx) float64
+        Positive inside; where the outline leaves the lattice, the plan ends at its edge.
+    fans
+        Cells (row, column) that get a vertex of their own, if they lie wholly inside.
+    """
+    inside_mm = _closed_at_the_rim(inside_mm)
+    cells = _Cells(inside_mm > 0)
+    crossing_at, ends, share = _crossings(inside_mm)
+    tips = tuple(cell for cell in fans if cells.case[cell] == FULL)
+    first_tip = inside_mm.size + len(ends)
+    triangles, border = cells.triangulate(crossing_at, tips, first_tip)
+    used = np.zeros(first_tip + len(tips), dtype=bool)
+    used[triangles] = True
+    number = np.cumsum(used, dtype=np.int32) - 1
+    nodes = np.flatnonzero(used[: inside_mm.size])
+    crossing = used[inside_mm.size : first_tip]
+    return Plan(
+        np.concatenate([np.stack([nodes, nodes], axis=1), ends[crossing]]),
+        np.concatenate([np.zeros(len(nodes)), share[crossing]]),
+        number[triangles],
+        number[border],
+        tips,
+    )
+
+
+def _closed_at_the_rim(inside_mm: FloatArray) -> FloatArray:
+    """Let the outline pass within the outermost nodes."""
+    closed = np.full_like(inside_mm, -1.0)
+    closed[1:-1, 1:-1] = inside_mm[1:-1, 1:-1]
+    return closed
+
+
+class _Cells:
+    """The cells between the nodes; bit k of a cell's case: corner k (counter-clockwise) inside."""
+
+    def __init__(self, inside: BoolArray) -> None:
+        self.shape = inside.shape
+        self.size = inside.size
+        bit = inside.astype(np.uint8)
+        self.case = bit[:-1, :-1] + 2 * bit[:-1, 1:] + 4 * bit[1:, 1:] + 8 * bit[1:, :-1]
+        self.node = np.arange(self.size, dtype=np.int32).reshape(self.shape)
+
+    def triangulate(
+        self,
+        crossing_at: tuple[IndexArray, IndexArray],
+        tips: tuple[tuple[int, int], ...],
+        first_tip: int,
+    ) -> tuple[IndexArray, IndexArray]:
+        """Triangles and border edges: nodes first, then crossings, then the tips of the fans."""
+        case = self.case.copy()
+        fans = [np.zeros((0, 3), np.int32)]
+        for number, cell in enumerate(tips):
+            case[cell] = 0
+            a, b, c, d = self._corners_of(cell)
+            tip = first_tip + number
+            fans.append(np.array([[a, b, tip], [b, c, tip], [c, d, tip], [d, a, tip]], np.int32))
+        triangles, border = fans, [np.zeros((0, 2), np.int32)]
+        for kind in range(1, FULL + 1):
+            corners = self._corners(case == kind, crossing_at)
+            polygon, cuts = _TEMPLATES[kind]
+            triangles += [
+                corners[:, [polygon[0], polygon[k], polygon[k + 1]]]
+                for k in range(1, len(polygon) - 1)
+            ]
+            border += [corners[:, cut] for cut in cuts]
+        return np.concatenate(triangles), np.concatenate(border)
+
+    def _corners_of(self, cell: tuple[int, int]) -> list[int]:
+        row, column = cell
+        ring = [(row, column), (row, column + 1), (row + 1, column + 1), (row + 1, column)]
+        return [int(self.node[place]) for place in ring]
+
+    def _corners(self, chosen: BoolArray, crossing_at: tuple[IndexArray, IndexArray]) -> IndexArray:
+        """(k, 8) corners a, b, c, d of the chosen cells, then crossings of ab, bc, cd, da."""
+        node, (flat, steep) = self.node, crossing_at
+        columns = [
+            node[:-1, :-1], node[:-1, 1:], node[1:, 1:], node[1:, :-1],
+            flat[:-1], steep[:, 1:], flat[1:], steep[:, :-1],
+        ]  # fmt: skip
+        return np.stack([column[chosen] for column in columns], axis=1)
+
+
+def _crossings(
+    inside_mm: FloatArray,
+) -> tuple[tuple[IndexArray, IndexArray], IntArray, FloatArray]:
+    """Number the crossings of the edges along x, then along y, after the nodes; place them."""
+    first = inside_mm.size
+    node = np.arange(inside_mm.size).reshape(inside_mm.shape)
+    numbers, ends, share = [], [], []
+    for axis in (1, 0):
+        start, end = (np.s_[:, :-1], np.s_[:, 1:]) if axis else (np.s_[:-1], np.s_[1:])
+        cut = (inside_mm[start] > 0) != (inside_mm[end] > 0)
+        number = np.full(cut.shape, -1, dtype=np.int32)
+        number[cut] = first + np.arange(cut.sum(), dtype=np.int32)
+        first += int(cut.sum())
+        a, b = inside_mm[start][cut], inside_mm[end][cut]
+        numbers.append(number)
+        ends.append(np.stack([node[start][cut], node[end][cut]], axis=1))
+        share.append(np.clip(a / (a - b), _NEAREST, 1 - _NEAREST))
+    return (numbers[0], numbers[1]), np.concatenate(ends), np.concatenate(share)
+
+
+def _template(case: int) -> tuple[list[int], list[list[int]]]:
+    """Polygon of a case (corners 0 to 3, crossings 4 to 7), and which of its sides are border."""
+    inside = [bool(case >> corner & 1) for corner in range(4)]
+    polygon: list[int] = []
+    for corner in range(4):
+        if inside[corner]:
+            polygon.append(corner)
+        if inside[corner] != inside[(corner + 1) % 4]:
+            polygon.append(4 + corner)
+    sides = zip(polygon, polygon[1:] + polygon[:1], strict=True)
+    cuts = [[a, b] for a, b in sides if a >= 4 and b >= 4 and inside[a - 4]]
+    return polygon, cuts
+
+
+_TEMPLATES = {case: _template(case) for case in range(1, FULL + 1)}
