@@ -26,6 +26,8 @@ from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
+from insole_studio.tools.brush import BrushTool
+from insole_studio.tools.free_hand import FreeHandTool
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import KeyPointTool
 from insole_studio.tools.orbit import OrbitTool
@@ -136,7 +138,9 @@ def make_tools(section: Section) -> tuple[Tool, ...]:
         OrbitTool(),
         KeyPointTool(),
         PelottTool(),
+        FreeHandTool(),
         PostingTool(),
+        BrushTool(),
         PlaneTool(),
         SectionTool(section),
     )

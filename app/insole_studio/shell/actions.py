@@ -6,6 +6,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from insole_core.insole.design import (
+    ArchRaise,
+    Correction,
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    Posting,
+)
 from insole_studio.scene.camera import Preset
 from insole_studio.texts import tr
 
@@ -63,6 +72,18 @@ def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: s
         shortcut=shortcut,
         checkable=True,
         group="tools",
+        needs_foot=True,
+    )
+
+
+def _prescription(
+    text: Callable[[], str], tip: Callable[[], str], make: Callable[[], Correction]
+) -> ActionRecord:
+    return ActionRecord(
+        f"add_{make().type}",
+        text,
+        tip,
+        lambda studio, _on: studio.prescribe(make()),
         needs_foot=True,
     )
 
@@ -175,10 +196,22 @@ ACTIONS: tuple[ActionRecord, ...] = (
     _tool("key_point", lambda: tr("Key point"), lambda: tr("Mark named places on the skin"), "K"),
     _tool("pelott", lambda: tr("Pelott"), lambda: tr("Place and shape pelotts"), "P"),
     _tool(
+        "free_hand",
+        lambda: tr("Free-hand pad"),
+        lambda: tr("Draw the outline of a pad on the sole"),
+        "D",
+    ),
+    _tool(
         "posting",
         lambda: tr("Pronation"),
         lambda: tr("Pronation / supination: tilt rear- and forefoot"),
         "T",
+    ),
+    _tool(
+        "brush",
+        lambda: tr("Brush"),
+        lambda: tr("Raise, lower or smooth the surface with strokes"),
+        "B",
     ),
     _tool(
         "plane",
@@ -191,6 +224,26 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("Section"),
         lambda: tr("Cut the insole and measure its thickness"),
         "S",
+    ),
+    _prescription(
+        lambda: tr("Posting"),
+        lambda: tr("Tilt rear- and forefoot by degrees"),
+        lambda: Posting(rearfoot_deg=4.0),
+    ),
+    _prescription(
+        lambda: tr("Forefoot twist"),
+        lambda: tr("Turn the forefoot against the rearfoot"),
+        lambda: ForefootTwist(angle_deg=4.0),
+    ),
+    _prescription(
+        lambda: tr("Heel skive"),
+        lambda: tr("A wedge in the heel cup, medial or lateral"),
+        HeelSkive,
+    ),
+    _prescription(lambda: tr("Heel lift"), lambda: tr("Raise the whole heel"), HeelLift),
+    _prescription(lambda: tr("Heel cup"), lambda: tr("Set the depth of the heel cup"), HeelCup),
+    _prescription(
+        lambda: tr("Arch raise"), lambda: tr("Raise the medial arch about its apex"), ArchRaise
     ),
     _preset(Preset.PLANTAR, 1, lambda: tr("Plantar")),
     _preset(Preset.MEDIAL, 2, lambda: tr("Medial")),
@@ -242,6 +295,17 @@ ACTIONS: tuple[ActionRecord, ...] = (
     ),
 )
 
+TOOL_KEYS = (
+    "tool_orbit",
+    "tool_key_point",
+    "tool_pelott",
+    "tool_free_hand",
+    "tool_posting",
+    "tool_brush",
+    "tool_plane",
+    "tool_section",
+)
+
 MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     (
         lambda: tr("&Case"),
@@ -279,13 +343,17 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
+        TOOL_KEYS,
+    ),
+    (
+        lambda: tr("&Prescribe"),
         (
-            "tool_orbit",
-            "tool_key_point",
-            "tool_pelott",
-            "tool_posting",
-            "tool_plane",
-            "tool_section",
+            "add_posting",
+            "add_forefoot_twist",
+            "add_heel_skive",
+            "add_heel_lift",
+            "add_heel_cup",
+            "add_arch_raise",
         ),
     ),
     (lambda: tr("&Help"), ("about",)),
@@ -293,7 +361,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (
     ("open_session", "open_archive", "save", "export"),
-    ("tool_orbit", "tool_key_point", "tool_pelott", "tool_posting", "tool_plane", "tool_section"),
+    TOOL_KEYS,
     ("fit", "linked", "height_map"),
     ("undo", "redo"),
 )

@@ -18,6 +18,7 @@ from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.insole.block import block_solid
 from insole_core.insole.build import build_insole
+from insole_core.insole.design import Correction
 from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 from insole_studio.scene.camera import Preset
@@ -28,6 +29,7 @@ from insole_studio.shell.questions import Answer, Questions
 from insole_studio.shell.theme import apply_theme
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
+from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import Hand
 from insole_studio.widgets.error_dialog import ErrorDialog
 from insole_studio.workbench.autosave import Autosave, Recovered
@@ -194,6 +196,15 @@ class Studio(QObject):
         design, selected = self.case.record.design, self.case.selection
         if design is not None and selected is not None:
             self.case.apply(design.with_removed(selected), tr("Remove a correction"))
+
+    def prescribe(self, correction: Correction) -> None:
+        """Add a correction and show its values."""
+        design = self.case.record.design
+        if design is None:
+            return
+        new = self.case.stamped(correction)
+        self.case.apply(design.with_added(new), tr("Add: {name}").format(name=name_of(new)))
+        self.case.select(new.id)
 
     def take_tool(self, key: str) -> None:
         """Take a tool into the hand."""

@@ -9,14 +9,14 @@ from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, rounded
+from insole_studio.tools.tool import Gesture, Ground, Tool, rounded
 from insole_studio.workbench.case import Case
 
 NAMES = ("Heel", "1st head", "2nd head", "5th head", "2nd toe", "Arch")
 PREFIX = "point:"
 
 
-class KeyPointTool:
+class KeyPointTool(Tool):
     """Places the next missing key point; points that are there can be dragged."""
 
     key = "key_point"
@@ -42,14 +42,6 @@ class KeyPointTool:
         if event.handle is not None:
             return _carry(case, event, event.handle.removeprefix(PREFIX), tr("Move a key point"))
         return _carry(case, event, next_name(case.record.annotations), tr("Mark a key point"))
-
-    def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Leave the wheel to the camera."""
-        return False
-
-    def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
-        """Leave the arrow keys."""
-        return False
 
 
 def next_name(annotations: Annotations) -> str:

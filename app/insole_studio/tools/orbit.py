@@ -11,11 +11,11 @@ from insole_studio.tools.pelott import (
     pelott_handles,
     selected_pelott,
 )
-from insole_studio.tools.tool import Gesture, Ground
+from insole_studio.tools.tool import Gesture, Ground, Tool
 from insole_studio.workbench.case import Case
 
 
-class OrbitTool:
+class OrbitTool(Tool):
     """Turns the view; a click on a correction selects it, its handles stay at hand."""
 
     key = "orbit"
@@ -38,10 +38,6 @@ class OrbitTool:
         pad = pelott_at(design, event) if design is not None else None
         case.select(pad.id if pad is not None else None)
         return None
-
-    def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Leave the wheel to the camera."""
-        return False
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
         """Move the selected pad by a little."""

@@ -1,4 +1,4 @@
-"""The pelott tool: click to place, drag to move, handles to stretch, turn and raise."""
+"""The pad tool: click to place, drag to move, handles to stretch, turn and raise."""
 
 from __future__ import annotations
 
@@ -8,25 +8,36 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import InsoleDesign, Pelott
-from insole_core.insole.egg import egg_outline
 from insole_core.insole.limits import CORRECTION_RANGES
+from insole_core.insole.outline_curve import inside_curve
+from insole_core.insole.pad_shapes import local_outline, pad2insole
+from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, rise_mm, rounded
+from insole_studio.tools.correction_names import name_of
+from insole_studio.tools.tool import (
+    Gesture,
+    Ground,
+    Tool,
+    nudge_mm,
+    place_at,
+    rise_mm,
+    rounded,
+)
 from insole_studio.workbench.case import Case
 
-PLACE_STEP_MM = 0.1
 HEIGHT_STEP_MM = 0.5
-NUDGE_MM = 0.5
 TURN_STEP_DEG = 0.5
 TURN_HANDLE_GAP_MM = 12.0
+OUTLINE_POINTS = 120
 
 Reshape = Callable[[Pelott, PointerEvent, PointerEvent], Pelott]
 
 
-class PelottTool:
+class PelottTool(Tool):
     """Places pads of the template shape and reshapes the selected one."""
 
     key = "pelott"
@@ -37,7 +48,7 @@ class PelottTool:
     def hint(self, case: Case) -> str:
         """Say in one short sentence what one can do now."""
         if selected_pelott(case) is None:
-            return tr("Click on the sole to place a pelott")
+            return tr("Click on the sole to place: {name}").format(name=name_of(self.template))
         return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
 
     def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
@@ -58,22 +69,18 @@ class PelottTool:
 
     def _place(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
         place = event.surface_mm
-        if case.record.design is None or place is None or _seen_from_above(event):
+        if case.record.design is None or place is None or seen_from_above(event):
             return None
         if not ground.covers(place[0], place[1]):
             return None
-        new = Pelott(
-            centre_mm=_xy(place),
-            length_mm=self.template.length_mm,
-            width_mm=self.template.width_mm,
-            height_mm=self.template.height_mm,
-            egg_ratio=self.template.egg_ratio,
-        )
-        return _follow(case, event, new, case.record.design.with_added, tr("Place a pelott"))
+        fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
+        new = replace(fresh, centre_mm=place_at(place))
+        sentence = tr("Place: {name}").format(name=name_of(new))
+        return _follow(case, event, new, case.record.design.with_added, sentence)
 
 
 def selected_pelott(case: Case) -> Pelott | None:
-    """Give the selected correction if it is a pelott of the shown design."""
+    """Give the selected correction if it is a pad of the shown design."""
     design = case.shown.design
     if design is None or case.selection is None:
         return None
@@ -82,23 +89,13 @@ def selected_pelott(case: Case) -> Pelott | None:
 
 
 def pelott_handles(case: Case, ground: Ground) -> tuple[Handle, ...]:
-    """Give the handles of the selected pelott."""
+    """Give the handles of the selected pad; the corners of a free outline are among them."""
     pad = selected_pelott(case)
     if pad is None:
         return ()
-    front, back = _reach(pad)
-    along, across = _axes(pad)
-    centre = np.array(pad.centre_mm)
-    spots = {
-        "move": centre,
-        "length": centre + front * along,
-        "width": centre + pad.width_mm / 2 * across,
-        "turn": centre + (front + TURN_HANDLE_GAP_MM) * along,
-        "height": centre - back * along,
-    }
     return tuple(
-        Handle(name, ground.place(*spot), _HINTS[name](), "move" if name == "move" else "size")
-        for name, spot in spots.items()
+        Handle(name, ground.place(*spot), _hint(name), "move" if name == "move" else "size")
+        for name, spot in _spots(pad).items()
     )
 
 
@@ -108,23 +105,24 @@ def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
     if design is None:
         return None
     pad = selected_pelott(case)
-    if pad is not None and event.handle in _RESHAPES:
-        reshape, sentence = _RESHAPES[event.handle]
-        return _reshape(case, event, pad, reshape, sentence())
+    if pad is not None and event.handle in _spots(pad):
+        reshape, sentence = _reshape_of(event.handle)
+        return _reshape(case, event, pad, reshape, sentence)
     pad = pelott_at(design, event)
     if pad is None:
         return None
     case.select(pad.id)
-    return _reshape(case, event, pad, _moved, tr("Move the pelott"))
+    return _reshape(case, event, pad, _moved, tr("Move the pad"))
 
 
 def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
-    """Give the last switched-on pelott whose outline holds the touched place."""
-    if event.surface_mm is None or _seen_from_above(event):
+    """Give the last switched-on pad whose outline holds the touched place."""
+    if event.surface_mm is None or seen_from_above(event):
         return None
     place = event.surface_mm[:2]
-    pads = [c for c in design.corrections if isinstance(c, Pelott) and c.enabled]
-    return next((pad for pad in reversed(pads) if _holds(pad, place)), None)
+    pads = [c for c in design.active if isinstance(c, Pelott)]
+    outlines = ((pad, pad_outline(pad, OUTLINE_POINTS)) for pad in reversed(pads))
+    return next((pad for pad, outline in outlines if inside_curve(outline, place)), None)
 
 
 def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
@@ -137,7 +135,7 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
     raised = replace(
         pad, height_mm=_within("height_mm", rounded(pad.height_mm + steps * step, 0.1))
     )
-    case.apply(design.with_changed(raised), tr("Raise the pelott"), f"{pad.id}:wheel")
+    case.apply(design.with_changed(raised), tr("Raise the pad"), f"{pad.id}:wheel")
     return True
 
 
@@ -147,12 +145,33 @@ def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
     pad = selected_pelott(case)
     if design is None or pad is None:
         return False
-    distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
-    step = (right * event.look.right + up * event.look.up)[:2]
-    step = step / max(float(np.linalg.norm(step)), 1e-9) * distance
-    moved = _at(pad, np.array(pad.centre_mm) + step, 0.01)
-    case.apply(design.with_changed(moved), tr("Move the pelott"), f"{pad.id}:nudge")
+    moved = _at(pad, np.array(pad.centre_mm) + nudge_mm(event, right, up), 0.01)
+    case.apply(design.with_changed(moved), tr("Move the pad"), f"{pad.id}:nudge")
     return True
+
+
+def seen_from_above(event: PointerEvent) -> bool:
+    """Whether the back of the foot is in front, where nothing of the insole can lie."""
+    return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
+
+
+def _spots(pad: Pelott) -> dict[str, FloatArray]:
+    """Places of the handles, by name."""
+    front, back = _reach(pad)
+    along, across = _axes(pad)
+    centre = np.array(pad.centre_mm)
+    spots = {
+        "move": centre,
+        "turn": centre + (front + TURN_HANDLE_GAP_MM) * along,
+        "height": centre - (back if pad.outline_mm is None else back + 6.0) * along,
+    }
+    if pad.outline_mm is None:
+        spots["length"] = centre + front * along
+        spots["width"] = centre + float(local_outline(pad)[:, 0].max()) * across
+    else:
+        corners = np.array(pad.outline_mm) @ pad2insole(pad).T + centre
+        spots.update({f"corner:{number}": corner for number, corner in enumerate(corners)})
+    return spots
 
 
 def _follow(
@@ -207,7 +226,8 @@ def _widened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
     offset = _offset(pad, event)
     if offset is None:
         return pad
-    width = rounded(2 * float(offset @ _axes(pad)[1]), HEIGHT_STEP_MM)
+    share = float(offset @ _axes(pad)[1]) / float(local_outline(pad)[:, 0].max())
+    width = rounded(pad.width_mm * share, HEIGHT_STEP_MM)
     return replace(pad, width_mm=_within("width_mm", width))
 
 
@@ -224,36 +244,35 @@ def _raised(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
     return replace(pad, height_mm=_within("height_mm", height))
 
 
+def _with_corner(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
+    offset = _offset(pad, event)
+    if offset is None or pad.outline_mm is None or press.handle is None:
+        return pad
+    number = int(press.handle.removeprefix("corner:"))
+    corners = list(pad.outline_mm)
+    corners[number] = place_at(offset @ pad2insole(pad))
+    return replace(pad, outline_mm=tuple(corners))
+
+
 def _offset(pad: Pelott, event: PointerEvent) -> FloatArray | None:
     place = event.place_mm(0.0)
     return None if place is None else np.asarray(place[:2] - np.array(pad.centre_mm))
 
 
-def _at(pad: Pelott, xy: FloatArray, step_mm: float = PLACE_STEP_MM) -> Pelott:
-    return replace(pad, centre_mm=(rounded(float(xy[0]), step_mm), rounded(float(xy[1]), step_mm)))
+def _at(pad: Pelott, xy: FloatArray, step_mm: float = 0.1) -> Pelott:
+    return replace(pad, centre_mm=place_at(xy, step_mm))
 
 
 def _axes(pad: Pelott) -> tuple[FloatArray, FloatArray]:
     """Unit vectors along the pad (to its blunt end) and across."""
-    angle = np.radians(pad.turn_deg)
-    cos, sin = np.cos(angle), np.sin(angle)
-    return np.array([-sin, cos]), np.array([cos, sin])
+    across, along = pad2insole(pad).T
+    return along, across
 
 
 def _reach(pad: Pelott) -> tuple[float, float]:
     """How far the outline lies before and behind the apex."""
-    upright = egg_outline(replace(pad, centre_mm=(0.0, 0.0), turn_deg=0.0), 180)
-    return float(upright[:, 1].max()), float(-upright[:, 1].min())
-
-
-def _holds(pad: Pelott, place: FloatArray) -> bool:
-    """Whether the place lies in the outline (ray crossing)."""
-    start = egg_outline(pad, 120) - place
-    end = np.roll(start, -1, axis=0)
-    spans = (start[:, 1] > 0) != (end[:, 1] > 0)
-    start, end = start[spans], end[spans]
-    crossing = start[:, 0] - start[:, 1] * (end - start)[:, 0] / (end - start)[:, 1]
-    return bool((crossing > 0).sum() % 2)
+    y = local_outline(pad)[:, 1]
+    return float(y.max()), float(-y.min())
 
 
 def _within(name: str, value: float) -> float:
@@ -261,26 +280,28 @@ def _within(name: str, value: float) -> float:
     return float(np.clip(value, allowed.least, allowed.greatest))
 
 
-def _xy(place: FloatArray) -> tuple[float, float]:
-    return rounded(float(place[0]), PLACE_STEP_MM), rounded(float(place[1]), PLACE_STEP_MM)
+def _hint(name: str) -> str:
+    return _HINTS[name.partition(":")[0]]()
 
 
-def _seen_from_above(event: PointerEvent) -> bool:
-    """Whether the back of the foot is in front, where no pad can lie."""
-    return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
+def _reshape_of(handle: str) -> tuple[Reshape, str]:
+    reshape, sentence = _RESHAPES[handle.partition(":")[0]]
+    return reshape, sentence()
 
 
 _HINTS: dict[str, Callable[[], str]] = {
-    "move": lambda: tr("Drag to move the pelott"),
+    "move": lambda: tr("Drag to move the pad"),
     "length": lambda: tr("Drag to make it longer or shorter"),
     "width": lambda: tr("Drag to make it wider or narrower"),
-    "turn": lambda: tr("Drag to turn the pelott"),
-    "height": lambda: tr("Drag up to raise the pelott, down to lower it"),
+    "turn": lambda: tr("Drag to turn the pad"),
+    "height": lambda: tr("Drag up to raise the pad, down to lower it"),
+    "corner": lambda: tr("Drag to change the outline"),
 }
-_RESHAPES: dict[str | None, tuple[Reshape, Callable[[], str]]] = {
-    "move": (_moved, lambda: tr("Move the pelott")),
-    "length": (_lengthened, lambda: tr("Stretch the pelott")),
-    "width": (_widened, lambda: tr("Widen the pelott")),
-    "turn": (_turned, lambda: tr("Turn the pelott")),
-    "height": (_raised, lambda: tr("Raise the pelott")),
+_RESHAPES: dict[str, tuple[Reshape, Callable[[], str]]] = {
+    "move": (_moved, lambda: tr("Move the pad")),
+    "length": (_lengthened, lambda: tr("Stretch the pad")),
+    "width": (_widened, lambda: tr("Widen the pad")),
+    "turn": (_turned, lambda: tr("Turn the pad")),
+    "height": (_raised, lambda: tr("Raise the pad")),
+    "corner": (_with_corner, lambda: tr("Change the outline of the pad")),
 }

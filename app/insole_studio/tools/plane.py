@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.cases.record import Annotations, ReferencePlane
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, rise_mm, rounded
+from insole_studio.tools.tool import Gesture, Ground, Tool, rise_mm, rounded
 from insole_studio.workbench.case import Case
 
 ARM_MM = 70.0
@@ -19,7 +19,7 @@ ANGLE_STEP_DEG = 0.5
 Turn = Callable[[ReferencePlane, float], ReferencePlane]
 
 
-class PlaneTool:
+class PlaneTool(Tool):
     """A click puts the plane through a place; its handles raise and turn it."""
 
     key = "plane"
@@ -49,14 +49,6 @@ class PlaneTool:
         if event.surface_mm is None:
             return None
         return _put(case, event, annotations)
-
-    def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Leave the wheel to the camera."""
-        return False
-
-    def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
-        """Leave the arrow keys."""
-        return False
 
 
 def _put(case: Case, event: PointerEvent, annotations: Annotations) -> Gesture:

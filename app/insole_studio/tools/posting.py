@@ -11,7 +11,7 @@ from insole_core.insole.limits import CORRECTION_RANGES
 from insole_core.insole.posting import posting_angles
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, rise_mm, rounded, with_number
+from insole_studio.tools.tool import Gesture, Ground, Tool, rise_mm, rounded, with_number
 from insole_studio.workbench.case import Case
 
 ANGLE_STEP_DEG = 0.5
@@ -22,7 +22,7 @@ BORDER_SHARE = 0.42
 EDGE_MM = 30.0
 
 
-class PostingTool:
+class PostingTool(Tool):
     """Rear- and forefoot angle, each by a handle at the medial edge."""
 
     key = "posting"
@@ -57,10 +57,6 @@ class PostingTool:
         changed = tilted(design, part, steps * ANGLE_STEP_DEG)
         case.apply(changed, _SENTENCES[part](), f"posting:{part}")
         return True
-
-    def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
-        """Leave the arrow keys."""
-        return False
 
     def _part(self, case: Case, event: PointerEvent) -> str:
         if event.surface_mm is None or case.foot is None:

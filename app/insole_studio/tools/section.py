@@ -9,19 +9,18 @@ import numpy as np
 
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, rounded
+from insole_studio.tools.tool import Gesture, Ground, Tool, nudge_mm, place_at, rounded
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.section import Section, SectionPlane
 
 ARM_MM = 45.0
 PLACE_STEP_MM = 0.5
 TURN_STEP_DEG = 1.0
-NUDGE_MM = 0.5
 
 Change = Callable[[SectionPlane, PointerEvent, PointerEvent], SectionPlane]
 
 
-class SectionTool:
+class SectionTool(Tool):
     """A click puts the section through a place; its handles move and turn it."""
 
     key = "section"
@@ -54,22 +53,16 @@ class SectionTool:
         if event.surface_mm is None:
             return None
         turn = plane.turn_deg if plane is not None else 0.0
-        put = SectionPlane(_rounded(event.surface_mm), turn)
+        put = SectionPlane(place_at(event.surface_mm, PLACE_STEP_MM), turn)
         return self._drag(event, put, _moved)
-
-    def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Leave the wheel to the camera."""
-        return False
 
     def nudge(self, _case: Case, event: PointerEvent, right: int, up: int) -> bool:
         """Move the section by half a millimetre."""
         plane = self._section.plane
         if plane is None:
             return False
-        distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
-        step = distance * (right * event.look.right + up * event.look.up)[:2]
-        x, y = np.array(plane.origin_mm) + step
-        self._section.show(replace(plane, origin_mm=(round(float(x), 3), round(float(y), 3))))
+        moved = np.array(plane.origin_mm) + nudge_mm(event, right, up)
+        self._section.show(replace(plane, origin_mm=place_at(moved, 0.01)))
         return True
 
     def _drag(self, press: PointerEvent, plane: SectionPlane, change: Change) -> Gesture:
@@ -88,7 +81,9 @@ def _moved(plane: SectionPlane, press: PointerEvent, event: PointerEvent) -> Sec
     start, now = press.place_mm(0.0), event.place_mm(0.0)
     if start is None or now is None:
         return plane
-    return replace(plane, origin_mm=_rounded(np.array(plane.origin_mm) + (now - start)[:2]))
+    return replace(
+        plane, origin_mm=place_at(np.array(plane.origin_mm) + (now - start)[:2], PLACE_STEP_MM)
+    )
 
 
 def _turned(plane: SectionPlane, _press: PointerEvent, event: PointerEvent) -> SectionPlane:
@@ -98,10 +93,6 @@ def _turned(plane: SectionPlane, _press: PointerEvent, event: PointerEvent) -> S
     x, y = place[:2] - np.array(plane.origin_mm)
     turn = float(np.degrees(np.arctan2(y, x)))
     return replace(plane, turn_deg=rounded(turn, TURN_STEP_DEG))
-
-
-def _rounded(place: np.ndarray) -> tuple[float, float]:
-    return rounded(float(place[0]), PLACE_STEP_MM), rounded(float(place[1]), PLACE_STEP_MM)
 
 
 def _move_hint() -> str:

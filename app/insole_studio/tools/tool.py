@@ -8,16 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import replace
-from typing import Any, Protocol, TypeVar
+from typing import Any, ClassVar, Protocol, TypeVar
+
+import numpy as np
 
 from insole_core.cases.record import ReferencePlane
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.design import Correction, InsoleDesign, Place
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.workbench.case import Case
 
-Record = TypeVar("Record", Pelott, Posting, InsoleDesign, ReferencePlane)
+NUDGE_MM = 0.5
+PLACE_STEP_MM = 0.1
+
+Record = TypeVar("Record", bound=Correction | InsoleDesign | ReferencePlane)
 Gesture = Generator[None, PointerEvent, None]
 
 
@@ -43,30 +49,47 @@ class Ground(Protocol):
         ...
 
 
-class Tool(Protocol):
-    """What the pointer does while this tool is chosen."""
+class Tool:
+    """What the pointer does while this tool is chosen; the defaults leave it to the camera."""
 
-    key: str
+    key: ClassVar[str]
 
     def hint(self, case: Case) -> str:
         """Say in one short sentence what one can do now."""
-        ...
+        raise NotImplementedError
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, _case: Case, _ground: Ground) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
-        ...
+        return ()
 
-    def press(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
+    @property
+    def sketch(self) -> tuple[Place, ...]:
+        """What the hand is drawing just now, in the insole frame."""
+        return ()
+
+    def press(self, _case: Case, _event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Begin a gesture; None leaves the press to the camera."""
-        ...
+        return None
 
-    def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
+    def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
         """Act on the wheel; False leaves it to the camera."""
-        ...
+        return False
 
-    def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
+    def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
         """Act on an arrow key; False when there is nothing to nudge."""
-        ...
+        return False
+
+
+def nudge_mm(event: PointerEvent, right: int, up: int) -> FloatArray:
+    """Give the step (2,) of an arrow key along the picture: 0.5 mm, Shift × 10, Ctrl × 0.1."""
+    distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
+    step = (right * event.look.right + up * event.look.up)[:2]
+    return np.asarray(step / max(float(np.linalg.norm(step)), 1e-9) * distance)
+
+
+def place_at(place: FloatArray, step_mm: float = PLACE_STEP_MM) -> Place:
+    """Give a place (x, y) in whole steps."""
+    return rounded(float(place[0]), step_mm), rounded(float(place[1]), step_mm)
 
 
 def with_number(value: Record, name: str, number: float) -> Record:

@@ -16,6 +16,8 @@ _NAMES = {
     "orbit": "mdi6.rotate-orbit",
     "key_point": "mdi6.map-marker-outline",
     "pelott": "mdi6.egg-outline",
+    "free_hand": "mdi6.lasso",
+    "brush": "mdi6.brush-outline",
     "posting": "mdi6.angle-acute",
     "plane": "mdi6.square-opacity",
     "section": "mdi6.box-cutter",

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.record import Annotations, CaseRecord, Patient, Source
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import InsoleDesign
 from insole_studio.workbench.history import History
 
 Changeable = InsoleDesign | Annotations | Patient
+Prescribed = TypeVar("Prescribed", bound=CorrectionBase)
 
 
 class Case(QObject):
@@ -40,6 +44,8 @@ class Case(QObject):
         self._history: History[CaseRecord] = History()
         self._selection: str | None = None
         self.path: Path | None = None
+        self.author = ""
+        """Who prescribes."""
 
     @property
     def record(self) -> CaseRecord:
@@ -75,6 +81,11 @@ class Case(QObject):
     def is_empty(self) -> bool:
         """Whether nothing would be lost by leaving this case."""
         return self._record.foot is None and self._record.patient == Patient()
+
+    def stamped(self, correction: Prescribed) -> Prescribed:
+        """Note who prescribes a correction, and when."""
+        now = datetime.now(UTC).isoformat(timespec="seconds")
+        return replace(correction, author=self.author, created_at=now)
 
     def apply(self, value: Changeable, sentence: str, merge_key: str = "") -> None:
         """Change the case and make it one step of undo; ends a preview.

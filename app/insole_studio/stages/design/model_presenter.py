@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
-from insole_core.insole.egg import egg_outline
+from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.texts import tr
@@ -22,7 +22,7 @@ from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.section import Section, section_line
 
 OUTLINE_POINTS = 96
-_NOTHING = (object(),) * 5
+_NOTHING = (object(),) * 6
 
 
 class ModelPanel(Protocol):
@@ -44,6 +44,7 @@ class ModelPanel(Protocol):
     def show_key_points(self, points: Sequence[KeyPoint]) -> None: ...  # noqa: D102
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
     def show_section(self, line: FloatArray | None) -> None: ...  # noqa: D102
+    def show_sketch(self, line: FloatArray) -> None: ...  # noqa: D102
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
     def show_warning(self, text: str) -> None: ...  # noqa: D102
 
@@ -114,8 +115,8 @@ class ModelPresenter:
         if self.mesh is None:
             return
         record = self._case.shown
-        plane = self._section.plane
-        state = (record, self._case.selection, self._hand.tool, self._surface.contact, plane)
+        tool, plane = self._hand.tool, self._section.plane
+        state = (record, self._case.selection, tool, tool.sketch, self._surface.contact, plane)
         if all(a is b for a, b in zip(state, self._marked, strict=True)):
             return
         self._marked = state
@@ -125,6 +126,7 @@ class ModelPresenter:
         self.panel.show_key_points(record.annotations.key_points if on_foot else ())
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
+        self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
 
     def press(self, event: PointerEvent) -> bool:
         """Begin a gesture of the tool."""
@@ -176,9 +178,11 @@ class ModelPresenter:
         return lines[False], lines[True]
 
     def _outline(self, pad: Pelott) -> FloatArray:
-        around = egg_outline(pad, OUTLINE_POINTS)
-        closed = np.concatenate([around, around[:1]])
-        return np.column_stack([closed, self._surface.heights_mm(closed) + self._lift_mm])
+        around = pad_outline(pad, OUTLINE_POINTS)
+        return self._on_surface(np.concatenate([around, around[:1]]))
+
+    def _on_surface(self, xy: FloatArray) -> FloatArray:
+        return np.column_stack([xy, self._surface.heights_mm(xy) + self._lift_mm])
 
 
 class FootPresenter(ModelPresenter):

@@ -124,6 +124,12 @@ class ModelView(QWidget):
         self.scene.painter.show_lines("section", lines, self.scene.painter.scheme.mark, 3.0)
         self.scene.request_render()
 
+    def show_sketch(self, line: FloatArray) -> None:
+        """Draw what the hand draws."""
+        lines = [line] if len(line) > 1 else []
+        self.scene.painter.show_lines("sketch", lines, self.scene.painter.scheme.accent, 3.0)
+        self.scene.request_render()
+
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None:
         """Write the anatomical words around the box."""
         self.scene.painter.show_directions(side, bounds_mm)

@@ -7,10 +7,18 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 from insole_core.cases.record import ReferencePlane
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
-from insole_core.insole.limits import CORRECTION_RANGES, DESIGN_RANGES, Range
+from insole_core.insole.design import (
+    Correction,
+    InsoleDesign,
+    Pelott,
+    Posting,
+)
+from insole_core.insole.limits import Range
+from insole_studio.stages.design.correction_fields import field_specs, with_value
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
 from insole_studio.texts import tr
+from insole_studio.tools.brush import BrushTool
+from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
@@ -20,6 +28,7 @@ from insole_studio.workbench.pad_library import PadSize
 
 ANGLE = Range(-90, 90, "degrees")
 PLACE = Range(-400, 400)
+TEMPLATE_KEYS = ("height_mm", "length_mm", "width_mm")
 
 
 class ParametersPanel(Protocol):
@@ -32,7 +41,7 @@ class ParametersPanel(Protocol):
 
 
 class ParametersPresenter:
-    """Shows the numbers of the selected correction and of the insole, and takes new ones."""
+    """Shows the values of the selected correction and of the insole, and takes new ones."""
 
     def __init__(
         self, panel: ParametersPanel, case: Case, hand: Hand, sizes: Sequence[PadSize]
@@ -57,10 +66,10 @@ class ParametersPresenter:
             note = tr("The numbers of the design appear here.")
             self._panel.show_groups([FieldGroup("", note=note)])
             return
-        self._panel.show_groups([*self._groups(design), _insole_group(design)])
+        self._panel.show_groups([*self._groups(design), *_make_groups(design)])
 
-    def edit(self, key: str, value: float) -> None:
-        """Take a number; edits of one field that follow each other are one undo."""
+    def edit(self, key: str, value: Any) -> None:
+        """Take a value; edits of one field that follow each other are one undo."""
         group, name = key.split(".", 1)
         _EDITS[group](self, name, value)
         self.show()
@@ -74,41 +83,39 @@ class ParametersPresenter:
             self._remove(name)
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
-        pad = selected_pelott(self._case)
-        tool = self._hand.tool
-        if tool.key == "posting":
-            return [_posting_group(posting_of(design) or Posting())]
+        tool, selected = self._hand.tool, self._selected(design)
         if tool.key == "plane":
             return [_plane_group(self._case.shown.annotations.plane)]
-        if pad is not None:
-            return [self._pelott_group(pad)]
+        if tool.key == "posting" and not (selected and selected.type != Posting.type):
+            return [_posting_group(posting_of(design) or Posting())]
+        if selected is not None:
+            return [self._correction_group(selected)]
         if isinstance(tool, PelottTool):
             return [self._template_group(tool.template)]
+        if isinstance(tool, BrushTool):
+            title = tr("Next stroke")
+            return [FieldGroup(title, field_specs(tool.template, "template"))]
         return []
 
-    def _pelott_group(self, pad: Pelott) -> FieldGroup:
-        x, y = pad.centre_mm
-        place = CORRECTION_RANGES[Pelott]["centre_mm"]
-        fields = (
-            _field("pelott.height_mm", tr("Height"), pad.height_mm, _pad_range("height_mm")),
-            _field("pelott.turn_deg", tr("Turn"), pad.turn_deg, _pad_range("turn_deg")),
-            _field("pelott.length_mm", tr("Length"), pad.length_mm, _pad_range("length_mm")),
-            _field("pelott.width_mm", tr("Width"), pad.width_mm, _pad_range("width_mm")),
-            _field("pelott.x", tr("Place x"), x, place),
-            _field("pelott.y", tr("Place y"), y, place),
-            _field("pelott.egg_ratio", tr("Egg ratio"), pad.egg_ratio, _pad_range("egg_ratio")),
-        )
-        return FieldGroup(tr("Pelott"), fields, self._size_offers())
+    def _selected(self, design: InsoleDesign) -> Correction | None:
+        selection = self._case.selection
+        return design.correction(selection) if selection is not None else None
+
+    def _correction_group(self, correction: Correction) -> FieldGroup:
+        if isinstance(correction, Posting):
+            return _posting_group(correction)
+        fields = field_specs(correction, "correction")
+        return FieldGroup(name_of(correction), fields, self._size_offers(correction))
 
     def _template_group(self, template: Pelott) -> FieldGroup:
-        fields = (
-            _field("template.height_mm", tr("Height"), template.height_mm, _pad_range("height_mm")),
-            _field("template.length_mm", tr("Length"), template.length_mm, _pad_range("length_mm")),
-            _field("template.width_mm", tr("Width"), template.width_mm, _pad_range("width_mm")),
-        )
-        return FieldGroup(tr("Next pelott"), fields, self._size_offers())
+        specs = field_specs(template, "template")
+        fields = tuple(spec for spec in specs if spec.key.split(".")[1] in TEMPLATE_KEYS)
+        title = tr("Next: {name}").format(name=name_of(template))
+        return FieldGroup(title, fields, self._size_offers(template))
 
-    def _size_offers(self) -> tuple[Offer, ...]:
+    def _size_offers(self, correction: Correction) -> tuple[Offer, ...]:
+        if not isinstance(correction, Pelott) or correction.shape != "egg":
+            return ()
         return tuple(
             Offer(
                 f"size.{size.name}",
@@ -132,35 +139,45 @@ class ParametersPresenter:
                 replace(self._case.record.annotations, plane=None), tr("Remove the reference plane")
             )
 
-    def _edit_pelott(self, name: str, value: float) -> None:
-        pad, design = selected_pelott(self._case), self._case.record.design
-        if pad is None or design is None:
+    def _edit_correction(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        selected = self._selected(design) if design is not None else None
+        if design is None or selected is None:
             return
-        x, y = pad.centre_mm
-        places = {"x": (value, y), "y": (x, value)}
-        edited = (
-            replace(pad, centre_mm=places[name])
-            if name in places
-            else with_number(pad, name, value)
-        )
-        self._case.apply(design.with_changed(edited), tr("Edit the pelott"), f"{pad.id}:{name}")
+        sentence = tr("Edit: {name}").format(name=name_of(selected))
+        changed = design.with_changed(with_value(selected, name, value))
+        self._case.apply(changed, sentence, f"{selected.id}:{name}")
 
-    def _edit_template(self, name: str, value: float) -> None:
-        if isinstance(self._hand.tool, PelottTool):
-            self._hand.tool.template = with_number(self._hand.tool.template, name, value)
+    def _edit_template(self, name: str, value: Any) -> None:
+        tool = self._hand.tool
+        if isinstance(tool, PelottTool | BrushTool):
+            tool.template = with_value(tool.template, name, value)
 
-    def _edit_posting(self, name: str, value: float) -> None:
+    def _edit_posting(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
-            posting = with_number(posting_of(design) or Posting(), name, value)
-            changed = with_posting(design, posting)
+            before = posting_of(design) or self._case.stamped(Posting())
+            changed = with_posting(design, with_value(before, name, value))
             self._case.apply(changed, tr("Edit the posting"), f"posting:{name}")
 
-    def _edit_insole(self, name: str, value: float) -> None:
+    def _edit_insole(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
-            changed = with_number(design, name, value)
-            self._case.apply(changed, tr("Edit the insole"), f"insole:{name}")
+            self._case.apply(
+                with_value(design, name, value), tr("Edit the insole"), f"insole:{name}"
+            )
+
+    def _edit_layers(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = replace(design, layers=with_value(design.layers, name, value))
+            self._case.apply(changed, tr("Edit the layers"), f"layers:{name}")
+
+    def _edit_outline(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = replace(design, outline=with_value(design.outline, name, value))
+            self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
 
     def _edit_plane(self, name: str, value: float) -> None:
         annotations = self._case.record.annotations
@@ -178,15 +195,8 @@ class ParametersPresenter:
 
 
 def _posting_group(posting: Posting) -> FieldGroup:
-    allowed = CORRECTION_RANGES[Posting]
-    rearfoot = _field(
-        "posting.rearfoot_deg", tr("Rearfoot"), posting.rearfoot_deg, allowed["rearfoot_deg"]
-    )
-    forefoot = _field(
-        "posting.forefoot_deg", tr("Forefoot"), posting.forefoot_deg, allowed["forefoot_deg"]
-    )
     note = tr("> 0 raises the medial edge, < 0 the lateral edge")
-    return FieldGroup(tr("Pronation / supination"), (rearfoot, forefoot), note=note)
+    return FieldGroup(tr("Pronation / supination"), field_specs(posting, "posting"), note=note)
 
 
 def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
@@ -200,38 +210,26 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
     return FieldGroup(tr("Reference plane"), fields, (Offer("remove.plane", tr("Remove")),))
 
 
-def _insole_group(design: InsoleDesign) -> FieldGroup:
-    grid = DESIGN_RANGES["grid_mm"]
-    fields = (
-        _field(
-            "insole.thickness_mm",
-            tr("Thickness"),
-            design.thickness_mm,
-            DESIGN_RANGES["thickness_mm"],
-        ),
-        FieldSpec(
-            "insole.grid_mm", tr("Grid"), "mm", design.grid_mm, grid.least, grid.greatest, 0.25, 2
-        ),
-    )
-    return FieldGroup(tr("Insole"), fields)
+def _make_groups(design: InsoleDesign) -> list[FieldGroup]:
+    """How the insole is made: always at hand."""
+    return [
+        FieldGroup(tr("Insole"), field_specs(design, "insole")),
+        FieldGroup(tr("Layers"), field_specs(design.layers, "layers")),
+        FieldGroup(tr("Outline"), field_specs(design.outline, "outline")),
+    ]
 
 
 def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
-    limits = (allowed.least, allowed.greatest)
-    if not allowed.unit:
-        return FieldSpec(key, label, "", value, *limits, step=0.05, decimals=2)
     unit = "°" if allowed.unit == "degrees" else allowed.unit
-    return FieldSpec(key, label, unit, value, *limits, step=0.5)
+    return FieldSpec(key, label, unit, value, allowed.least, allowed.greatest, step=0.5)
 
 
-def _pad_range(name: str) -> Range:
-    return CORRECTION_RANGES[Pelott][name]
-
-
-_EDITS: dict[str, Callable[[ParametersPresenter, str, float], None]] = {
-    "pelott": ParametersPresenter._edit_pelott,
+_EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
+    "correction": ParametersPresenter._edit_correction,
     "template": ParametersPresenter._edit_template,
     "posting": ParametersPresenter._edit_posting,
     "insole": ParametersPresenter._edit_insole,
+    "layers": ParametersPresenter._edit_layers,
+    "outline": ParametersPresenter._edit_outline,
     "plane": ParametersPresenter._edit_plane,
 }

@@ -16,23 +16,25 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.stages.design.rows import FieldGroup, FieldSpec
+from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec
+from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.number_field import NumberField
 
 ROWS = 2
 ROW_HEIGHT_PX = 26
+FIELD_PX = 100
 
 
 class ParametersView(QScrollArea):
     """Lays out groups of number fields beside each other."""
 
-    field_edited = Signal(str, float)
+    field_edited = Signal(str, object)
     offer_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shape: tuple[object, ...] = ()
-        self._fields: dict[str, NumberField] = {}
+        self._fields: dict[str, NumberField | Choice] = {}
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(112)
@@ -45,7 +47,15 @@ class ParametersView(QScrollArea):
             self._lay_out(groups)
         for group in groups:
             for spec in group.fields:
-                self._fields[spec.key].show_value(spec.value)
+                self._show_value(spec)
+
+    def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
+        field = self._fields[spec.key]
+        if isinstance(field, NumberField):
+            assert isinstance(spec, FieldSpec)
+            field.show_value(spec.value)
+        else:
+            field.show_value(str(spec.value))
 
     def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
         self._fields = {}
@@ -78,17 +88,11 @@ class ParametersView(QScrollArea):
         column.addStretch(1)
         return column
 
-    def _add_field(self, grid: QGridLayout, spec: FieldSpec, number: int) -> None:
-        field = NumberField(
-            spec.unit,
-            least=spec.least,
-            greatest=spec.greatest,
-            step=spec.step,
-            decimals=spec.decimals,
-        )
+    def _add_field(self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int) -> None:
+        field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        field.setFixedWidth(104)
+        field.setFixedWidth(FIELD_PX)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)
@@ -106,8 +110,20 @@ class ParametersView(QScrollArea):
             button.clicked.connect(self._choose)
             grid.addWidget(button, number % ROWS, column + number // ROWS)
 
-    def _edited(self, value: float) -> None:
+    def _edited(self, value: object) -> None:
         self.field_edited.emit(self.sender().property("key"), value)
 
     def _choose(self) -> None:
         self.offer_chosen.emit(self.sender().property("offer"))
+
+
+def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | Choice:
+    if isinstance(spec, ChoiceSpec):
+        return Choice(spec.options)
+    return NumberField(
+        spec.unit,
+        least=spec.least,
+        greatest=spec.greatest,
+        step=spec.step,
+        decimals=spec.decimals,
+    )

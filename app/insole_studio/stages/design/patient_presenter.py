@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Correction, Pelott, Posting
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
+from insole_studio.tools.correction_names import describe
 from insole_studio.tools.key_point import distances
 from insole_studio.workbench.case import Case
 
@@ -93,14 +93,3 @@ class PatientPresenter:
                 for c in corrections
             ]
         )
-
-
-def describe(correction: Correction) -> str:
-    """Name a correction with its most telling numbers."""
-    if isinstance(correction, Pelott):
-        size = f"{correction.length_mm:g} × {correction.width_mm:g} × {correction.height_mm:g}"
-        return tr("Pelott {size} mm").format(size=size)
-    if isinstance(correction, Posting):
-        angles = f"{correction.rearfoot_deg:g}° / {correction.forefoot_deg:g}°"
-        return tr("Posting {angles}").format(angles=angles)
-    return tr(correction.type.replace("_", " ").capitalize())

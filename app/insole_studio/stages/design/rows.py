@@ -38,6 +38,16 @@ class FieldSpec:
 
 
 @dataclass(frozen=True)
+class ChoiceSpec:
+    """One word out of several; `options` are pairs of the word and its text."""
+
+    key: str
+    label: str
+    value: str
+    options: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
 class Offer:
     """A button: what it does by key, and its text."""
 
@@ -50,11 +60,12 @@ class FieldGroup:
     """Numbers that belong together, under a title, with what can be done to them."""
 
     title: str
-    fields: tuple[FieldSpec, ...] = ()
+    fields: tuple[FieldSpec | ChoiceSpec, ...] = ()
     offers: tuple[Offer, ...] = ()
     note: str = ""
 
     @property
     def shape(self) -> tuple[object, ...]:
         """Everything but the values: equal shapes need no other fields."""
-        return (self.title, tuple(field.key for field in self.fields), self.offers, self.note)
+        fields = tuple((f.key, getattr(f, "options", ())) for f in self.fields)
+        return (self.title, fields, self.offers, self.note)

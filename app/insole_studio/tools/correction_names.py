@@ -1,0 +1,87 @@
+"""What corrections are called, in the language of the window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from insole_core.insole.design import (
+    ArchRaise,
+    BrushStroke,
+    Correction,
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    Pelott,
+    Posting,
+)
+from insole_studio.texts import tr
+
+PAD_NAMES: dict[str, Callable[[], str]] = {
+    "egg": lambda: tr("Pelott"),
+    "outline": lambda: tr("Free-hand pad"),
+    "drop": lambda: tr("Drop"),
+    "bar": lambda: tr("Metatarsal bar"),
+    "arch_support": lambda: tr("Arch support"),
+    "horseshoe": lambda: tr("Horseshoe"),
+    "cut_out": lambda: tr("Cut-out"),
+    "mortons_extension": lambda: tr("Morton's extension"),
+}
+_NAMES: dict[type[Correction], Callable[[], str]] = {
+    Posting: lambda: tr("Posting"),
+    ForefootTwist: lambda: tr("Forefoot twist"),
+    HeelSkive: lambda: tr("Heel skive"),
+    HeelLift: lambda: tr("Heel lift"),
+    ArchRaise: lambda: tr("Arch raise"),
+    HeelCup: lambda: tr("Heel cup"),
+    BrushStroke: lambda: tr("Brush stroke"),
+}
+WORDS: dict[str, Callable[[], str]] = {
+    "medial": lambda: tr("Medial"),
+    "lateral": lambda: tr("Lateral"),
+    "extrinsic": lambda: tr("Extrinsic"),
+    "intrinsic": lambda: tr("Intrinsic"),
+    "push": lambda: tr("Raise"),
+    "pull": lambda: tr("Lower"),
+    "smooth": lambda: tr("Smooth"),
+    "flat": lambda: tr("Flat"),
+    "following": lambda: tr("Following"),
+    "foot": lambda: tr("From the foot"),
+    "shoe_size": lambda: tr("Shoe size"),
+    "drawn": lambda: tr("Drawn"),
+    "full": lambda: tr("Full length"),
+    "three_quarter": lambda: tr("Three-quarter"),
+}
+"""The words that a prescription may hold where it offers a choice."""
+
+
+def name_of(correction: Correction) -> str:
+    """Name the kind of a correction."""
+    if isinstance(correction, Pelott):
+        return PAD_NAMES[correction.shape]()
+    return _NAMES[type(correction)]()
+
+
+def describe(correction: Correction) -> str:
+    """Name a correction with its most telling numbers."""
+    return f"{name_of(correction)} {_numbers(correction)}"
+
+
+def _numbers(correction: Correction) -> str:
+    if isinstance(correction, Pelott):
+        return _size(correction)
+    if isinstance(correction, Posting):
+        return f"{correction.rearfoot_deg:g}° / {correction.forefoot_deg:g}°"
+    if isinstance(correction, ForefootTwist):
+        return f"{correction.angle_deg:g}°"
+    if isinstance(correction, BrushStroke):
+        return WORDS[correction.mode]().lower()
+    if isinstance(correction, HeelSkive):
+        return f"{WORDS[correction.border]().lower()} {correction.depth_mm:g} mm"
+    height = correction.depth_mm if isinstance(correction, HeelCup) else correction.height_mm
+    return f"{height:g} mm"
+
+
+def _size(pad: Pelott) -> str:
+    sizes = (pad.length_mm, pad.width_mm) if pad.outline_mm is None else ()
+    return " × ".join(f"{number:g}" for number in (*sizes, pad.height_mm)) + " mm"
