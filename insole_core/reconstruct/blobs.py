@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -49,11 +49,18 @@ class Blobs:
     areas : (n,) float64, px²
     labels : (height, width) int32
         Index of the blob that a pixel belongs to, -1 elsewhere.
+    spreads : (n, 2, 2) float64, px², optional
+        Covariance of the pixels that are at least half as blue as the blob's inside.
+    fills : (n,) float64, optional
+        Area over that of a square with the same covariance: below 1 by a constant for a face seen
+        whole, by more for one that is partly hidden or runs into another.
     """
 
     centroids: FloatArray
     areas: FloatArray
     labels: IndexArray
+    spreads: FloatArray | None = None
+    fills: FloatArray | None = None
 
     def __len__(self) -> int:
         return len(self.areas)
@@ -152,3 +159,50 @@ def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
     index = np.full(len(features) + 1, -1, dtype=np.int32)
     index[kept] = np.arange(len(kept))
     return Blobs(features[kept, :2], features[kept, 2], index[labels])
+
+
+def sharpened(color: ByteArray, blobs: Blobs) -> Blobs:
+    """Place the centres of blobs where those of the faces are, undisturbed by what is beside them.
+
+    A threshold common to the image takes in the light that blur spreads into a marker's
+    surroundings, more on one side than on the other, and strips of other markers behind it.
+    Measured against its own blueness, a face counts fully from 0.85 of it on and not at all below
+    0.65, so that its rim is placed evenly on all sides and finer than a pixel. Its width is
+    measured at half of its blueness, where blur does not change it.
+    """
+    blue = blueness(color)
+    v, u = np.nonzero(blobs.labels >= 0)
+    label = blobs.labels[v, u]
+    value = blue[v, u].astype(float)
+    share = value / np.maximum(_upper_half_means(value, label, len(blobs)), 1)[label]
+    inner, whole = (np.clip((share - low) / 0.2, 0, 1) for low in (0.65, 0.4))
+    centers, _ = _moments(label, u, v, inner, len(blobs))
+    _, spreads = _moments(label, u, v, whole, len(blobs))
+    area = np.bincount(label, inner, minlength=len(blobs))
+    square = 12 * np.sqrt(np.maximum(np.linalg.det(spreads), 1e-12))
+    return replace(blobs, centroids=centers, spreads=spreads, fills=area / square)
+
+
+def _moments(
+    label: IndexArray, u: IntArray, v: IntArray, weight: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    """Weighted mean (count, 2) and covariance (count, 2, 2) of the pixels of every blob."""
+    mass = np.maximum(np.bincount(label, weight, minlength=count), 1e-9)
+    centers = np.stack(
+        [np.bincount(label, weight * at, minlength=count) / mass for at in (u, v)], axis=1
+    )
+    du, dv = u - centers[label, 0], v - centers[label, 1]
+    uu, uv, vv = (
+        np.bincount(label, weight * product, minlength=count) / mass
+        for product in (du * du, du * dv, dv * dv)
+    )
+    return centers, np.stack([uu, uv, uv, vv], axis=1).reshape(-1, 2, 2)
+
+
+def _upper_half_means(values: FloatArray, group: IndexArray, count: int) -> FloatArray:
+    """Mean of the values above their group's mean: the face without its rim."""
+    size = np.maximum(np.bincount(group, minlength=count), 1)
+    mean = np.bincount(group, values, minlength=count) / size
+    upper = values >= mean[group]
+    number = np.maximum(np.bincount(group[upper], minlength=count), 1)
+    return np.asarray(np.bincount(group[upper], values[upper], minlength=count) / number)

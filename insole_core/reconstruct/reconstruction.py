@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.blobs import find_blobs
+from insole_core.reconstruct.blobs import find_blobs, sharpened
 from insole_core.reconstruct.coloring import color_points, mean_color
 from insole_core.reconstruct.fusion.reading import Reading, read_volume
 from insole_core.reconstruct.fusion.surface import fuse
@@ -23,6 +23,7 @@ from insole_core.reconstruct.registration import (
     Registration,
     RegistrationLimits,
     register,
+    register_precisely,
 )
 from insole_core.reconstruct.result import (
     Method,
@@ -41,7 +42,7 @@ from insole_core.reconstruct.sheet import (
 from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.reconstruct.stopwatch import Stopwatch
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
-from insole_core.recording.session import Box, Session, View
+from insole_core.recording.session import Box, ReferenceSystem, Session, View
 from insole_core.sensing.frames import mean_raw, median_raw
 
 _Part = TypeVar("_Part")
@@ -88,6 +89,12 @@ class _Way(Protocol[_Part]):
         """Give depth in the resolution that the method keeps."""
         ...
 
+    def register(
+        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
+    ) -> Registration:
+        """Find where the sensor stood."""
+        ...
+
     def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> _Part:
         """Give the part of a placed view that shows the foot."""
         ...
@@ -115,6 +122,13 @@ class _Thesis:
 
     def rounded(self, depth_mm: FloatArray) -> FloatArray:
         return np.asarray(np.rint(depth_mm))
+
+    def register(
+        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
+    ) -> Registration:
+        sensor = measured.view.sensor
+        sightings = locate_blobs(find_blobs(measured.color), measured.points, sensor)
+        return register(sightings, system, sensor.faces, limits)
 
     def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Sheet:
         sensor = measured.view.sensor
@@ -144,6 +158,14 @@ class _Fused:
 
     def rounded(self, depth_mm: FloatArray) -> FloatArray:
         return depth_mm
+
+    def register(
+        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
+    ) -> Registration:
+        blobs = sharpened(measured.color, find_blobs(measured.color))
+        sensor = measured.view.sensor
+        sightings = locate_blobs(blobs, measured.points, sensor)
+        return register_precisely(sightings, system, sensor, limits)
 
     def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Reading:
         view = measured.view
@@ -202,9 +224,8 @@ class _Chain(Generic[_Part]):
             measured = self._measure(view)
         progress.step(0.6, f"Finding the markers of the view {view.name}")
         with self.clock.measuring("markers"):
-            sightings = locate_blobs(find_blobs(measured.color), measured.points, view.sensor)
             system = self.session.manifest.reference_system
-            registration = register(sightings, system, view.sensor.faces, self.limits)
+            registration = self.way.register(measured, system, self.limits)
         with self.clock.measuring("surface"):
             box = volume_of_interest(self.session.manifest)
             part = self.way.cut_out(measured, registration.sensor2reference, box)

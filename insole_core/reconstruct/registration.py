@@ -1,18 +1,31 @@
-"""Where a sensor stood: the pose of one view from the markers it saw (thesis 6.2.2, 6.2.3)."""
+"""Where a sensor stood: the pose of one view from the markers it saw.
+
+By Horn's method on their places in space as in the thesis (6.2.2, 6.2.3), or by their places in the
+colour image, which are an order of magnitude finer; then Horn's pose is the start.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.horn import absolute_orientation
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.assignment import Assignment, AssignmentLimits, assign
+from insole_core.reconstruct.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
+from insole_core.reconstruct.marker_faces import apparent_centers
 from insole_core.reconstruct.sighting import Sightings
 from insole_core.recording.session import Marker, ReferenceSystem
+from insole_core.sensing.sensor import Sensor
+
+_LEAST_PRECISE = 5
+_LEAST_FILL = 0.95
+"""Share of the usual fill below which a marker is partly hidden or runs into another."""
+_LEAST_WEIGHT = 0.2
+"""Below it a marker lies twice its noise off and hardly counts."""
 
 
 @dataclass(frozen=True)
@@ -25,9 +38,16 @@ class RegistrationLimits:
         Largest mean distance of the measured markers from the reference system.
     assignment
         When the assignment of blobs to markers is trusted.
+    reprojection_px
+        Largest root mean square of the distances in the colour image, fused only.
+    shift_deviation_mm, turn_deviation_deg
+        Largest standard deviations of a pose, fused only.
     """
 
     residual_mm: float = 4.0
+    reprojection_px: float = 1.0
+    shift_deviation_mm: float = 1.5
+    turn_deviation_deg: float = 0.6
     assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
 
 
@@ -49,6 +69,8 @@ class MarkerFix:
         Distance from where the reference system has it.
     used
         Whether it helped to determine the pose.
+    reprojection_px
+        Distance in the colour image from where the pose puts it; the thesis's chain has none.
     """
 
     id: str
@@ -56,6 +78,7 @@ class MarkerFix:
     position_mm: tuple[float, float, float]
     residual_mm: float
     used: bool
+    reprojection_px: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,10 +90,13 @@ class Registration:
     sensor2reference : (4, 4) float64, mm
     fixes
         In the order of the reference system.
+    camera_pose : optional
+        With its certainty, where the pose was found in the colour image.
     """
 
     sensor2reference: FloatArray
     fixes: tuple[MarkerFix, ...]
+    camera_pose: CameraPose | None = None
 
     @property
     def residuals_mm(self) -> FloatArray:
@@ -99,6 +125,77 @@ def register(
     ReconstructionError
         With the reason, as the end of a sentence.
     """
+    markers, found = _assign(sightings, system, faces, limits)
+    positions = _positions(markers)[found.markers]
+    points = sightings.points[found.points]
+    a2b = absolute_orientation(points, positions, found.used.astype(float)).a2b
+    registration = Registration(a2b, _fixes(a2b, sightings, markers, found))
+    _check_residuals(registration, limits)
+    return registration
+
+
+def register_precisely(
+    sightings: Sightings,
+    system: ReferenceSystem,
+    sensor: Sensor,
+    limits: RegistrationLimits = DEFAULT_LIMITS,
+) -> Registration:
+    """Determine a view's pose by the least reprojection error, started and checked by Horn's.
+
+    Parameters
+    ----------
+    sightings
+        What the view saw that may be markers, centres to a fraction of a pixel.
+    system
+    sensor
+        Its faces are the marker groups that are looked for.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    markers, found = _assign(sightings, system, sensor.faces, limits)
+    positions = _positions(markers)[found.markers]
+    points = sightings.points[found.points]
+    start = absolute_orientation(points, positions, found.used.astype(float)).a2b
+    pixels = sightings.pixels[found.points]
+    precise = _precise(sightings, found)
+    seen = SeenMarkers(
+        positions,
+        positions,
+        np.where(precise[:, None], pixels, np.nan),
+        transform(sensor.depth2color, points)[:, 2],
+    )
+    camera = sensor.color_camera
+    pose = fit_camera_pose(seen, camera, sensor.depth2color @ inverse(start))
+    if sightings.spreads is not None:
+        spreads = sightings.spreads[found.points]
+        centers = apparent_centers(positions, spreads, camera, pose.reference2color)
+        seen = replace(seen, centers=centers)
+        pose = fit_camera_pose(seen, camera, pose.reference2color)
+    missed = np.linalg.norm(
+        pixels - camera.project(transform(pose.reference2color, seen.centers)), axis=1
+    )
+    used = pose.weights > _LEAST_WEIGHT
+    sensor2reference = inverse(pose.reference2color) @ sensor.depth2color
+    fixes = tuple(
+        replace(fix, used=bool(used[i]), reprojection_px=float(missed[i]))
+        for i, fix in enumerate(_fixes(sensor2reference, sightings, markers, found))
+    )
+    registration = Registration(sensor2reference, fixes, pose)
+    _check_used(registration, limits)
+    _check_residuals(registration, limits)
+    _check_certainty(pose, fixes, limits)
+    return registration
+
+
+def _assign(
+    sightings: Sightings,
+    system: ReferenceSystem,
+    faces: tuple[str, ...],
+    limits: RegistrationLimits,
+) -> tuple[tuple[Marker, ...], Assignment]:
     markers = system.facing(faces)
     if not markers:
         raise ReconstructionError(
@@ -111,31 +208,35 @@ def register(
             "system is in the picture"
         )
     try:
-        found = assign(sightings.points, _positions(markers), limits.assignment)
+        return markers, assign(sightings.points, _positions(markers), limits.assignment)
     except ReconstructionError as error:
         raise ReconstructionError(
             _why_unassigned(error, sightings, system, faces, limits)
         ) from error
-    registration = _registration(sightings, markers, found)
-    _check_residuals(registration, limits)
-    return registration
 
 
-def _registration(
-    sightings: Sightings, markers: tuple[Marker, ...], found: Assignment
-) -> Registration:
-    positions = _positions(markers)[found.markers]
-    points = sightings.points[found.points]
-    a2b = absolute_orientation(points, positions, found.used.astype(float)).a2b
-    measured = transform(a2b, points)
-    residuals = np.linalg.norm(measured - positions, axis=1)
+def _precise(sightings: Sightings, found: Assignment) -> BoolArray:
+    """Tell which markers (k,) are seen whole; all when too few of them are."""
+    whole = np.ones(len(found.points), dtype=bool)
+    if sightings.fills is None:
+        return whole
+    fills = sightings.fills[found.points]
+    unspoilt = fills > _LEAST_FILL * np.median(fills)
+    return np.asarray(unspoilt) if unspoilt.sum() >= _LEAST_PRECISE else whole
+
+
+def _fixes(
+    a2b: FloatArray, sightings: Sightings, markers: tuple[Marker, ...], found: Assignment
+) -> tuple[MarkerFix, ...]:
+    measured = transform(a2b, sightings.points[found.points])
+    residuals = np.linalg.norm(measured - _positions(markers)[found.markers], axis=1)
     fixes = []
     for i, marker in enumerate(found.markers):
         u, v = sightings.pixels[found.points[i]].tolist()
         x, y, z = measured[i].tolist()
         residual_mm, used = float(residuals[i]), bool(found.used[i])
         fixes.append(MarkerFix(markers[marker].id, (u, v), (x, y, z), residual_mm, used))
-    return Registration(a2b, tuple(fixes))
+    return tuple(fixes)
 
 
 def _why_unassigned(
@@ -171,6 +272,37 @@ def _check_residuals(registration: Registration, limits: RegistrationLimits) -> 
         f"{limits.residual_mm:g} mm (worst: {named}); check that the reference system was not "
         "changed or moved"
     )
+
+
+def _check_used(registration: Registration, limits: RegistrationLimits) -> None:
+    used = sum(fix.used for fix in registration.fixes)
+    if used < limits.assignment.least_markers:
+        raise ReconstructionError(
+            f"only {used} of the {len(registration.fixes)} markers agree with each other in the "
+            f"colour image ({_worst_in_image(registration.fixes)}); check that the reference "
+            "system was not changed or moved"
+        )
+
+
+def _check_certainty(
+    pose: CameraPose, fixes: tuple[MarkerFix, ...], limits: RegistrationLimits
+) -> None:
+    for value, limit, what in (
+        (pose.rms_px, limits.reprojection_px, "px apart in the colour image"),
+        (pose.shift_deviation_mm, limits.shift_deviation_mm, "mm uncertain in place"),
+        (pose.turn_deviation_deg, limits.turn_deviation_deg, "degrees uncertain in direction"),
+    ):
+        if value > limit:
+            raise ReconstructionError(
+                f"its markers leave the pose {value:.2f} {what}, more than {limit:g} "
+                f"({_worst_in_image(fixes)}); see that more markers are in view and that the "
+                "reference system was not moved"
+            )
+
+
+def _worst_in_image(fixes: tuple[MarkerFix, ...]) -> str:
+    worst = sorted(fixes, key=lambda fix: -(fix.reprojection_px or 0.0))[:3]
+    return "worst: " + ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)
 
 
 def _positions(markers: tuple[Marker, ...]) -> FloatArray:

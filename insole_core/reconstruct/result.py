@@ -133,6 +133,7 @@ def _view_json(view: ViewResult) -> dict[str, Any]:
                 "position_mm": list(fix.position_mm),
                 "residual_mm": fix.residual_mm,
                 "used": fix.used,
+                "reprojection_px": fix.reprojection_px,
             }
             for fix in view.fixes
         ],

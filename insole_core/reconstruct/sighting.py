@@ -34,10 +34,16 @@ class Sightings:
     ----------
     pixels : (n, 2) float64, px, colour image
     points : (n, 3) float64, mm, depth camera frame
+    spreads : (n, 2, 2) float64, px², optional
+        Covariance of the pixels of each.
+    fills : (n,) float64, optional
+        How square each is (see `Blobs`).
     """
 
     pixels: FloatArray
     points: FloatArray
+    spreads: FloatArray | None = None
+    fills: FloatArray | None = None
 
     def __len__(self) -> int:
         return len(self.points)
@@ -71,7 +77,8 @@ def locate_blobs(
     pixels = blobs.centroids[good]
     rays = sensor.color_camera.normalised(pixels)
     in_color = np.column_stack([rays, np.ones(len(rays))]) * distance[good, None]
-    return Sightings(pixels, transform(inverse(sensor.depth2color), in_color))
+    spreads, fills = (None if x is None else x[good] for x in (blobs.spreads, blobs.fills))
+    return Sightings(pixels, transform(inverse(sensor.depth2color), in_color), spreads, fills)
 
 
 def _without_rim(labels: IndexArray) -> IndexArray:
