@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.insole.contact import ContactBase, contact_base
-from insole_core.insole.design import InsoleDesign, Pelott
+from insole_core.geometry.arrays import BoolArray
+from insole_core.insole.contact import contact_base
+from insole_core.insole.design import InsoleDesign
 from insole_core.insole.height_field import HeightField
 from insole_core.insole.limits import check_design
-from insole_core.insole.pads import pad_heights, pad_outline
+from insole_core.insole.surface import active_pads, apply_pads
 from insole_core.progress import SILENT, Progress
+
+__all__ = ["LEAST_MATERIAL_MM", "Insole", "active_pads", "apply_pads", "build_insole"]
 
 LEAST_MATERIAL_MM = 0.3
 """A contact surface lower than this over the bottom cannot be made."""
@@ -61,31 +63,6 @@ def build_insole(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     _check_material(insole.contact)
     progress.step(1.0, "Insole built")
     return insole
-
-
-def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
-    """Add the design's pads to the base: the only work while a pad is dragged.
-
-    Outside the outlines of the pads the surface stays the same to the bit.
-    """
-    heights = base.surface.heights_mm.copy()
-    for pad in active_pads(design):
-        _raise(heights, base.surface, pad)
-    return replace(base.surface, heights_mm=heights)
-
-
-def active_pads(design: InsoleDesign) -> list[Pelott]:
-    """The pads of a design that are switched on."""
-    return [c for c in design.corrections if isinstance(c, Pelott) and c.enabled]
-
-
-def _raise(heights: FloatArray, field: HeightField, pad: Pelott) -> None:
-    outline = pad_outline(pad)
-    (left, back), (right, front) = outline.min(axis=0), outline.max(axis=0)
-    columns = slice(*np.searchsorted(field.x_mm, [left, right]))
-    rows = slice(*np.searchsorted(field.y_mm, [back, front]))
-    x, y = np.meshgrid(field.x_mm[columns], field.y_mm[rows])
-    heights[rows, columns] += pad_heights(pad, np.stack([x, y], axis=-1))
 
 
 def _check_material(contact: HeightField) -> None:

@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.design import (
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Place,
+    Posting,
+)
 from insole_core.insole.filling import fill
+from insole_core.insole.heel import cupped, lifted, skived
 from insole_core.insole.height_field import HeightField
-from insole_core.insole.posting import posted_mesh, posting_angles
+from insole_core.insole.posting import posted
 from insole_core.progress import SILENT, Progress
 
 _FACING = -0.34  # z of a normal that still counts as plantar: walls up to 70 degrees
@@ -34,10 +46,13 @@ class ContactBase:
         Insole frame, z = 0 the bottom plane; its lowest height is the design's thickness.
     measured : (ny, nx) bool
         Nodes where the foot was measured; the others continue it smoothly.
+    arch_apex_mm
+        Place (x, y) of the foot's own medial arch, where it is highest.
     """
 
     surface: HeightField
     measured: BoolArray
+    arch_apex_mm: Place
 
 
 @dataclass(frozen=True)
@@ -56,19 +71,27 @@ class _Grid:
         return row * self.shape[1] + column, inside
 
 
-def base_key(design: InsoleDesign) -> tuple[float, ...]:
+BaseKey: TypeAlias = tuple[Any, ...]
+_SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
+_soles: WeakKeyDictionary[Foot, tuple[BaseKey, ContactBase]] = WeakKeyDictionary()
+"""The sole of a foot as it was last sampled: it stays the same while corrections change."""
+
+
+def base_key(design: InsoleDesign) -> BaseKey:
     """Everything of a design that its contact base depends on; equal keys, equal base."""
+    shaping = (c for c in design.active if isinstance(c, _SHAPING))
     return (
-        *posting_angles(design),
-        design.thickness_mm,
-        design.grid_mm,
-        design.max_height_mm,
-        design.margin_mm,
+        *(replace(c, id="", author="", created_at="") for c in shaping),
+        design.least_thickness_mm,
+        *_sole_key(design),
     )
 
 
 def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
-    """Give the plantar surface on the design's grid, posted, filled, and lifted to its thickness.
+    """Give the plantar surface on the design's grid, shaped, and lifted to its thickness.
+
+    The corrections that shape the whole surface have an order of their own, whatever their order in
+    the design: first the foot is turned, then skived, then lifted, and last the cup is trimmed.
 
     Parameters
     ----------
@@ -81,17 +104,49 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     DesignError
         When nothing of the foot faces the ground.
     """
-    progress.step(0.0, "Turning the foot")
-    mesh = posted_mesh(foot, *posting_angles(design))
+    sole = sole_surface(foot, design, progress.part(0.0, 0.8))
+    progress.step(0.8, "Turning the foot and shaping the heel")
+    field, length = sole.surface, foot.length_mm
+    field = replace(field, heights_mm=posted(field, sole.measured, design, length))
+    shaping = [c for c in design.active if isinstance(c, _SHAPING)]
+    for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
+        if isinstance(c, HeelSkive):
+            heights = skived(field, sole.measured, c, foot.side, length)
+        elif isinstance(c, HeelLift):
+            heights = lifted(field, c, length)
+        elif isinstance(c, HeelCup):
+            heights = cupped(field, c, length)
+        else:
+            continue
+        field = replace(field, heights_mm=heights)
+    up = design.least_thickness_mm - field.heights_mm.min()
+    return replace(sole, surface=replace(field, heights_mm=field.heights_mm + up))
+
+
+def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
+    """Give the plantar surface of the level foot on the design's grid; the last one is kept.
+
+    Heights are over the foot's ground, z = 0 of the insole frame.
+    """
+    key = _sole_key(design)
+    kept = _soles.get(foot)
+    if kept is not None and kept[0] == key:
+        return kept[1]
     grid = _grid_around(foot, design)
     progress.step(0.2, "Laying the grid over the sole")
-    heights, known = _snap(mesh, grid, design.max_height_mm)
+    heights, known = _snap(foot.mesh, grid, design.max_height_mm)
     progress.step(0.7, "Continuing the surface to the edges")
-    heights = fill(heights, known, grid.first)
-    heights = heights + (design.thickness_mm - heights.min())
     row, column = grid.first
+    heights = fill(heights, known, grid.first)
     field = HeightField(column * grid.step_mm, row * grid.step_mm, grid.step_mm, heights)
-    return ContactBase(field, known)
+    apex = find_landmarks(foot)["arch_apex"].point
+    sole = ContactBase(field, known, (float(apex[0]), float(apex[1])))
+    _soles[foot] = key, sole
+    return sole
+
+
+def _sole_key(design: InsoleDesign) -> BaseKey:
+    return design.grid_mm, design.max_height_mm, design.margin_mm
 
 
 def _grid_around(foot: Foot, design: InsoleDesign) -> _Grid:

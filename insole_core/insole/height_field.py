@@ -49,9 +49,21 @@ class HeightField:
     @cached_property
     def normals(self) -> FloatArray:
         """(ny * nx, 3) unit normals of the nodes by central differences, pointing up."""
-        along_y, along_x = np.gradient(self.heights_mm, self.step_mm)
-        upward = np.stack([-along_x, -along_y, np.ones_like(along_x)], axis=-1).reshape(-1, 3)
-        upward /= np.sqrt(np.einsum("nc,nc->n", upward, upward))[:, None]
+        return self.normals_of(slice(None), slice(None)).reshape(-1, 3)
+
+    def normals_of(self, rows: slice, columns: slice) -> FloatArray:
+        """Unit normals (k, l, 3) of a part of the nodes, the same as those of all."""
+        (top, bottom), (left, right) = (
+            at.indices(size)[:2]
+            for at, size in zip((rows, columns), self.heights_mm.shape, strict=True)
+        )
+        # One node more on each side, so that the differences are central wherever they can be.
+        i, j = max(top - 1, 0), max(left - 1, 0)
+        part = self.heights_mm[i : bottom + 1, j : right + 1]
+        along_y, along_x = (np.gradient(part, self.step_mm, axis=axis) for axis in (0, 1))
+        inner = slice(top - i, bottom - i), slice(left - j, right - j)
+        upward = np.stack([-along_x[inner], -along_y[inner], np.ones_like(part[inner])], axis=-1)
+        upward /= np.sqrt(np.einsum("ijc,ijc->ij", upward, upward))[..., None]
         return np.asarray(upward)
 
     def height_at(self, xy: FloatArray) -> FloatArray:

@@ -48,12 +48,19 @@ def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
 
 def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
     """Height that a pad adds at places (..., 2) of the insole frame, mm."""
-    local = (np.asarray(xy, dtype=float) - np.array(pad.centre_mm)) @ pad2insole(pad)
+    local = _to_pad(pad, np.asarray(xy, dtype=float))
     if pad.shape in {"egg", "drop", "arch_support"}:
         return np.asarray(pad.height_mm * _dome(pad, local) * _radial_window(pad, local))
     window = _edge_window(pad, local)
     dome = _dome(pad, local) if pad.shape in DOMED else 1.0
     return np.asarray(pad.height_mm * dome * window)
+
+
+def _to_pad(pad: Pelott, xy: FloatArray) -> FloatArray:
+    """Insole to pad frame; written out, so that every place gives the same bits in any array."""
+    (a, b), (c, d) = pad2insole(pad)
+    x, y = xy[..., 0] - pad.centre_mm[0], xy[..., 1] - pad.centre_mm[1]
+    return np.stack([x * a + y * c, x * b + y * d], axis=-1)
 
 
 def _dome(pad: Pelott, local: FloatArray) -> FloatArray:

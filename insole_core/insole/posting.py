@@ -1,4 +1,9 @@
-"""Pronation/supination as a rotation of the foot against the insole's bottom, thesis 6.3.1."""
+"""Pronation/supination as a rotation of the foot against the insole's bottom, thesis 6.3.1.
+
+The foot turns about its axis on the ground (x = 0, z = 0), each cross section by the angle that the
+postings and twists give there. As the plane of a section stays the same, the contact surface can be
+turned row by row, without going back to the scan.
+"""
 
 from __future__ import annotations
 
@@ -7,34 +12,101 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.insole.blending import smooth_step
-from insole_core.insole.design import InsoleDesign, Posting
+from insole_core.insole.design import ForefootTwist, InsoleDesign, Posting
+from insole_core.insole.height_field import HeightField
 
-HEEL_END = 0.25
-"""Share of the foot's length up to which the rearfoot angle holds."""
-BALL_START = 0.65
-"""Share of the foot's length from which the forefoot angle holds."""
+_RIM_START = 0.7
+"""Share of the way from a section's middle to its border, from where intrinsic posting fades."""
 
 
 def posting_angles(design: InsoleDesign) -> tuple[float, float]:
     """Rear- and forefoot angle in degrees, summed over the postings that are switched on."""
-    active = [c for c in design.corrections if isinstance(c, Posting) and c.enabled]
+    active = [c for c in design.active if isinstance(c, Posting)]
     return sum(c.rearfoot_deg for c in active), sum(c.forefoot_deg for c in active)
 
 
 def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> TriangleMesh:
-    """Rotate the foot about its axis on the ground (x = 0, z = 0); > 0 raises the medial edge.
-
-    Equal angles give a rigid rotation; otherwise the angle changes along y from HEEL_END to
-    BALL_START with continuous slope. The height over the ground is for the caller to choose.
-    """
-    if rearfoot_deg == forefoot_deg == 0:
-        return foot.mesh
+    """Turn the foot itself as a posting with the usual blend turns its surface, for pictures."""
     x, y, z = foot.mesh.vertices.T
-    angle = foot.side.medial_sign * np.radians(
-        rearfoot_deg
-        + (forefoot_deg - rearfoot_deg) * smooth_step(y / foot.length_mm, HEEL_END, BALL_START)
-    )
+    zone = Posting(rearfoot_deg=rearfoot_deg, forefoot_deg=forefoot_deg)
+    angle = foot.side.medial_sign * np.radians(_angle_deg(zone, y / foot.length_mm))
     cos, sin = np.cos(angle), np.sin(angle)
     return replace(foot.mesh, vertices=np.stack([x * cos - z * sin, y, z * cos + x * sin], axis=1))
+
+
+def posted(
+    field: HeightField, measured: BoolArray, design: InsoleDesign, length_mm: float
+) -> FloatArray:
+    """Turn the contact surface by all postings and twists of a design; > 0 raises medially.
+
+    Parameters
+    ----------
+    field, measured
+        The surface on the level foot; heights over the sole's lowest point.
+    design
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
+        Equal rear- and forefoot angles give a rigid rotation of what was measured.
+    """
+    share = field.y_mm / length_mm
+    turned = field.heights_mm
+    whole = _angles_deg(design, share, "extrinsic")
+    if whole.any():
+        turned = _turned(field, design.side.medial_sign * np.radians(whole))
+    inner = _angles_deg(design, share, "intrinsic")
+    if inner.any():
+        turned = turned + _inner_tilt(field, measured, design.side, inner)
+    return turned
+
+
+def _angles_deg(design: InsoleDesign, share: FloatArray, method: str) -> FloatArray:
+    """(ny,) sum of the angles in each section."""
+    angle = np.zeros_like(share)
+    for c in design.active:
+        if isinstance(c, Posting) and c.method == method:
+            angle += _angle_deg(c, share)
+        elif isinstance(c, ForefootTwist) and method == "extrinsic":
+            angle += c.angle_deg * smooth_step(share, c.blend_start, c.blend_end)
+    return angle
+
+
+def _angle_deg(posting: Posting, share: FloatArray) -> FloatArray:
+    forefoot = smooth_step(share, posting.blend_start, posting.blend_end)
+    return posting.rearfoot_deg + (posting.forefoot_deg - posting.rearfoot_deg) * forefoot
+
+
+def _turned(field: HeightField, angle: FloatArray) -> FloatArray:
+    """Rotate each row in its plane: the places of its nodes move, heights are read off between."""
+    cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
+    x, z = field.x_mm, field.heights_mm
+    # Where a steep flank would fold over, its foremost places win.
+    moved = np.maximum.accumulate(x * cos - z * sin, axis=1)
+    # All rows in one interpolation: each is shifted to a stretch of its own.
+    apart = 2 * float(np.abs(moved).max() + np.abs(x).max()) * np.arange(len(z))[:, None]
+    lifted = (z * cos + x * sin).ravel()
+    within = np.clip(x, moved[:, :1], moved[:, -1:])
+    read = np.interp((within + apart).ravel(), (moved + apart).ravel(), lifted)
+    beyond = (x - within) * np.tan(angle)[:, None]
+    return np.asarray(read.reshape(z.shape) + beyond)
+
+
+def _inner_tilt(
+    field: HeightField, measured: BoolArray, side: Side, angle_deg: FloatArray
+) -> FloatArray:
+    """What the tilt adds to the sole, and nothing at its borders: the rim stays."""
+    x = np.where(measured, field.x_mm, np.nan)
+    seen = measured.any(axis=1)
+    low, high = (np.zeros(len(measured)) for _ in range(2))
+    low[seen], high[seen] = np.nanmin(x[seen], axis=1), np.nanmax(x[seen], axis=1)
+    middle, half = (low + high)[:, None] / 2, np.maximum(high - low, field.step_mm)[:, None] / 2
+    inner = 1 - smooth_step(np.abs(field.x_mm - middle) / half, _RIM_START, 1.0)
+    slope = side.medial_sign * np.tan(np.radians(angle_deg))[:, None]
+    return np.asarray(slope * (field.x_mm - middle) * inner)

@@ -124,7 +124,7 @@ def test_postings_add_up_and_can_be_switched_off(left_foot):
     both = (Posting(rearfoot_deg=3, forefoot_deg=1), Posting(rearfoot_deg=-1, forefoot_deg=1))
     one = (Posting(rearfoot_deg=2, forefoot_deg=2), Posting(rearfoot_deg=9, enabled=False))
     a, b = (build_insole(left_foot, InsoleDesign(Side.LEFT, c)).contact for c in (both, one))
-    assert np.array_equal(a.heights_mm, b.heights_mm)
+    assert np.abs(a.heights_mm - b.heights_mm).max() < 1e-9
 
 
 @pytest.mark.parametrize("grid_mm", [0.5, 1.0])

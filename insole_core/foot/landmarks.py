@@ -1,0 +1,163 @@
+"""The points of a foot that corrections and measures stand on, found on its surface.
+
+All of it happens on a foot in the insole frame. Extreme places are found by `support`, which looks
+at how a rounded border turns towards its end, so that neither noise nor a border that the sensors
+did not quite see moves them much. The metatarsal heads lie under the skin: they are placed by the
+usual proportions between the outermost points of the ball (table `_HEADS`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
+from insole_core.foot.sole_surface import SoleSurface
+from insole_core.geometry.arrays import FloatArray
+
+HEADS = tuple(f"metatarsal_head_{number}" for number in range(1, 6))
+TOE_TIPS = tuple(f"toe_tip_{number}" for number in range(1, 6))
+AXES = ("achilles_lower", "achilles_upper", "calcaneus_lower", "calcaneus_upper")
+NAMES = (
+    "pternion", "heel_centre", "heel_medial", "heel_lateral", "metatarsale_tibiale",
+    "metatarsale_fibulare", *HEADS, *TOE_TIPS, "arch_apex", *AXES,
+)  # fmt: skip
+
+_TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
+_HEEL = (0.10, 0.22)
+_HEADS = np.array(
+    [  # share across from the 1st to the 5th head, and ahead of their line in ball widths
+        (0.0, 0.0), (0.30, 0.12), (0.55, 0.105), (0.78, 0.06), (1.0, 0.0),
+    ]
+)  # fmt: skip
+_FIRST_INSET, _FIFTH_INSET, _FIFTH_BACK = 0.175, 0.17, 0.05  # in ball widths
+_ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
+_SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Landmark:
+    """A point of the foot.
+
+    Parameters
+    ----------
+    point : (3,) float64, mm, insole frame
+    confidence
+        0 (a guess from the usual proportions) to 1 (set by hand).
+    origin
+        "shape", "mark" (drawn on the skin) or "hand".
+    """
+
+    point: FloatArray
+    confidence: float
+    origin: str = "shape"
+
+
+Landmarks: TypeAlias = Mapping[str, Landmark]
+_found: WeakKeyDictionary[Foot, dict[str, Landmark]] = WeakKeyDictionary()
+
+
+def find_landmarks(foot: Foot) -> dict[str, Landmark]:
+    """Find the landmarks of a foot by its shape; where a part is missing, its usual place.
+
+    Returns
+    -------
+    dict
+        By the names in `NAMES`; the axes of the rear only where the back of the heel and the leg
+        were measured. Kept for each foot, and not to be changed.
+    """
+    if foot not in _found:
+        _found[foot] = dict(_search(foot))
+    return _found[foot]
+
+
+def with_places(
+    foot: Foot, landmarks: Landmarks, places: Mapping[str, tuple[float, float, float]]
+) -> dict[str, Landmark]:
+    """Put landmarks that were set by hand in the place of those found.
+
+    Parameters
+    ----------
+    foot
+    landmarks
+    places
+        Points in the insole frame, by name.
+    """
+    by_hand = {name: Landmark(np.array(point), 1.0, "hand") for name, point in places.items()}
+    return {**landmarks, **by_hand}
+
+
+def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
+    sole = SoleSurface(foot)
+    length = foot.length_mm
+    medial, lateral = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
+    pternion = sole.support(np.array([0.0, -1.0]), (-0.05, 0.12))
+    heel_medial, heel_lateral = (sole.support(d, _HEEL) for d in (medial, lateral))
+    tibiale, fibulare = sole.support(medial, _TIBIALE), sole.support(lateral, _FIBULARE)
+    ends = {
+        "pternion": pternion,
+        "heel_medial": heel_medial,
+        "heel_lateral": heel_lateral,
+        "metatarsale_tibiale": tibiale,
+        "metatarsale_fibulare": fibulare,
+    }
+    for name, end in ends.items():
+        yield name, Landmark(sole.to_insole(end.point), end.confidence)
+    centre = sole.on_sole(
+        np.array([(heel_medial.point[0] + heel_lateral.point[0]) / 2, 0.16 * length])
+    )
+    yield (
+        "heel_centre",
+        Landmark(sole.to_insole(centre), min(heel_medial.confidence, heel_lateral.confidence)),
+    )
+    sure = min(tibiale.confidence, fibulare.confidence)
+    heads = [sole.on_sole(xy) for xy in _head_places(tibiale.point, fibulare.point)]
+    for name, head in zip(HEADS, heads, strict=True):
+        yield name, Landmark(sole.to_insole(head), _LIKELY * sure)
+    for name, (tip, seen) in zip(TOE_TIPS, sole.toe_tips(), strict=True):
+        yield name, Landmark(sole.to_insole(tip), _SURE if seen else _GUESS)
+    apex, rise = _arch_apex(sole, centre, heads[0])
+    yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > 3.0 else _GUESS)
+    yield from _axes(foot)
+
+
+def _head_places(tibiale: FloatArray, fibulare: FloatArray) -> FloatArray:
+    """(5, 2) below the metatarsal heads, medial = +x."""
+    ball = float(np.hypot(*(tibiale - fibulare)[:2]))
+    first = tibiale[:2] + ball * np.array([-_FIRST_INSET, 0.0])
+    fifth = fibulare[:2] + ball * np.array([_FIFTH_INSET, -_FIFTH_BACK])
+    across, ahead = _HEADS.T
+    places = first + across[:, None] * (fifth - first)
+    places[:, 1] += ahead * ball
+    return np.asarray(places)
+
+
+def _arch_apex(sole: SoleSurface, heel: FloatArray, head: FloatArray) -> tuple[FloatArray, float]:
+    """Highest point of the sole on the way from the heel to the 1st head, and its height."""
+    share = np.linspace(*_ARCH, 61)
+    way = heel[:2] + share[:, None] * (head - heel)[:2]
+    heights = np.array([sole.on_sole(xy)[2] for xy in way])
+    chord = heel[2] + share * (head[2] - heel[2])
+    highest = int((heights - chord).argmax())
+    return np.array([*way[highest], heights[highest]]), float((heights - chord)[highest])
+
+
+def _axes(foot: Foot) -> Iterator[tuple[str, Landmark]]:
+    axes: dict[str, Axis | None] = {
+        "achilles": achilles_axis(foot),
+        "calcaneus": calcaneus_axis(foot),
+    }
+    for name, axis in axes.items():
+        if axis is not None:
+            yield f"{name}_lower", Landmark(axis.lower, axis.confidence)
+            yield f"{name}_upper", Landmark(axis.upper, axis.confidence)
+
+
+def moved(landmark: Landmark, point: FloatArray) -> Landmark:
+    """Give a landmark that was dragged."""
+    return replace(landmark, point=point, confidence=1.0, origin="hand")

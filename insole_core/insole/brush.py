@@ -1,0 +1,44 @@
+"""Strokes of the hand: push, pull and smooth along a way, with fall-off."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import gaussian_filter
+from scipy.spatial import cKDTree
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.blending import gaussian_hill
+from insole_core.insole.design import BrushStroke
+
+_PITCH = 1 / 40  # of the radius, between the points that stand for the way
+_SIGMA = 1 / 3  # of the radius: how far smoothing looks
+HALO = 4 * _SIGMA
+"""How far beyond its radius a smoothing stroke looks, in radii."""
+
+
+def stroke_weight(stroke: BrushStroke, x_mm: FloatArray, y_mm: FloatArray) -> FloatArray:
+    """1 on the way of a stroke, falling to 0 at its radius: (ny, nx) on the nodes of a grid."""
+    way = _dense(np.array(stroke.points_mm, dtype=float), _PITCH * stroke.radius_mm)
+    x, y = np.meshgrid(x_mm, y_mm)
+    distance, _ = cKDTree(way).query(np.stack([x, y], axis=-1), distance_upper_bound=10_000.0)
+    return gaussian_hill(np.asarray(distance) / stroke.radius_mm)
+
+
+def stroked(heights: FloatArray, weight: FloatArray, stroke: BrushStroke, step_mm: float) -> None:
+    """Apply a stroke to heights (ny, nx) in place; nothing changes where its weight is 0."""
+    if stroke.mode == "smooth":
+        even = gaussian_filter(heights, _SIGMA * stroke.radius_mm / step_mm, mode="nearest")
+        heights += np.where(weight > 0, weight * stroke.strength * (even - heights), 0.0)
+    else:
+        sign = 1.0 if stroke.mode == "push" else -1.0
+        heights += sign * stroke.strength * weight
+
+
+def _dense(way: FloatArray, pitch_mm: float) -> FloatArray:
+    """Points of a polyline, at most a pitch apart."""
+    lengths = np.hypot(*np.diff(way, axis=0).T) if len(way) > 1 else np.zeros(0)
+    pieces = [way[:1]]
+    for start, end, length in zip(way[:-1], way[1:], lengths, strict=True):
+        share = np.linspace(0, 1, int(np.ceil(length / pitch_mm)) + 1)[1:, None]
+        pieces.append(start + share * (end - start))
+    return np.concatenate(pieces)

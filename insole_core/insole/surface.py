@@ -1,0 +1,215 @@
+"""Pads and strokes on the contact base: all of them, or only where something has changed.
+
+Every pad and stroke changes a window of the grid. While one is dragged, only the window where it
+was and the one where it is are computed anew, with the same operations in the same order: the
+result is that of a full rebuild, to the bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.brush import HALO, stroke_weight, stroked
+from insole_core.insole.contact import ContactBase
+from insole_core.insole.design import ArchRaise, BrushStroke, InsoleDesign, Pelott, Place
+from insole_core.insole.height_field import HeightField
+from insole_core.insole.pads import pad_heights, pad_outline
+
+Added: TypeAlias = Pelott | ArchRaise | BrushStroke
+"""The corrections that change the surface within an outline, in the order of the design."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A part of a grid's nodes; `end` is the first row or column beyond."""
+
+    first_row: int
+    end_row: int
+    first_column: int
+    end_column: int
+
+    @property
+    def rows(self) -> slice:
+        """Rows as a slice."""
+        return slice(self.first_row, self.end_row)
+
+    @property
+    def columns(self) -> slice:
+        """Columns as a slice."""
+        return slice(self.first_column, self.end_column)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether it holds no node."""
+        return self.first_row >= self.end_row or self.first_column >= self.end_column
+
+    def meets(self, other: Window) -> bool:
+        """Whether the two have a node in common."""
+        return not self.common(other).is_empty
+
+    def common(self, other: Window) -> Window:
+        """The nodes that lie in both."""
+        return Window(
+            max(self.first_row, other.first_row),
+            min(self.end_row, other.end_row),
+            max(self.first_column, other.first_column),
+            min(self.end_column, other.end_column),
+        )
+
+    def joined(self, other: Window) -> Window:
+        """The smallest window about both."""
+        if self.is_empty or other.is_empty:
+            return other if self.is_empty else self
+        return Window(
+            min(self.first_row, other.first_row),
+            max(self.end_row, other.end_row),
+            min(self.first_column, other.first_column),
+            max(self.end_column, other.end_column),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceChange:
+    """A surface and the part of it that differs from the one before.
+
+    Parameters
+    ----------
+    surface
+    window
+        May be empty.
+    """
+
+    surface: HeightField
+    window: Window
+
+
+def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
+    """Add the design's pads, arch raises and strokes to the base, in the design's order.
+
+    Outside their outlines the surface stays the same to the bit.
+    """
+    heights = base.surface.heights_mm.copy()
+    for correction in added_corrections(design):
+        _apply(heights, base, correction, _whole(base.surface))
+    return replace(base.surface, heights_mm=heights)
+
+
+def moved_pad(
+    base: ContactBase, previous: HeightField, old: InsoleDesign, new: InsoleDesign
+) -> SurfaceChange:
+    """Give what `apply_pads` gives for the new design, computing only where it differs.
+
+    Parameters
+    ----------
+    base
+        The same for both designs: their `base_key` must be equal.
+    previous
+        `apply_pads(base, old)`.
+    old, new
+    """
+    before, after = added_corrections(old), added_corrections(new)
+    window = _changed_window(base, before, after)
+    window = _with_smoothed(base, (*before, *after), window)
+    if window.is_empty:
+        return SurfaceChange(previous, window)
+    heights = previous.heights_mm.copy()
+    part = base.surface.heights_mm[window.rows, window.columns].copy()
+    for correction in after:
+        _apply(part, base, correction, window)
+    heights[window.rows, window.columns] = part
+    return SurfaceChange(replace(base.surface, heights_mm=heights), window)
+
+
+def added_corrections(design: InsoleDesign) -> list[Added]:
+    """The corrections of a design that are added to its base and switched on."""
+    return [c for c in design.active if isinstance(c, Pelott | ArchRaise | BrushStroke)]
+
+
+def active_pads(design: InsoleDesign) -> list[Pelott]:
+    """The pads of a design that are switched on."""
+    return [c for c in design.active if isinstance(c, Pelott)]
+
+
+def as_pad(correction: Pelott | ArchRaise, arch_apex_mm: Place) -> Pelott:
+    """Give an arch raise as the ellipse that it is; a pad stays itself."""
+    if isinstance(correction, Pelott):
+        return correction
+    return Pelott(
+        id=correction.id,
+        centre_mm=correction.apex_mm or arch_apex_mm,
+        length_mm=correction.length_mm,
+        width_mm=correction.width_mm,
+        height_mm=correction.height_mm,
+        egg_ratio=0.0,
+    )
+
+
+def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) -> Window:
+    """Where what is new, gone or edited lies; everything where the order has changed."""
+    old, new = {c.id: c for c in before}, {c.id: c for c in after}
+    if [i for i in old if i in new] != [i for i in new if i in old]:
+        return _whole(base.surface)
+    window = Window(0, 0, 0, 0)
+    for correction in [c for c in before if new.get(c.id) != c] + [
+        c for c in after if old.get(c.id) != c
+    ]:
+        window = window.joined(_reach(base, correction))
+    return window
+
+
+def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Window) -> Window:
+    """Widen a window by the smoothing strokes that reach into it: they carry changes on."""
+    reaches = [
+        _reach(base, c) for c in corrections if isinstance(c, BrushStroke) and c.mode == "smooth"
+    ]
+    grown = True
+    while grown and not window.is_empty:
+        joined = window
+        for reach in reaches:
+            if reach.meets(joined):
+                joined = joined.joined(reach)
+        window, grown = joined, joined != window
+    return window
+
+
+def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Window) -> None:
+    """Change the heights of a window in place."""
+    common = _reach(base, correction).common(window)
+    if common.is_empty:
+        return
+    x, y = base.surface.x_mm[common.columns], base.surface.y_mm[common.rows]
+    rows = slice(common.first_row - window.first_row, common.end_row - window.first_row)
+    columns = slice(
+        common.first_column - window.first_column, common.end_column - window.first_column
+    )
+    if isinstance(correction, BrushStroke):
+        weight = stroke_weight(correction, x, y)
+        stroked(part[rows, columns], weight, correction, base.surface.step_mm)
+    else:
+        pad = as_pad(correction, base.arch_apex_mm)
+        part[rows, columns] += pad_heights(pad, np.stack(np.meshgrid(x, y), axis=-1))
+
+
+def _reach(base: ContactBase, correction: Added) -> Window:
+    """The nodes that a correction may change, or for smoothing looks at."""
+    if isinstance(correction, BrushStroke):
+        radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
+        points = np.array(correction.points_mm)
+        low, high = points.min(axis=0) - radius, points.max(axis=0) + radius
+    else:
+        outline = pad_outline(as_pad(correction, base.arch_apex_mm))
+        low, high = outline.min(axis=0), outline.max(axis=0)
+    field = base.surface
+    first_column, end_column = np.searchsorted(field.x_mm, [low[0], high[0]])
+    first_row, end_row = np.searchsorted(field.y_mm, [low[1], high[1]])
+    return Window(int(first_row), int(end_row), int(first_column), int(end_column))
+
+
+def _whole(field: HeightField) -> Window:
+    rows, columns = field.heights_mm.shape
+    return Window(0, rows, 0, columns)
