@@ -1,0 +1,50 @@
+"""Make the example case that comes with the product: ``python resources/example/make.py``.
+
+A right foot, simulated and reconstructed like a patient's, with a pelott and a rearfoot post.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from pathlib import Path
+
+from insole_core.cases.case_file import write_case
+from insole_core.cases.record import CaseRecord, Patient, Source
+from insole_core.foot.placing import place_foot
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.reconstruct import reconstruct
+from insole_core.recording.session import Session
+from insole_core.recording.writer import write_session
+from insole_core.simulate import SimulationOptions, simulate_session
+
+SEED = 21
+
+
+def main() -> None:
+    """Simulate, reconstruct, prescribe, write."""
+    simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.RIGHT, distance_mm=700))
+    foot = place_foot(reconstruct(simulated.session).mesh, Side.RIGHT, frame="reference")
+    pelott = Pelott(id="pelott", centre_mm=(-3.0, 0.62 * foot.length_mm))
+    posting = Posting(id="posting", rearfoot_deg=4.0)
+    patient = Patient("Example, Anna", "1971-04-02", "2026-11-20", "Forefoot pain when walking.")
+    record = CaseRecord(
+        patient=patient,
+        source=_source(simulated.session),
+        foot=foot,
+        design=InsoleDesign(Side.RIGHT, (pelott, posting)),
+    )
+    write_case(record, Path(__file__).with_name("example.insole"))
+
+
+def _source(session: Session) -> Source:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "example.zip"
+        write_session(session, path)
+        digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    return Source("session", "example.zip", digest, session.manifest.recorded_at)
+
+
+if __name__ == "__main__":
+    main()
