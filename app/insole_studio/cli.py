@@ -11,11 +11,23 @@ import signal
 import sys
 import traceback
 from importlib.metadata import version
+from pathlib import Path
 from typing import NoReturn, Protocol
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
-from insole_studio.commands import design, reconstruct, simulate, window
+from insole_studio.commands import (
+    calibrate,
+    capture,
+    compare,
+    design,
+    evaluate,
+    import_fakenect,
+    reconstruct,
+    sensors,
+    simulate,
+    window,
+)
 
 
 class Command(Protocol):
@@ -33,14 +45,25 @@ class Command(Protocol):
         ...
 
 
-COMMANDS: tuple[Command, ...] = (window, reconstruct, design, simulate)
+COMMANDS: tuple[Command, ...] = (
+    window,
+    sensors,
+    capture,
+    import_fakenect,
+    calibrate,
+    evaluate,
+    reconstruct,
+    design,
+    compare,
+    simulate,
+)
 
 
 def run(arguments: list[str]) -> int:
     """Run one call and give its exit code."""
     signal.signal(signal.SIGTERM, _interrupt)
     try:
-        parsed = _parser().parse_args(arguments or [window.NAME])
+        parsed = _parser().parse_args(arguments)
         parsed.command.run(parsed, Progress(_print_progress))
     except InsoleError as error:
         print(error, file=sys.stderr)
@@ -64,7 +87,12 @@ def _parser() -> argparse.ArgumentParser:
         description="Custom insoles from scans of the foot. Without a command the window opens.",
     )
     parser.add_argument("--version", action="version", version=version("insole-studio"))
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    parser.add_argument(
+        "--emulate", type=Path, metavar="SESSION",
+        help="play a recorded session as live sensors, in the window and in sensors and capture",
+    )  # fmt: skip
+    parser.set_defaults(command=window, path=None)
+    commands = parser.add_subparsers(metavar="COMMAND")
     for command in COMMANDS:
         sub = commands.add_parser(command.NAME, help=command.HELP, description=command.HELP)
         command.add_arguments(sub)

@@ -84,10 +84,13 @@ def decode_color(name: str, content: bytes) -> ByteArray:
     return np.ascontiguousarray(_decode(name, content, cv2.IMREAD_COLOR)[..., ::-1])
 
 
-def encode_png(image: RawArray | ByteArray) -> bytes:
-    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB."""
+def encode_png(image: RawArray | ByteArray, compression: int = 6) -> bytes:
+    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB.
+
+    `compression` goes from 0 (fast) to 9 (small).
+    """
     stored = image if image.ndim == 2 else image[..., ::-1]
-    return bytes(cv2.imencode(".png", stored, [cv2.IMWRITE_PNG_COMPRESSION, 6])[1])
+    return bytes(cv2.imencode(".png", stored, [cv2.IMWRITE_PNG_COMPRESSION, compression])[1])
 
 
 def _decode(name: str, content: bytes, flags: int) -> RawArray | ByteArray:

@@ -19,7 +19,7 @@ from insole_core.recording.sensor_folder import (
 )
 from insole_core.sensing.sensor import Sensor
 
-_SERIAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
+_SERIAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 
 
 def sensors_folder_of_user() -> Path:

@@ -1,0 +1,249 @@
+"""The state machine of a capture: sensor after sensor, with the emitters of the others off."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.progress import Cancelled
+from insole_studio.capture.draft import Draft, ViewFacts
+from insole_studio.capture.errors import BusFullError, SensorError
+from insole_studio.capture.light import judge_light
+from insole_studio.capture.plan import CapturePlan, Shot, Step
+from insole_studio.capture.rig import ColorSize, OpenSensor, Rig
+from insole_studio.capture.series import Series, poll_depth
+from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
+from insole_studio.capture.workplace import Calibrated, Workplace
+
+_POLL_S = 0.002
+
+
+def _nothing_shown(_serial: str, _image: RawArray | ByteArray) -> None:
+    """Show to nobody."""
+
+
+def _never() -> bool:
+    return False
+
+
+@dataclass(frozen=True)
+class Watcher:
+    """Who follows a capture.
+
+    Parameters
+    ----------
+    report
+        Is told every new status.
+    is_cancelled
+        Is asked all the time.
+    wait_for_hand
+        Returns when somebody has put the sensor of a view in its place.
+    show
+        Is given every depth image and colour picture that comes, by serial number.
+    """
+
+    report: Callable[[CaptureStatus], None]
+    is_cancelled: Callable[[], bool] = _never
+    wait_for_hand: Callable[[str], None] = lambda _sentence: None
+    show: Callable[[str, RawArray | ByteArray], None] = _nothing_shown
+
+
+def open_sensors(rig: Rig, serials: Iterable[str]) -> dict[str, OpenSensor]:
+    """Take sensors into use, all or none.
+
+    Raises
+    ------
+    NoSensorFoundError, SensorError
+    """
+    opened: dict[str, OpenSensor] = {}
+    try:
+        for serial in serials:
+            opened[serial] = rig.open(serial)
+    except InsoleError:
+        close_sensors(opened.values())
+        raise
+    return opened
+
+
+def close_sensors(sensors: Iterable[OpenSensor]) -> None:
+    """Give sensors back, every one, also where one fails to answer."""
+    failures = []
+    for sensor in sensors:
+        try:
+            sensor.close()
+        except SensorError as error:
+            failures.append(error)
+    if failures:
+        raise failures[0]
+
+
+class Capturing:
+    """Carries a plan out; a view that is finished stays in the draft, whatever happens later.
+
+    Parameters
+    ----------
+    sensors
+        The open ones by serial number; those that the plan does not name are kept dark.
+    plan
+    workplace
+    draft
+    watcher
+    """
+
+    def __init__(
+        self,
+        sensors: Mapping[str, OpenSensor],
+        plan: CapturePlan,
+        workplace: Workplace,
+        draft: Draft,
+        watcher: Watcher,
+    ) -> None:
+        self._sensors = sensors
+        self._plan = plan
+        self._draft = draft
+        self._watcher = watcher
+        self._told: CaptureStatus | None = None
+        self._calibrated = {
+            shot.view: workplace.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
+        }
+        self._views = {
+            shot.view: ViewStatus(shot.view, shot.serial, 0, plan.frames) for shot in plan.shots
+        }
+
+    def run(self) -> tuple[str, ...]:
+        """Capture every view; give the warnings.
+
+        Raises
+        ------
+        SensorError
+            When a sensor is lost, silent, or its controller full; says what is kept.
+        OutputError
+            When the disk is full.
+        Cancelled
+        """
+        plan = self._plan
+        self._draft.check_room(plan.frames, plan.color_frames, len(plan.views))
+        tilts = self._tilts_before()
+        try:
+            for step in plan.steps:
+                self._take(step, tilts)
+        except SensorError as error:
+            raise type(error)(self._told_with_kept(error)) from error
+        finally:
+            for serial, tilt_deg in tilts.items():
+                with suppress(SensorError):  # it may be the sensor that was lost
+                    self._sensors[serial].tilt_to(tilt_deg)
+        warnings = (warning for view in self._views.values() for warning in view.warnings)
+        return tuple(dict.fromkeys(warnings))
+
+    def _tilts_before(self) -> dict[str, float]:
+        tilted = {shot.serial for shot in self._plan.shots if shot.tilt_deg}
+        return {serial: self._sensors[serial].tilt_deg() for serial in sorted(tilted)}
+
+    def _take(self, step: Step, tilts: dict[str, float]) -> None:
+        names = " and ".join(shot.view for shot in step.shots)
+        if step.by_hand:
+            sentence = f"Put the sensor in its place for view {names}"
+            self._tell(Phase.MOVING, sentence)
+            self._watcher.wait_for_hand(sentence)
+        for shot in step.shots:
+            if shot.serial in tilts:
+                self._tell(Phase.MOVING, f"Tilting the sensor for view {shot.view}")
+                self._sensors[shot.serial].tilt_to(tilts[shot.serial] + shot.tilt_deg)
+        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}")
+        started_s = self._light_only(step)
+        taken = [
+            Series(shot, self._sensors[shot.serial], self._plan, started_s) for shot in step.shots
+        ]
+        self._collect(taken, names)
+        self._tell(Phase.VERIFYING, f"Checking view {names}")
+        for series in taken:
+            self._finish(series)
+
+    def _light_only(self, step: Step) -> float:
+        """Switch the emitters of all other sensors off and those of a step on.
+
+        Returns
+        -------
+        float
+            When the others were off, `time.monotonic()`.
+        """
+        wanted = {shot.serial for shot in step.shots}
+        others = [sensor for serial, sensor in self._sensors.items() if serial not in wanted]
+        for sensor in others:
+            if sensor.emits:
+                sensor.stop_depth()
+        dark_s = time.monotonic()
+        try:
+            self._start(step.shots)
+        except BusFullError:
+            for sensor in others:  # colour alone holds a part of the controller
+                sensor.stop()
+            self._start(step.shots)
+        return dark_s
+
+    def _start(self, shots: tuple[Shot, ...]) -> None:
+        for shot in shots:
+            self._sensors[shot.serial].start(_color_size(self._calibrated[shot.view]))
+
+    def _collect(self, taken: list[Series], names: str) -> None:
+        for series in taken:
+            self._draft.begin_view(series.shot.view)
+        while not all(series.complete for series in taken):
+            if self._watcher.is_cancelled():
+                raise Cancelled(names)
+            came = [self._advance(series) for series in taken]
+            if any(came):
+                settled = all(series.settled for series in taken)
+                phase = Phase.CAPTURING if settled else Phase.SETTLING
+                verb = "Capturing" if settled else "Waiting for steady depth of"
+                self._tell(phase, f"{verb} view {names}")
+            else:
+                time.sleep(_POLL_S)
+
+    def _advance(self, series: Series) -> bool:
+        """Take what has come from one sensor; tell whether anything has."""
+        view, serial = series.shot.view, series.shot.serial
+        came = poll_depth(series.sensor)
+        if came is not None:
+            image, time_s = came
+            self._watcher.show(serial, image)
+            for index, used in series.take_depth(image, time_s):
+                self._draft.add_depth(view, index, used)
+            self._views[view] = series.status()
+        frame = series.sensor.poll_color()
+        if frame is not None and series.wants_color():
+            picture = series.sensor.color_picture(frame)
+            self._watcher.show(serial, picture)
+            series.light = judge_light(picture)
+            self._draft.add_color(view, series.color_count, picture)
+            series.color_count += 1
+        return came is not None
+
+    def _finish(self, series: Series) -> None:
+        view = series.shot.view
+        calibrated = self._calibrated[view]
+        warnings = (*calibrated.warnings, *series.check())
+        settled_after_s = series.settling.settled_after_s or 0.0
+        facts = ViewFacts(settled_after_s, series.discarded, warnings)
+        self._draft.finish_view(view, calibrated, facts)
+        self._views[view] = series.status(True, warnings)
+
+    def _tell(self, phase: Phase, sentence: str) -> None:
+        status = CaptureStatus(phase, tuple(self._views.values()), sentence)
+        if status != self._told:
+            self._told = status
+            self._watcher.report(status)
+
+    def _told_with_kept(self, error: SensorError) -> str:
+        kept = ", ".join(self._draft.views)
+        return f"{error} Kept so far: {kept}." if kept else str(error)
+
+
+def _color_size(calibrated: Calibrated) -> ColorSize:
+    camera = calibrated.sensor.color_camera
+    return camera.width, camera.height

@@ -1,0 +1,220 @@
+"""A session while it is captured: a folder that holds every finished view, whatever happens."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shutil
+from collections.abc import Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import platformdirs
+
+from insole_core.errors import InputError, OutputError
+from insole_core.export.atomic import describe, replacing_file, replacing_folder
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.progress import SILENT, Progress
+from insole_core.recording.images import encode_png
+from insole_core.recording.manifest_json import manifest_json
+from insole_core.recording.reader import read_session
+from insole_core.recording.sensor_folder import write_sensor
+from insole_core.recording.session import Manifest
+from insole_core.recording.writer import write_session
+from insole_studio.capture.workplace import Calibrated
+
+_FACTS = "capture"
+"""The key of the manifest that tells of the capture of each view."""
+_WRITERS = 2
+_FAST = 1
+"""PNG compression: pictures are stored while the next ones come."""
+_DEPTH_BYTES, _COLOR_BYTES = 120_000, 2_600_000
+"""What a compressed picture takes, generously."""
+
+
+@dataclass(frozen=True)
+class ViewFacts:
+    """What the manifest tells of the capture of a view.
+
+    Parameters
+    ----------
+    settled_after_s
+        From the switching of the emitters to the first frame.
+    discarded
+        Frames that arrived damaged meanwhile, and were left out.
+    warnings
+    """
+
+    settled_after_s: float
+    discarded: int
+    warnings: tuple[str, ...] = ()
+
+
+def drafts_folder_of_user() -> Path:
+    """Give the folder for captures that are not finished."""
+    return platformdirs.user_data_path("insole-studio", appauthor=False) / "captures"
+
+
+class Draft:
+    """Takes frames as they come, and writes them beside the coming frames.
+
+    At any time the folder is a session of the views that are finished. A view that is captured
+    again replaces the one before when it is whole.
+
+    Parameters
+    ----------
+    folder
+        Created where it is missing; finished views in it are kept.
+    manifest
+        Without views.
+    order
+        The views' order in the manifest.
+    """
+
+    def __init__(self, folder: Path, manifest: Manifest, order: Sequence[str]) -> None:
+        self.folder = folder
+        self._manifest = replace(manifest, views=())
+        self._order = list(order)
+        self._facts: dict[str, dict[str, Any]] = {}
+        self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="capture-writer")
+        self._writing: dict[str, list[Future[None]]] = {}
+        try:
+            (folder / "views").mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise OutputError(describe(folder, error)) from error
+
+    @classmethod
+    def reopen(cls, folder: Path, order: Sequence[str]) -> Draft:
+        """Go on with a draft that a capture has left.
+
+        Raises
+        ------
+        InputError
+            When the folder is none.
+        """
+        manifest = read_session(folder).manifest
+        facts = manifest.extra.get(_FACTS)
+        if not isinstance(facts, dict):
+            raise InputError(f"{folder} was not left by a capture; choose the folder it named.")
+        draft = cls(folder, manifest, [*order, *(view for view in facts if view not in order)])
+        draft._facts = facts
+        return draft
+
+    @property
+    def manifest(self) -> Manifest:
+        """What is known of the whole capture, without its views."""
+        return self._manifest
+
+    @property
+    def views(self) -> tuple[str, ...]:
+        """The finished views, in order."""
+        return tuple(view for view in self._order if view in self._facts)
+
+    def check_room(self, frames: int, color_frames: int, views: int) -> None:
+        """Check that the disk has room for so much.
+
+        Raises
+        ------
+        OutputError
+        """
+        needed = views * (frames * _DEPTH_BYTES + color_frames * _COLOR_BYTES)
+        if shutil.disk_usage(self.folder).free < needed:
+            full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            raise OutputError(describe(self.folder, full))
+
+    def begin_view(self, view: str) -> None:
+        """Prepare to take the frames of a view."""
+        shutil.rmtree(self._taking(view), ignore_errors=True)
+        self._taking(view).mkdir()
+        self._writing[view] = []
+
+    def add_depth(self, view: str, index: int, image: RawArray) -> None:
+        """Store depth frame number `index`."""
+        self._store(view, f"depth_{index:03d}.png", image)
+
+    def add_color(self, view: str, index: int, picture: ByteArray) -> None:
+        """Store colour frame number `index`."""
+        self._store(view, f"color_{index:03d}.png", picture)
+
+    def finish_view(self, view: str, calibrated: Calibrated, facts: ViewFacts) -> None:
+        """Wait until a view is on the disk, and let it count.
+
+        Raises
+        ------
+        OutputError
+            When it could not be written; the view as it was before still counts.
+        """
+        target = self.folder / "views" / view
+        try:
+            for writing in self._writing.pop(view):
+                writing.result()
+            write_sensor(calibrated.sensor, self._taking(view))
+            with replacing_folder(target) as beside:
+                beside.rmdir()
+                self._taking(view).rename(beside)
+        except OSError as error:
+            raise OutputError(describe(target, error)) from error
+        self._facts[view] = {
+            "serial": calibrated.sensor.serial,
+            "calibration": calibrated.origin,
+            "settled_after_s": round(facts.settled_after_s, 3),
+            "discarded_frames": facts.discarded,
+            "warnings": list(facts.warnings),
+        }
+        self._write_manifest()
+
+    def publish(self, path: Path, progress: Progress = SILENT) -> None:
+        """Put the session where it belongs, as a folder or a zip archive, and remove the draft.
+
+        Raises
+        ------
+        InputError
+            When what is on the disk is not what was written.
+        OutputError
+            When the place cannot be written; the draft stays.
+        """
+        session = read_session(self.folder)
+        if path.suffix.lower() == ".zip":
+            write_session(session, path, progress=progress)
+        else:
+            with replacing_folder(path) as beside:
+                shutil.copytree(self.folder, beside, dirs_exist_ok=True)
+        self.discard()
+
+    def discard(self) -> None:
+        """Remove the folder with everything in it."""
+        self.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def close(self) -> None:
+        """End the writing; what is finished stays, what is not is removed."""
+        self._pool.shutdown(wait=True)
+        for unfinished in self.folder.glob(".taking-*"):
+            shutil.rmtree(unfinished, ignore_errors=True)
+        if not self._facts:
+            shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _taking(self, view: str) -> Path:
+        return self.folder / f".taking-{view}"
+
+    def _store(self, view: str, name: str, image: RawArray | ByteArray) -> None:
+        path = self._taking(view) / name
+        writing = self._pool.submit(lambda: _write(path, image))
+        self._writing[view].append(writing)
+
+    def _write_manifest(self) -> None:
+        extra = {
+            **self._manifest.extra,
+            "capture": {view: self._facts[view] for view in self.views},
+        }
+        manifest = replace(self._manifest, views=self.views, extra=extra)
+        text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
+        with replacing_file(self.folder / "manifest.json") as beside:
+            beside.write_text(text, encoding="utf-8")
+
+
+def _write(path: Path, image: RawArray | ByteArray) -> None:
+    path.write_bytes(encode_png(image, _FAST))

@@ -1,0 +1,37 @@
+"""What can go wrong with sensors, in the words of the driver."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from insole_core.errors import InsoleError
+from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
+
+
+class SensorError(InsoleError):
+    """A sensor is not there, cannot be used, or stopped working."""
+
+
+class NoSensorFoundError(SensorError):
+    """No sensor is plugged in, or not the one that was asked for."""
+
+
+class BusFullError(SensorError):
+    """The USB controller cannot carry another stream."""
+
+
+_KINDS: tuple[tuple[type[KinectError], type[SensorError]], ...] = (
+    (BandwidthError, BusFullError),
+    (NoSensorError, NoSensorFoundError),
+)
+
+
+@contextmanager
+def translating() -> Iterator[None]:
+    """Turn the driver's errors, whose texts are sentences already, into the application's."""
+    try:
+        yield
+    except KinectError as error:
+        kind = next((ours for theirs, ours in _KINDS if isinstance(error, theirs)), SensorError)
+        raise kind(str(error)) from error

@@ -1,0 +1,60 @@
+"""The calibration that the device itself carries, as the core's type."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import FactoryDisparity
+from insole_core.sensing.nominal import nominal_kinect
+from insole_core.sensing.sensor import Sensor
+from kinect_v1.calibration import Calibration
+
+_MM_PER_CM = 10.0
+
+
+def factory_sensor(
+    calibration: Calibration,
+    serial: str,
+    faces: tuple[str, ...],
+    color_size: tuple[int, int] = (1280, 1024),
+) -> Sensor:
+    """Give the sensor as the factory measured it, with the usual values where it did not.
+
+    The depth camera is the device's own pinhole: f = D / (2 p), its centre that of the image. Of
+    the colour camera the device says nothing that describes it apart from the depth camera.
+    """
+    plane = calibration.zero_plane
+    focal_px = calibration.focal_length_px
+    return replace(
+        usual_sensor(serial, faces, color_size),
+        depth_camera=Camera(640, 480, focal_px, focal_px, 320.0, 240.0),
+        disparity=FactoryDisparity(
+            reference_distance_mm=plane.reference_distance_cm * _MM_PER_CM,
+            reference_pixel_size_mm=plane.reference_pixel_cm * _MM_PER_CM,
+            baseline_mm=plane.emitter_distance_cm * _MM_PER_CM,
+            constant_shift=float(calibration.constant_shift),
+        ),
+    )
+
+
+def usual_sensor(serial: str, faces: tuple[str, ...], color_size: tuple[int, int]) -> Sensor:
+    """Give a sensor of which nothing was measured."""
+    sensor = nominal_kinect(serial)
+    return replace(sensor, faces=faces, color_camera=_resized(sensor.color_camera, color_size))
+
+
+def _resized(camera: Camera, size: tuple[int, int]) -> Camera:
+    """Give the same camera for smaller pictures, which are scaled and cut at top and bottom."""
+    width, height = size
+    scale = width / camera.width
+    cut = (camera.height * scale - height) / 2
+    return replace(
+        camera,
+        width=width,
+        height=height,
+        fx=camera.fx * scale,
+        fy=camera.fy * scale,
+        cx=(camera.cx + 0.5) * scale - 0.5,
+        cy=(camera.cy + 0.5) * scale - 0.5 - cut,
+    )

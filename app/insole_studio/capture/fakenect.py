@@ -1,0 +1,114 @@
+"""Recordings of libfreenect as views of a session."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.recording.sensor_json import COLOR_SIZES, DEPTH_SIZE
+from insole_core.recording.session import ReferenceSystem, View
+from insole_core.sensing.disparity import NO_READING
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.errors import translating
+from insole_studio.capture.factory import factory_sensor, usual_sensor
+from insole_studio.capture.plan import view_faces
+from kinect_v1.pixels import demosaic
+from kinect_v1.recordings import (
+    RecordedFile,
+    Recording,
+    read_color,
+    read_depth,
+    read_received,
+    read_recording,
+)
+
+_UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class _Pictures:
+    """The files of a view; colour as it was received, where that was kept."""
+
+    depth: tuple[RecordedFile, ...]
+    color: tuple[RecordedFile, ...]
+
+    def read_depth(self, index: int) -> RawArray:
+        """Give depth frame number `index`."""
+        path = self.depth[index].path
+        with translating():
+            image = read_depth(self.depth[index])
+        if image.shape[::-1] != DEPTH_SIZE or image.max() > NO_READING:
+            raise InputError(
+                f"{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit."
+            )
+        return image
+
+    def read_color(self, index: int) -> ByteArray:
+        """Give colour frame number `index`."""
+        file = self.color[index]
+        with translating():
+            if file.kind == "r":
+                return read_color(file)
+            return demosaic(np.asarray(read_received(file), np.uint8))
+
+
+def read_view(name: str, folder: Path, system: ReferenceSystem) -> View:
+    """Read a recording; its frames are read when asked for.
+
+    Parameters
+    ----------
+    name
+        Of the view.
+    folder
+    system
+        Tells which markers the view sees.
+
+    Raises
+    ------
+    InputError, SensorError
+        When the folder is no recording, or lacks depth or colour.
+    """
+    with translating():
+        recording = read_recording(folder)
+    pictures = _Pictures(recording.of_kind("d"), recording.of_kind("b") or recording.of_kind("r"))
+    if not pictures.depth or not pictures.color:
+        missing = "colour" if pictures.depth else "depth"
+        raise InputError(
+            f"{folder} holds no {missing} pictures, but a view needs at least one; record again "
+            f"with {missing}."
+        )
+    height, width = pictures.read_color(0).shape[:2]
+    if (width, height) not in COLOR_SIZES:
+        raise InputError(f"{folder} holds colour of {width}×{height}, which no Kinect v1 sends.")
+    return View(
+        name=name,
+        sensor=_sensor(recording, view_faces(name, system), (width, height)),
+        depth_count=len(pictures.depth),
+        color_count=len(pictures.color),
+        read_depth=pictures.read_depth,
+        read_color=pictures.read_color,
+    )
+
+
+def _sensor(recording: Recording, faces: tuple[str, ...], color_size: tuple[int, int]) -> Sensor:
+    serial = recording.serial or _UNKNOWN
+    if recording.calibration is None:
+        return usual_sensor(serial, faces, color_size)
+    return factory_sensor(recording.calibration, serial, faces, color_size)
+
+
+def recorded_at(folder: Path) -> str:
+    """Give date and time of a recording's first picture.
+
+    Raises
+    ------
+    SensorError
+    """
+    with translating():
+        files = read_recording(folder).files
+    return datetime.fromtimestamp(files[0].host_time_s, UTC).isoformat(timespec="seconds")

@@ -1,0 +1,74 @@
+"""Where one captures: at this computer's own sensors, or at those that a session plays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Session
+from insole_studio.capture.emulation import emulated_bus, emulated_views
+from insole_studio.capture.errors import translating
+from insole_studio.capture.rig import Rig
+from insole_studio.capture.workplace import (
+    SensorFiles,
+    Workplace,
+    own_workplace,
+    recorded_workplace,
+)
+from kinect_v1.usb_bus import UsbBus, system_bus
+
+
+@dataclass(frozen=True)
+class Place:
+    """Makes rig and workplace; small enough to go to another process.
+
+    Parameters
+    ----------
+    stored
+        The calibrated sensors of this computer.
+    emulate
+        A recorded session whose frames play as live sensors; None for the real ones.
+    system_file
+        Of the reference system; None is the usual one.
+    """
+
+    stored: SensorFiles
+    emulate: Path | None = None
+    system_file: Path | None = None
+
+    @cached_property
+    def session(self) -> Session | None:
+        """The session that is emulated."""
+        return None if self.emulate is None else read_session(self.emulate)
+
+    def rig(self) -> Rig:
+        """Find the sensors' bus, or make the emulated one.
+
+        Raises
+        ------
+        InputError
+            When the session cannot be read.
+        SensorError
+            When there is no libusb.
+        """
+        if self.session is not None:
+            return Rig(UsbBus(emulated_bus(self.session)))
+        with translating():
+            return Rig(system_bus())
+
+    def workplace(self) -> Workplace:
+        """Describe the room.
+
+        Raises
+        ------
+        InputError
+        """
+        if self.session is not None:
+            return recorded_workplace(self.stored, self.session)
+        return own_workplace(self.stored, self.system_file)
+
+    def usual_views(self) -> tuple[tuple[str, str], ...]:
+        """Give view and serial number of each emulated sensor; nothing for real ones."""
+        return () if self.session is None else emulated_views(self.session)

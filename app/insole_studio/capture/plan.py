@@ -1,0 +1,217 @@
+"""What is to be captured: which sensor gives which view, in which steps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import chain
+
+from insole_core.errors import UsageError
+from insole_core.recording.session import ReferenceSystem
+from insole_studio.capture.settling import SettleRule
+
+MOST_SENSORS = 8
+MOST_FRAMES = 999
+MOST_BURSTS = 9
+_BURST_STEP_DEG = 1.0
+_VIEW = re.compile(r"[a-z0-9_]{1,32}")
+_TOP_FACE = "achilles"
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One view by one sensor.
+
+    Parameters
+    ----------
+    view
+    serial
+        Of the sensor.
+    tilt_deg
+        How far its motor tilts it for this shot, from where it stood before the capture.
+    """
+
+    view: str
+    serial: str
+    tilt_deg: float = 0.0
+
+
+@dataclass(frozen=True)
+class Step:
+    """Shots that are taken at the same time.
+
+    Parameters
+    ----------
+    shots
+    by_hand
+        Whether somebody has to put the sensor in its place first.
+    """
+
+    shots: tuple[Shot, ...]
+    by_hand: bool = False
+
+
+@dataclass(frozen=True)
+class CapturePlan:
+    """All steps, in order; in each the emitters of all other sensors are off.
+
+    Parameters
+    ----------
+    steps
+    frames, color_frames
+        Depth and colour pictures of each view.
+    settle
+        When the depth of a sensor is steady enough to be used.
+    """
+
+    steps: tuple[Step, ...]
+    frames: int = 10
+    color_frames: int = 1
+    settle: SettleRule = field(default_factory=SettleRule)
+
+    @property
+    def shots(self) -> tuple[Shot, ...]:
+        """All shots, in order."""
+        return tuple(chain.from_iterable(step.shots for step in self.steps))
+
+    @property
+    def views(self) -> tuple[str, ...]:
+        """Their names, in order."""
+        return tuple(shot.view for shot in self.shots)
+
+    @property
+    def serials(self) -> tuple[str, ...]:
+        """The sensors that are needed, each once."""
+        return tuple(dict.fromkeys(shot.serial for shot in self.shots))
+
+    def only(self, views: Sequence[str]) -> CapturePlan:
+        """Give the plan that captures some views again."""
+        steps = (
+            replace(step, shots=tuple(shot for shot in step.shots if shot.view in views))
+            for step in self.steps
+        )
+        return replace(self, steps=tuple(step for step in steps if step.shots))
+
+
+def make_plan(
+    assignment: Sequence[tuple[str, str]],
+    *,
+    frames: int = 10,
+    color_frames: int = 1,
+    simultaneous: bool = False,
+    bursts: int = 1,
+) -> CapturePlan:
+    """Plan a capture.
+
+    Parameters
+    ----------
+    assignment
+        View and serial number, in the order of the capture. A sensor that is named twice is moved
+        by hand in between.
+    frames, color_frames
+    simultaneous
+        All views at the same time; for sensors that do not see the same surface.
+    bursts
+        So many series a view, between which the sensor's motor tilts it by a degree, so that its
+        depth steps fall elsewhere; the further ones are views of their own, ``left_2`` and so on.
+
+    Raises
+    ------
+    UsageError
+        When the plan contradicts itself.
+    """
+    _check(assignment, simultaneous)
+    for name, number, most in (
+        ("frames", frames, MOST_FRAMES),
+        ("colour frames", color_frames, MOST_FRAMES),
+        ("bursts", bursts, MOST_BURSTS),
+    ):
+        if not 1 <= number <= most:
+            raise UsageError(f"{number} {name} were asked for, but 1 to {most} are possible.")
+    rounds = [_round(assignment, burst) for burst in range(bursts)]
+    if simultaneous:
+        steps = [Step(shots) for shots in rounds]
+    else:
+        steps = _turns(list(zip(*rounds, strict=True)))
+    plan = CapturePlan(tuple(steps), frames, color_frames)
+    _check_names(plan.views)
+    return plan
+
+
+def parse_assignment(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
+    """Read ``left=SERIAL`` and the like.
+
+    Raises
+    ------
+    UsageError
+    """
+    pairs = []
+    for text in texts:
+        view, _, serial = text.partition("=")
+        if not view or not serial:
+            raise UsageError(f'"{text}" names no view and sensor; write for example left=A00362A.')
+        pairs.append((view, serial))
+    return tuple(pairs)
+
+
+def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
+    """Give the marker groups that a view sees: the top one the Achilles tendon's, others the rest.
+
+    A reference system without such a group is seen as a whole.
+    """
+    groups = tuple(dict.fromkeys(marker.face for marker in system.markers))
+    if _TOP_FACE not in groups or len(groups) == 1:
+        return groups
+    if view.startswith("top"):
+        return (_TOP_FACE,)
+    return tuple(group for group in groups if group != _TOP_FACE)
+
+
+def _round(assignment: Sequence[tuple[str, str]], burst: int) -> tuple[Shot, ...]:
+    """Give the shots of the n-th burst: tilted by 0, 1, −1, 2, −2 … degrees."""
+    tilt_deg = _BURST_STEP_DEG * (burst + 1) // 2 * (1 if burst % 2 else -1)
+    suffix = f"_{burst + 1}" if burst else ""
+    return tuple(Shot(view + suffix, serial, tilt_deg + 0.0) for view, serial in assignment)
+
+
+def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[Step]:
+    """One sensor after the other; one that has been elsewhere before is moved by hand."""
+    steps: list[Step] = []
+    seen: set[str] = set()
+    for shots in bursts_by_view:
+        steps.append(Step(shots[:1], by_hand=shots[0].serial in seen))
+        steps += [Step((shot,)) for shot in shots[1:]]
+        seen.add(shots[0].serial)
+    return steps
+
+
+def _check(assignment: Sequence[tuple[str, str]], simultaneous: bool) -> None:
+    if not assignment:
+        raise UsageError("No view was named; say which sensor gives which view: left=SERIAL …")
+    users: dict[str, list[str]] = {}
+    for view, serial in assignment:
+        users.setdefault(serial, []).append(view)
+    if len(users) > MOST_SENSORS:
+        raise UsageError(f"{len(users)} sensors were named, but at most {MOST_SENSORS} work.")
+    _check_shared(users if simultaneous else {})
+
+
+def _check_shared(users: Mapping[str, Sequence[str]]) -> None:
+    for serial, views in users.items():
+        if len(views) > 1:
+            raise UsageError(
+                f"The views {' and '.join(views)} are both given to sensor {serial}, which cannot "
+                "take them at the same time; give each view its own sensor, or capture one after "
+                "the other."
+            )
+
+
+def _check_names(views: Sequence[str]) -> None:
+    for view in views:
+        if not _VIEW.fullmatch(view):
+            raise UsageError(
+                f'"{view}" cannot name a view; use 1 to 32 of the letters a-z, 0-9 and _.'
+            )
+        if views.count(view) > 1:
+            raise UsageError(f"The view {view} is named twice; name every view once.")

@@ -1,0 +1,261 @@
+"""The sensors at this computer, or emulated ones: the driver's values become the core's here."""
+
+from __future__ import annotations
+
+import time
+from types import TracebackType
+from typing import Self
+
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.errors import NoSensorFoundError, SensorError, translating
+from insole_studio.capture.factory import factory_sensor
+from insole_studio.capture.status import FoundSensor
+from kinect_v1.camera import Camera, CameraSettings, open_camera
+from kinect_v1.errors import KinectError
+from kinect_v1.modes import BAYER_640, BAYER_1280, StreamMode
+from kinect_v1.motor import Led
+from kinect_v1.pixels import demosaic
+from kinect_v1.sensors import SensorInfo, list_sensors
+from kinect_v1.streams import Frame, Stream, StreamCounts
+from kinect_v1.usb_bus import UsbBus
+
+ColorSize = tuple[int, int]
+FULL_COLOR: ColorSize = (1280, 1024)
+_MODES: dict[ColorSize, StreamMode] = {
+    (1280, 1024): BAYER_1280,
+    (1280, 960): BAYER_1280,
+    (640, 480): BAYER_640,
+}
+_SETTINGS = CameraSettings(watchdog_s=3.0)
+_TILT_LIMIT_S = 5.0
+_TILT_POLL_S = 0.1
+
+
+class Rig:
+    """Finds and opens sensors.
+
+    Parameters
+    ----------
+    bus
+        The computer's own, or an emulated one; nothing else tells the two apart.
+    """
+
+    def __init__(self, bus: UsbBus) -> None:
+        self._bus = bus
+
+    def find(self) -> tuple[FoundSensor, ...]:
+        """List what is plugged in; no sensor is disturbed.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            return tuple(_found(info) for info in list_sensors(self._bus))
+
+    def require(self) -> tuple[FoundSensor, ...]:
+        """List what is plugged in; nothing at all is an error.
+
+        Raises
+        ------
+        NoSensorFoundError, SensorError
+        """
+        found = self.find()
+        if not found:
+            raise NoSensorFoundError(
+                "No Kinect is plugged in; plug in its USB cable and its 12 V supply."
+            )
+        return found
+
+    def open(self, serial: str) -> OpenSensor:
+        """Take a sensor into use.
+
+        Raises
+        ------
+        SensorError
+            When it is not there, has no power or no permission, or another program uses it.
+        """
+        with translating():
+            return OpenSensor(open_camera(serial, _SETTINGS, self._bus))
+
+
+class OpenSensor:
+    """A sensor in use. Close it, or use it as a context.
+
+    Attributes
+    ----------
+    serial, model
+    bus
+        Number of its USB controller.
+    """
+
+    def __init__(self, camera: Camera) -> None:
+        self.serial = camera.serial
+        self.model = camera.model.value
+        self.bus = camera.bus
+        self._camera = camera
+        self._depth: Stream | None = None
+        self._color: Stream | None = None
+        self._color_size = FULL_COLOR
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def factory_sensor(self, faces: tuple[str, ...]) -> Sensor:
+        """Give the calibration that the device itself carries."""
+        return factory_sensor(self._camera.calibration, self.serial, faces)
+
+    @property
+    def emits(self) -> bool:
+        """Whether its emitter is on."""
+        return self._depth is not None
+
+    def start(self, color_size: ColorSize = FULL_COLOR) -> None:
+        """Stream depth, which switches the emitter on, and colour; what runs goes on.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller carries too much already.
+        SensorError
+        """
+        with translating():
+            if self._color is None or self._color.mode is not _MODES[color_size]:
+                self._color = self._camera.start_video(_MODES[color_size])
+            self._color_size = color_size
+            if self._depth is None:
+                self._depth = self._camera.start_depth()
+
+    def stop_depth(self) -> None:
+        """Switch the emitter off.
+
+        Raises
+        ------
+        SensorError
+        """
+        self._depth = None
+        with translating():
+            self._camera.stop_depth()
+
+    def stop(self) -> None:
+        """Stop everything, which gives the controller its bandwidth back.
+
+        Raises
+        ------
+        SensorError
+        """
+        self.stop_depth()
+        self._color = None
+        with translating():
+            self._camera.stop_video()
+
+    def poll_depth(self) -> Frame | None:
+        """Give the next depth frame if one waits.
+
+        Raises
+        ------
+        SensorError
+            When the sensor is lost or silent.
+        """
+        return _poll(self._depth)
+
+    def poll_color(self) -> Frame | None:
+        """Give the next colour frame if one waits; `color_picture` makes it a picture.
+
+        Raises
+        ------
+        SensorError
+            When the sensor is lost or silent.
+        """
+        return _poll(self._color)
+
+    def color_picture(self, frame: Frame) -> ByteArray:
+        """Give the colour picture (height, width, 3) uint8, RGB, of a frame."""
+        return demosaic(_cropped(frame.image, self._color_size[1]))
+
+    @property
+    def depth_counts(self) -> StreamCounts:
+        """What has happened on the depth stream since it was started."""
+        return self._depth.counts if self._depth is not None else StreamCounts(0, 0, 0, 0)
+
+    def tilt_deg(self) -> float:
+        """Tell how far it is tilted, relative to gravity.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            return self._camera.motor.posture().tilt_deg or 0.0
+
+    def tilt_to(self, tilt_deg: float) -> None:
+        """Tilt it and wait until it stands still.
+
+        Raises
+        ------
+        SensorError
+        """
+        limit_s = time.monotonic() + _TILT_LIMIT_S
+        with translating():
+            self._camera.motor.set_tilt(tilt_deg)
+            while self._camera.motor.posture().moving and time.monotonic() < limit_s:
+                time.sleep(_TILT_POLL_S)
+
+    def blink(self, on: bool) -> None:
+        """Let its light blink, so that somebody can see which one it is; or shine.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            self._camera.motor.set_led(Led.BLINK_GREEN if on else Led.GREEN)
+
+    def close(self) -> None:
+        """Stop everything and give the sensor back; also when it has been unplugged.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            self._camera.close()
+
+
+def _poll(stream: Stream | None) -> Frame | None:
+    if stream is None:
+        return None
+    frame = stream.poll()
+    if frame is None:
+        try:
+            stream.check()
+        except KinectError as error:
+            raise SensorError(str(error)) from error
+    return frame
+
+
+def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
+    """Keep the middle rows; an even number is cut, so that the colours keep their places."""
+    cut = (len(mosaic) - height) // 4 * 2
+    return np.ascontiguousarray(mosaic[cut : cut + height])
+
+
+def _found(info: SensorInfo) -> FoundSensor:
+    model = info.model.value if info.model else None
+    return FoundSensor(info.serial, model, info.bus, info.place, info.problem)
+
+
+def raw_image(frame: Frame) -> RawArray:
+    """Give the raw numbers (480, 640) of a depth frame."""
+    return np.asarray(frame.image, np.uint16)

@@ -1,0 +1,124 @@
+"""The frames of one view as they come, and what they say of themselves when they are there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import RawArray
+from insole_core.sensing.disparity import NO_READING
+from insole_core.sensing.frames import median_raw
+from insole_studio.capture.light import Light
+from insole_studio.capture.plan import CapturePlan, Shot
+from insole_studio.capture.rig import OpenSensor, raw_image
+from insole_studio.capture.settling import Settling
+from insole_studio.capture.status import ViewStatus
+
+_LEAST_VALID_SHARE = 0.01
+_MOVED_RAW = 4.0
+"""Twice the depth steps at 1 m, and far above the noise of a median of some frames."""
+_MOVED_SHARE = 0.1
+
+
+class Series:
+    """Collects the frames of one shot.
+
+    Parameters
+    ----------
+    shot
+    sensor
+    plan
+    started_s
+        When the emitters were switched, `time.monotonic()`.
+    """
+
+    def __init__(self, shot: Shot, sensor: OpenSensor, plan: CapturePlan, started_s: float) -> None:
+        self.shot = shot
+        self.sensor = sensor
+        self.depth: list[RawArray] = []
+        self.color_count = 0
+        self.light = Light.GOOD
+        """Of the last colour picture."""
+        self.settling = Settling(plan.settle, started_s)
+        self._plan = plan
+        self._discarded_before = sensor.depth_counts.discarded
+
+    @property
+    def settled(self) -> bool:
+        """Whether frames are used by now."""
+        return self.settling.settled_after_s is not None
+
+    @property
+    def complete(self) -> bool:
+        """Whether all frames are there."""
+        plan = self._plan
+        return len(self.depth) >= plan.frames and self.color_count >= plan.color_frames
+
+    @property
+    def discarded(self) -> int:
+        """Depth frames that arrived damaged since the start."""
+        return self.sensor.depth_counts.discarded - self._discarded_before
+
+    def take_depth(self, image: RawArray, time_s: float) -> list[tuple[int, RawArray]]:
+        """Take a depth frame; give the ones that are used now, with their numbers."""
+        missing = self._plan.frames - len(self.depth)
+        used = self.settling.add(image, time_s)[:missing]
+        first = len(self.depth)
+        self.depth += used
+        return list(enumerate(used, start=first))
+
+    def wants_color(self) -> bool:
+        """Whether the next colour frame is used."""
+        return self.settled and self.color_count < self._plan.color_frames
+
+    def status(self, finished: bool = False, warnings: tuple[str, ...] = ()) -> ViewStatus:
+        """Say how far it is."""
+        shot = self.shot
+        return ViewStatus(
+            shot.view, shot.serial, len(self.depth), self._plan.frames, finished, warnings
+        )
+
+    def check(self) -> tuple[str, ...]:
+        """Say what is doubtful about the frames, a sentence each."""
+        view, warnings = self.shot.view, []
+        if self.settling.timed_out:
+            warnings.append(
+                f"The depth of view {view} was still changing when it was captured; hold the foot "
+                "still and capture this view again."
+            )
+        valid = float(np.mean([np.mean(image != NO_READING) for image in self.depth]))
+        if valid < _LEAST_VALID_SHARE:
+            warnings.append(
+                f"View {view} measured depth in only {valid:.1%} of its picture; check that it is "
+                "far enough from the foot and not covered, and capture this view again."
+            )
+        if _moved_share(self.depth) > _MOVED_SHARE:
+            warnings.append(
+                f"Something moved while view {view} was captured; hold the foot still and capture "
+                "this view again."
+            )
+        return (*warnings, *self._check_light())
+
+    def _check_light(self) -> tuple[str, ...]:
+        if self.light is Light.GOOD:
+            return ()
+        remedy = "add light" if self.light is Light.DARK else "turn strong lights away"
+        return (
+            f"The colour picture of view {self.shot.view} is too {self.light.value}; {remedy} and "
+            "capture this view again.",
+        )
+
+
+def poll_depth(sensor: OpenSensor) -> tuple[RawArray, float] | None:
+    """Give the next depth image of a sensor with the time of its arrival, if one waits."""
+    frame = sensor.poll_depth()
+    return None if frame is None else (raw_image(frame), frame.host_time_s)
+
+
+def _moved_share(frames: list[RawArray]) -> float:
+    """Share of the pixels that measured in both halves of a series and changed between them."""
+    half = len(frames) // 2
+    if half < 2:
+        return 0.0
+    change = np.abs(median_raw(frames[:half]) - median_raw(frames[half:]))
+    measured = np.isfinite(change)
+    return float(np.mean(change[measured] > _MOVED_RAW)) if measured.any() else 0.0

@@ -1,0 +1,80 @@
+"""When the depth of a sensor is steady after emitters were switched."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from insole_core.geometry.arrays import RawArray
+from insole_core.sensing.disparity import NO_READING
+
+
+@dataclass(frozen=True)
+class SettleRule:
+    """When the count of valid pixels is steady.
+
+    The time that a projector needs is not documented, so it is measured each time. The frames by
+    which steadiness is noticed are good frames themselves, and are kept.
+
+    Parameters
+    ----------
+    frames
+        Over so many consecutive frames …
+    tolerance
+        … the count changes by no more than this share.
+    most_s
+        The longest wait; then the frames are taken as they are, with a warning.
+    """
+
+    frames: int = 5
+    tolerance: float = 0.05
+    most_s: float = 3.0
+
+
+class _Held(NamedTuple):
+    """A frame that may turn out to be steady."""
+
+    image: RawArray
+    time_s: float
+    valid: int
+
+
+class Settling:
+    """Holds frames back until they are steady, then gives every one.
+
+    Parameters
+    ----------
+    rule
+    started_s
+        On the clock of the frames: earlier ones saw other emitters and are left out.
+    """
+
+    def __init__(self, rule: SettleRule, started_s: float) -> None:
+        self._rule = rule
+        self._started_s = started_s
+        self._held: deque[_Held] = deque(maxlen=rule.frames)
+        self.settled_after_s: float | None = None
+        """From the start to the first frame that is used; None before."""
+        self.timed_out = False
+
+    def add(self, image: RawArray, time_s: float) -> list[RawArray]:
+        """Take the next frame; give those that can be used now, the oldest first."""
+        if self.settled_after_s is not None:
+            return [image]
+        if time_s <= self._started_s:
+            return []
+        self._held.append(_Held(image, time_s, int(np.count_nonzero(image != NO_READING))))
+        self.timed_out = time_s - self._started_s > self._rule.most_s
+        if not (self._steady() or self.timed_out):
+            return []
+        self.settled_after_s = self._held[0].time_s - self._started_s
+        return [held.image for held in self._held]
+
+    def _steady(self) -> bool:
+        counts = [held.valid for held in self._held]
+        most = max(counts)
+        full = len(counts) == self._rule.frames
+        return full and most > 0 and most - min(counts) <= self._rule.tolerance * most

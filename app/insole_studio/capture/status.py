@@ -1,0 +1,94 @@
+"""What is known of sensors and of a running capture: values that go from process to process."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+@dataclass(frozen=True)
+class FoundSensor:
+    """A sensor that is plugged in.
+
+    Parameters
+    ----------
+    serial
+        None where it could not be read.
+    model
+        ``1414``, ``1473`` or ``K4W``; None where only the motor answers.
+    bus, place
+        Number of its USB controller; its place there as the system writes it.
+    problem
+        Why it cannot be used, in one sentence; None where it can.
+    """
+
+    serial: str | None
+    model: str | None
+    bus: int
+    place: str
+    problem: str | None = None
+
+
+class Phase(Enum):
+    """Where a capture stands."""
+
+    WARMING_UP = "warming up"
+    LIVE = "live"
+    MOVING = "moving"
+    SETTLING = "settling"
+    CAPTURING = "capturing"
+    VERIFYING = "verifying"
+    DONE = "done"
+    FAILED = "failed"
+    CANCELLED = "cancelled"
+
+    @property
+    def is_end(self) -> bool:
+        """Whether nothing follows without a new order."""
+        return self in (Phase.DONE, Phase.FAILED, Phase.CANCELLED)
+
+
+@dataclass(frozen=True)
+class ViewStatus:
+    """How far one view is.
+
+    Parameters
+    ----------
+    view, serial
+    frames, wanted
+        Depth frames that are taken, and asked for.
+    finished
+        Whether the view is on the disk, whole.
+    warnings
+        Sentences about what was captured.
+    """
+
+    view: str
+    serial: str
+    frames: int
+    wanted: int
+    finished: bool = False
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class CaptureStatus:
+    """How far a capture is.
+
+    Parameters
+    ----------
+    phase
+    views
+    sentence
+        What goes on, what is to be done, or why it ended.
+    """
+
+    phase: Phase
+    views: tuple[ViewStatus, ...] = ()
+    sentence: str = ""
+
+    @property
+    def fraction(self) -> float:
+        """The share that is done."""
+        wanted = sum(view.wanted for view in self.views)
+        return sum(view.frames for view in self.views) / wanted if wanted else 0.0

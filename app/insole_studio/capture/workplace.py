@@ -1,0 +1,119 @@
+"""What a capture knows of the room: the reference system, where the foot is, the calibrations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Literal, Protocol
+
+from insole_core.calibration.applying import apply_correction
+from insole_core.calibration.reference_file import load_reference_system
+from insole_core.recording.session import Box, ReferenceSystem, Session
+from insole_core.resources import resource_path
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.plan import view_faces
+from insole_studio.capture.rig import OpenSensor
+
+DEFAULT_SYSTEM = "reference_systems/lego-20.json"
+
+Origin = Literal["settings", "recording", "factory"]
+
+
+class SensorFiles(Protocol):
+    """Where calibrated sensors are kept by serial number."""
+
+    def load(self, serial: str) -> Sensor | None:
+        """Read a sensor; None when it was never saved."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Calibrated:
+    """A sensor ready for a session.
+
+    Parameters
+    ----------
+    sensor
+    origin
+        Where its calibration comes from: measured and kept here, the recording that an emulated
+        sensor plays, or the device.
+    warnings
+        Sentences for the user.
+    """
+
+    sensor: Sensor
+    origin: Origin
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Workplace:
+    """The room.
+
+    Parameters
+    ----------
+    system
+        The markers around the foot.
+    stored
+    volume_of_interest
+        None lets the reconstruction find it.
+    recorded
+        Sensors of the session that is emulated, by serial number.
+    """
+
+    system: ReferenceSystem
+    stored: SensorFiles
+    volume_of_interest: Box | None = None
+    recorded: dict[str, Sensor] = field(default_factory=dict)
+
+    def calibrated(self, opened: OpenSensor, view: str) -> Calibrated:
+        """Give the calibration of a sensor for a view: the stored one, or the device's own.
+
+        Raises
+        ------
+        InputError, CalibrationError
+            When the stored one cannot be used.
+        """
+        faces = view_faces(view, self.system)
+        stored = self.stored.load(opened.serial)
+        if stored is not None:
+            return _checked(replace(stored, faces=faces))
+        if opened.serial in self.recorded:
+            return Calibrated(self.recorded[opened.serial], "recording")
+        sentence = (
+            f"Sensor {opened.serial} is not calibrated; the numbers of its factory are used, which "
+            "are several millimetres less exact."
+        )
+        return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
+
+
+def _checked(sensor: Sensor) -> Calibrated:
+    if sensor.correction is None:
+        return Calibrated(sensor, "settings")
+    corrected = apply_correction(sensor, sensor.correction, datetime.now(UTC))
+    return Calibrated(corrected.sensor, "settings", corrected.warnings)
+
+
+def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> Workplace:
+    """Give the room of this computer.
+
+    Parameters
+    ----------
+    stored
+    system_file
+        Of the reference system; None is the one that comes with the product.
+
+    Raises
+    ------
+    InputError
+    """
+    system = load_reference_system(system_file or resource_path(DEFAULT_SYSTEM))
+    return Workplace(system, stored)
+
+
+def recorded_workplace(stored: SensorFiles, session: Session) -> Workplace:
+    """Give the room in which a session was recorded, for its emulated sensors."""
+    manifest = session.manifest
+    recorded = {view.sensor.serial: view.sensor for view in reversed(session.views)}
+    return Workplace(manifest.reference_system, stored, manifest.volume_of_interest, recorded)

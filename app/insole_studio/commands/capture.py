@@ -1,0 +1,168 @@
+"""``insole-studio capture``: from the sensors to a session on the disk."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from contextlib import closing
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import InsoleError, OutputError, UsageError
+from insole_core.progress import Progress
+from insole_studio.commands.rig_arguments import add_emulate_argument, place_of
+
+if TYPE_CHECKING:
+    from insole_core.recording.session import Manifest
+    from insole_studio.capture.draft import Draft
+    from insole_studio.capture.place import Place
+    from insole_studio.capture.plan import CapturePlan
+    from insole_studio.capture.status import CaptureStatus
+    from insole_studio.capture.workplace import Workplace
+
+NAME = "capture"
+HELP = "capture a foot with the sensors, one after the other or all at once, as a session"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("--out", type=Path, required=True, metavar="SESSION", help="folder or .zip")
+    parser.add_argument(
+        "--views", nargs="+", metavar="VIEW=SERIAL",
+        help="which sensor gives which view, in the order of the capture; a sensor that is named "
+        "twice is moved by hand in between",
+    )  # fmt: skip
+    parser.add_argument("--side", choices=["left", "right"], help="of the foot")
+    parser.add_argument("--frames", type=int, default=10, help="depth frames a view (10)")
+    parser.add_argument("--color-frames", type=int, default=1, help="colour pictures a view (1)")
+    parser.add_argument(
+        "--simultaneous", action="store_true",
+        help="all sensors at once; for sensors that do not see the same surface",
+    )  # fmt: skip
+    parser.add_argument(
+        "--bursts", type=int, default=1, help="series a view, a degree of tilt apart (1)"
+    )
+    parser.add_argument("--weight-bearing", choices=["none", "semi", "full"], default="none")
+    parser.add_argument("--held", action="store_true", help="somebody held the foot")
+    parser.add_argument("--notes", default="", help="about the capture")
+    parser.add_argument(
+        "--reference", type=Path, metavar="system.json", help="another reference system"
+    )
+    parser.add_argument(
+        "--resume", type=Path, metavar="FOLDER",
+        help="go on with what a capture that failed has kept; its views are not taken again",
+    )  # fmt: skip
+    add_emulate_argument(parser)
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Capture every view, then put the session in its place."""
+    _check_out(arguments.out)
+    from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
+
+    place = place_of(arguments, arguments.reference)
+    rig, workplace = place.rig(), place.workplace()
+    plan = _plan(arguments, _assignment(arguments.views, place, len(rig.require())))
+    draft = _draft(arguments, plan, place, workplace)
+    with closing(draft):
+        plan = plan.only([view for view in plan.views if view not in draft.views])
+
+        def report(status: CaptureStatus) -> None:
+            progress.step(0.95 * status.fraction, status.sentence)
+
+        try:
+            sensors = open_sensors(rig, plan.serials)
+            try:
+                watcher = Watcher(report, wait_for_hand=_wait_for_hand)
+                warnings = Capturing(sensors, plan, workplace, draft, watcher).run()
+            finally:
+                close_sensors(sensors.values())
+            progress.step(0.95, "Checking the session")
+            draft.publish(arguments.out)
+        except InsoleError as error:
+            raise _with_draft(error, draft) from error
+    for warning in warnings:
+        print(f"Warning: {warning}", file=sys.stderr)
+    progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _check_out(path: Path) -> None:
+    if not path.absolute().parent.is_dir():
+        raise OutputError(
+            f"{path} cannot be written: its folder does not exist; create the folder or choose "
+            "another place."
+        )
+
+
+def _assignment(views: Sequence[str] | None, place: Place, found: int) -> Sequence[tuple[str, str]]:
+    from insole_studio.capture.plan import parse_assignment
+
+    assignment = parse_assignment(views) if views else place.usual_views()
+    if not assignment:
+        raise UsageError(
+            f"Say which of the {found} sensors gives which view, for example --views left=SERIAL "
+            "right=SERIAL top=SERIAL; insole-studio sensors lists the serial numbers."
+        )
+    return assignment
+
+
+def _plan(arguments: argparse.Namespace, assignment: Sequence[tuple[str, str]]) -> CapturePlan:
+    from insole_studio.capture.plan import make_plan
+
+    return make_plan(
+        assignment,
+        frames=arguments.frames,
+        color_frames=arguments.color_frames,
+        simultaneous=arguments.simultaneous,
+        bursts=arguments.bursts,
+    )
+
+
+def _draft(
+    arguments: argparse.Namespace, plan: CapturePlan, place: Place, workplace: Workplace
+) -> Draft:
+    from insole_studio.capture.draft import Draft, drafts_folder_of_user
+
+    if arguments.resume:
+        return Draft.reopen(arguments.resume, plan.views)
+    manifest = _manifest(arguments, place, workplace)
+    name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side.value}"
+    return Draft(drafts_folder_of_user() / name, manifest, plan.views)
+
+
+def _manifest(arguments: argparse.Namespace, place: Place, workplace: Workplace) -> Manifest:
+    from insole_core.geometry.side import Side
+    from insole_core.recording.session import CaptureCondition, Manifest
+
+    recorded = place.session.manifest.side.value if place.session else None
+    side = arguments.side or recorded
+    if side is None:
+        raise UsageError("Say which foot is captured: --side left or --side right.")
+    return Manifest(
+        recorded_at=datetime.now(UTC).isoformat(timespec="milliseconds"),
+        side=Side(side),
+        reference_system=workplace.system,
+        views=(),
+        volume_of_interest=workplace.volume_of_interest,
+        capture_condition=CaptureCondition(
+            arguments.weight_bearing, arguments.held, arguments.notes
+        ),
+    )
+
+
+def _wait_for_hand(sentence: str) -> None:
+    print(f"{sentence}, then press Enter.", file=sys.stderr, flush=True)
+    if not sys.stdin.readline():
+        raise UsageError(
+            "A sensor has to be moved by hand, but nobody can press Enter here; run this in a "
+            "terminal, or name every sensor once."
+        )
+
+
+def _with_draft(error: InsoleError, draft: Draft) -> InsoleError:
+    """Say where the finished views are, if there are any."""
+    if not draft.views:
+        return error
+    return type(error)(f"{error} Go on with --resume {draft.folder}")

@@ -1,0 +1,28 @@
+"""Which sensors a command works with."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_studio.commands.sensor_arguments import add_store_argument, store_of
+
+if TYPE_CHECKING:
+    from insole_studio.capture.place import Place
+
+
+def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare the recorded session that takes the place of sensors, and the stored calibrations."""
+    parser.add_argument(
+        "--emulate", type=Path, metavar="SESSION", default=argparse.SUPPRESS,
+        help="play a recorded session as live sensors; no device is needed",
+    )  # fmt: skip
+    add_store_argument(parser)
+
+
+def place_of(arguments: argparse.Namespace, system_file: Path | None = None) -> Place:
+    """Give the place of a call."""
+    from insole_studio.capture.place import Place
+
+    return Place(store_of(arguments), arguments.emulate, system_file)

@@ -1,0 +1,98 @@
+"""Which sensor a command is about, and where its calibration is kept."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+
+if TYPE_CHECKING:
+    from insole_core.sensing.sensor import Sensor
+    from insole_studio.workbench.sensor_store import SensorStore
+
+
+def add_store_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare where the sensors are kept."""
+    parser.add_argument(
+        "--sensors", type=Path, metavar="FOLDER",
+        help="holds a folder for each serial number (by default in the user's application data)",
+    )  # fmt: skip
+
+
+def add_evaluated_sensor(parser: argparse.ArgumentParser) -> None:
+    """Declare the sensor that an evaluation is about."""
+    parser.add_argument("--serial", help="of a calibrated sensor")
+    parser.add_argument(
+        "--sensor", type=Path, metavar="FOLDER",
+        help="holds sensor.json, for example a view of a session; instead of --serial",
+    )  # fmt: skip
+    parser.add_argument(
+        "--correction", type=Path, metavar="correction.npz",
+        help="use this distortion correction instead of the sensor's own",
+    )  # fmt: skip
+    parser.add_argument(
+        "--insist", action="store_true", help="use a correction of another sensor all the same"
+    )
+    add_store_argument(parser)
+
+
+def store_of(arguments: argparse.Namespace) -> SensorStore:
+    """Give the store of a call."""
+    from insole_studio.workbench.sensor_store import SensorStore, sensors_folder_of_user
+
+    return SensorStore(arguments.sensors or sensors_folder_of_user())
+
+
+def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
+    """Give the sensor of an evaluation, with the correction it is to be used with.
+
+    Raises
+    ------
+    InsoleError
+    """
+    sensor = _named_sensor(arguments)
+    if arguments.correction is None and sensor.correction is None:
+        return sensor
+    from datetime import UTC, datetime
+
+    from insole_core.calibration.applying import apply_correction
+    from insole_core.sensing.correction import load_correction
+
+    correction = sensor.correction
+    if arguments.correction is not None:
+        correction = load_correction(arguments.correction)
+    assert correction is not None
+    if not sensor.serial:
+        sensor = replace(sensor, serial=correction.record.serial)
+    applied = apply_correction(sensor, correction, datetime.now(UTC), arguments.insist)
+    for warning in applied.warnings:
+        print(f"Warning: {warning}", file=sys.stderr)
+    return applied.sensor
+
+
+def _named_sensor(arguments: argparse.Namespace) -> Sensor:
+    from insole_core.recording.sensor_folder import read_sensor
+    from insole_core.sensing.nominal import nominal_kinect
+
+    if arguments.serial and arguments.sensor:
+        raise UsageError("--serial and --sensor both name a sensor; give one of them.")
+    if arguments.sensor:
+        return read_sensor(arguments.sensor)
+    if not arguments.serial:
+        print(
+            "No sensor is named (--serial or --sensor); the usual numbers of a Kinect v1 are used.",
+            file=sys.stderr,
+        )
+        return nominal_kinect("")
+    sensor = store_of(arguments).load(arguments.serial)
+    if sensor is None:
+        known = ", ".join(store_of(arguments).serials()) or "none yet"
+        raise UsageError(
+            f"Sensor {arguments.serial} was never calibrated here (calibrated: {known}); calibrate "
+            "it, or name its folder with --sensor."
+        )
+    return sensor

@@ -1,0 +1,50 @@
+"""``insole-studio sensors``: which sensors are plugged in, and whether they can be used."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import TYPE_CHECKING
+
+from insole_core.progress import Progress
+from insole_studio.commands.rig_arguments import add_emulate_argument, place_of
+
+if TYPE_CHECKING:
+    from insole_studio.capture.status import FoundSensor
+
+NAME = "sensors"
+HELP = "list the sensors: a line each with serial number, model, USB bus, and state"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
+    add_emulate_argument(parser)
+
+
+def run(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Print a line a sensor."""
+    rig = place_of(arguments).rig()
+    found = rig.find()
+    if arguments.json:
+        print(json.dumps([_values(sensor) for sensor in found], indent=1))
+    for sensor in () if arguments.json else found:
+        print(
+            sensor.serial or "-", sensor.model or "-", f"bus {sensor.bus}", _state(sensor), sep="\t"
+        )
+    rig.require()
+
+
+def _state(sensor: FoundSensor) -> str:
+    return sensor.problem or "ready"
+
+
+def _values(sensor: FoundSensor) -> dict[str, object]:
+    return {
+        "serial": sensor.serial,
+        "model": sensor.model,
+        "bus": sensor.bus,
+        "place": sensor.place,
+        "state": "ready" if sensor.problem is None else "unusable",
+        "problem": sensor.problem,
+    }

@@ -1,0 +1,197 @@
+"""``sensors``, ``capture`` and ``import-fakenect`` as another program calls them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from capture_samples import color_mosaic, depth_frames
+
+from insole_core.recording.reader import read_session
+from insole_studio.capture import draft
+from insole_studio.cli import run
+from kinect_v1.camera import open_camera
+from kinect_v1.emulation.bus import EmulatedBus
+from kinect_v1.emulation.device import EmulatedKinect
+from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
+from kinect_v1.models import Model
+from kinect_v1.modes import BAYER_640
+from kinect_v1.pixels import demosaic, mosaic
+from kinect_v1.recordings import recording_folder
+from kinect_v1.usb_bus import UsbBus
+
+
+@pytest.fixture(autouse=True)
+def own_places(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing of this computer's user is read or written."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    monkeypatch.setattr(draft, "drafts_folder_of_user", lambda: tmp_path / "drafts")
+
+
+def last_line(capsys: pytest.CaptureFixture[str]) -> str:
+    return capsys.readouterr().err.strip().splitlines()[-1]
+
+
+def test_sensors_are_listed(small_session: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["sensors", "--emulate", str(small_session)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    serials = [view.sensor.serial for view in read_session(small_session).views]
+    assert lines == [f"{s}\t1414\tbus {i}\tready" for i, s in enumerate(serials, start=1)]
+
+
+def test_sensors_as_json(small_session: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["--emulate", str(small_session), "sensors", "--json"]) == 0
+    first = json.loads(capsys.readouterr().out)[0]
+    assert (first["model"], first["bus"], first["state"], first["problem"]) == (
+        "1414", 1, "ready", None,
+    )  # fmt: skip
+
+
+@pytest.mark.shared
+def test_a_session_comes_through_bit_for_bit(shared_data: Path, tmp_path: Path) -> None:
+    original = shared_data / "sessions" / "left_a"
+    out = tmp_path / "captured"
+    assert run(["capture", "--emulate", str(original), "--out", str(out)]) == 0
+    sent, came = read_session(original), read_session(out)
+    assert came.manifest.views == sent.manifest.views
+    assert came.manifest.side is sent.manifest.side
+    assert came.manifest.reference_system == sent.manifest.reference_system
+    for before, after in zip(sent.views, came.views, strict=True):
+        assert (after.depth_count, after.color_count) == (10, 1)
+        for index in range(10):
+            assert np.array_equal(after.read_depth(index), before.read_depth(index))
+        assert np.array_equal(after.read_color(0), demosaic(mosaic(before.read_color(0))))
+        assert after.sensor.serial == before.sensor.serial
+        assert after.sensor.disparity == before.sensor.disparity
+        assert after.sensor.correction is not None
+    facts = came.manifest.extra["capture"]
+    assert {facts[view]["calibration"] for view in facts} == {"recording"}
+    assert not (tmp_path / "drafts").exists() or not list((tmp_path / "drafts").iterdir())
+
+
+def test_plan_and_condition_are_the_callers(small_session: Path, tmp_path: Path) -> None:
+    first, second, *_ = (view.sensor.serial for view in read_session(small_session).views)
+    out = tmp_path / "session.zip"
+    call = [
+        "capture", "--emulate", str(small_session), "--out", str(out), "--views", f"heel={second}",
+        f"left={first}", "--simultaneous", "--frames", "3", "--side", "right", "--held",
+        "--weight-bearing", "full", "--notes", "barefoot",
+    ]  # fmt: skip
+    assert run(call) == 0
+    session = read_session(out)
+    assert session.manifest.side.value == "right"
+    assert session.manifest.capture_condition is not None
+    assert vars(session.manifest.capture_condition) == {
+        "weight_bearing": "full", "held": True, "notes": "barefoot",
+    }  # fmt: skip
+    assert [(v.name, v.sensor.serial, v.depth_count) for v in session.views] == [
+        ("heel", second, 3),
+        ("left", first, 3),
+    ]
+
+
+def test_an_unknown_sensor_leaves_nothing(
+    small_session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "session"
+    call = ["capture", "--emulate", str(small_session), "--out", str(out), "--views", "left=Z9"]
+    assert run(call) == 1
+    assert "No sensor has the number Z9" in last_line(capsys)
+    assert not out.exists()
+    assert not list((tmp_path / "drafts").iterdir())
+
+
+def test_no_sensor_at_all(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("insole_studio.capture.place.system_bus", lambda: UsbBus(EmulatedBus([])))
+    assert run(["sensors"]) == 1
+    assert "No Kinect is plugged in" in last_line(capsys)
+    assert run(["capture", "--out", str(tmp_path / "s"), "--side", "left"]) == 1
+    assert "No Kinect is plugged in" in last_line(capsys)
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (["--views", "left"], "names no view and sensor"),
+        (["--frames", "0"], "0 frames were asked for"),
+        (["--views", "left=A", "right=A", "--simultaneous"], "both given to sensor A"),
+    ],
+)
+def test_wrong_calls(
+    options: list[str],
+    sentence: str,
+    small_session: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = str(tmp_path / "session")
+    assert run(["capture", "--emulate", str(small_session), "--out", out, *options]) == 2
+    assert sentence in last_line(capsys)
+
+
+def test_a_place_without_folder_is_refused_before(
+    small_session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "nowhere" / "session"
+    assert run(["capture", "--emulate", str(small_session), "--out", str(out)]) == 1
+    assert "its folder does not exist" in last_line(capsys)
+
+
+@pytest.fixture
+def fakenect(tmp_path: Path) -> Path:
+    """A folder that the driver recorded."""
+    footage = make_footage(depth_frames(1)[:3], [color_mosaic(1)])
+    kinect = EmulatedKinect(Model.XBOX_1414, "A1", TYPICAL_CALIBRATION, footage)
+    folder = tmp_path / "recording"
+    with (
+        recording_folder(folder) as writer,
+        open_camera("A1", bus=UsbBus(EmulatedBus([kinect], speed=8.0))) as camera,
+    ):
+        depth, video = camera.start_depth(), camera.start_video(BAYER_640)
+        for _ in range(3):
+            writer.add(depth.read())
+        writer.add(video.read())
+        writer.finish(camera.serial, camera.model.value, camera.calibration)
+    return folder
+
+
+def test_a_recording_becomes_a_session(fakenect: Path, tmp_path: Path) -> None:
+    out = tmp_path / "session"
+    assert run(["import-fakenect", str(fakenect), "--out", str(out), "--side", "right"]) == 0
+    session = read_session(out)
+    assert session.manifest.side.value == "right"
+    (view,) = session.views
+    assert (view.name, view.sensor.serial, view.sensor.faces) == ("left", "A1", ("sole",))
+    for index, frame in enumerate(depth_frames(1)[:3]):
+        assert np.array_equal(view.read_depth(index), frame)
+    assert np.array_equal(view.read_color(0), demosaic(color_mosaic(1)))
+    assert view.sensor.depth_camera.fx == pytest.approx(575.816, abs=1e-3)
+
+
+def test_several_recordings_are_several_views(fakenect: Path, tmp_path: Path) -> None:
+    out = tmp_path / "session.zip"
+    call = ["import-fakenect", f"top={fakenect}", str(fakenect), "--out", str(out)]
+    assert run(call) == 0
+    assert [view.sensor.faces for view in read_session(out).views] == [("achilles",), ("sole",)]
+
+
+def test_a_folder_that_is_no_recording(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "session"
+    assert run(["import-fakenect", str(tmp_path), "--out", str(out)]) == 1
+    assert "no fakenect recording" in last_line(capsys)
+    assert not out.exists()
+
+
+def test_a_recording_without_colour(
+    fakenect: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    index = fakenect / "INDEX.txt"
+    index.write_text("".join(x for x in index.read_text().splitlines(True) if x.startswith("d")))
+    for picture in fakenect.glob("b-*"):
+        picture.unlink()
+    assert run(["import-fakenect", str(fakenect), "--out", str(tmp_path / "s")]) == 1
+    assert "holds no colour pictures" in last_line(capsys)

@@ -1,0 +1,73 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from capture_samples import Bench
+
+from insole_core.calibration.reference_file import save_reference_system
+from insole_core.errors import CalibrationError
+from insole_core.recording.reader import read_session
+from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
+from insole_core.sensing.nominal import nominal_kinect
+from insole_studio.capture.workplace import own_workplace, recorded_workplace
+from insole_studio.workbench.sensor_store import SensorStore
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> SensorStore:
+    return SensorStore(tmp_path / "sensors")
+
+
+def corrected(serial: str) -> DisparityCorrection:
+    offset = np.full((480, 640), 1.5, np.float32)
+    record = CorrectionRecord(serial, "2026-11-01T10:00:00+00:00", "walls")
+    return DisparityCorrection(offset, record=record)
+
+
+def test_the_stored_calibration_of_the_serial_number_is_used(
+    bench: Bench, store: SensorStore
+) -> None:
+    store.save(replace(nominal_kinect("A1"), correction=corrected("A1")))
+    workplace = own_workplace(store)
+    with bench.rig.open("A1") as opened:
+        found = workplace.calibrated(opened, "top")
+    assert found.origin == "settings"
+    assert found.sensor.serial == "A1"
+    assert found.sensor.faces == ("achilles",)
+    assert found.sensor.correction is not None
+    assert found.sensor.correction.offset[0, 0] == 1.5
+
+
+def test_without_one_the_device_tells(bench: Bench, store: SensorStore) -> None:
+    with bench.rig.open("B2") as opened:
+        found = own_workplace(store).calibrated(opened, "left")
+    assert found.origin == "factory"
+    assert found.sensor.faces == ("sole",)
+    assert found.sensor.depth_camera.fx == pytest.approx(575.816, abs=1e-3)
+    assert float(found.sensor.disparity.depth_mm(np.array(744.0))) == pytest.approx(1000.4, abs=1)
+    assert "not calibrated" in found.warnings[0]
+
+
+def test_a_correction_of_another_sensor_is_refused(bench: Bench, store: SensorStore) -> None:
+    store.save(replace(nominal_kinect("A1"), correction=corrected("Z9")))
+    with bench.rig.open("A1") as opened, pytest.raises(CalibrationError, match="sensor Z9"):
+        own_workplace(store).calibrated(opened, "left")
+
+
+def test_an_emulated_sensor_is_calibrated_as_recorded(
+    store: SensorStore, small_session: Path
+) -> None:
+    session = read_session(small_session)
+    workplace = recorded_workplace(store, session)
+    assert workplace.system == session.manifest.reference_system
+    assert workplace.volume_of_interest == session.manifest.volume_of_interest
+    assert set(workplace.recorded) == {view.sensor.serial for view in session.views}
+
+
+def test_an_own_reference_system_is_read(store: SensorStore, tmp_path: Path) -> None:
+    usual = own_workplace(store).system
+    save_reference_system(replace(usual, name="own"), tmp_path / "own.json")
+    assert own_workplace(store, tmp_path / "own.json").system.name == "own"
