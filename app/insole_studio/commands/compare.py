@@ -1,0 +1,102 @@
+"""``insole-studio compare``: how far two surfaces differ, without a window."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+from insole_core.progress import Progress
+
+if TYPE_CHECKING:
+    from insole_core.compare.comparison import Alignment
+    from insole_core.geometry.mesh import TriangleMesh
+
+NAME = "compare"
+HELP = "measure how far two surfaces differ: feet, insoles, scans of moulds"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    for name in "ab":
+        parser.add_argument(
+            name, type=Path, metavar=name.upper(), help="a mesh (.ply .stl .obj) or a session"
+        )
+    parser.add_argument("--report", type=Path, required=True, metavar="difference.json")
+    parser.add_argument("--picture", type=Path, metavar="difference.png")
+    parser.add_argument("--surface", type=Path, metavar="difference.ply", help="A in the colours")
+    parser.add_argument(
+        "--align", default="best", metavar="best|none|dots|points.json",
+        help="fit B to A (default), take both as they lie, use four black dots, or picked points",
+    )  # fmt: skip
+    parser.add_argument(
+        "--median", type=int, default=1, metavar="PIXELS",
+        help="spatial median filter of both, in pixels of 1 mm; 6 as in the thesis (default: none)",
+    )  # fmt: skip
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read both, lay B on A, measure, write."""
+    _check_call(arguments)
+    from insole_core.compare.comparison import compare_surfaces
+    from insole_core.compare.report import colored_surface, draw_picture, report_json
+    from insole_core.export.atomic import replacing_file
+    from insole_core.export.ply import write_ply
+
+    with ExitStack() as outputs:
+        report, picture, surface = (
+            path and outputs.enter_context(replacing_file(path))
+            for path in (arguments.report, arguments.picture, arguments.surface)
+        )
+        a = _read(arguments.a, progress.part(0.0, 0.2))
+        b = _read(arguments.b, progress.part(0.2, 0.4))
+        difference = compare_surfaces(
+            a, b, _alignment(arguments.align),
+            median_pixels=arguments.median, progress=progress.part(0.4, 0.9),
+        )  # fmt: skip
+        progress.step(0.9, "Writing the report")
+        text = json.dumps(report_json(difference), indent=1, allow_nan=False)
+        report.write_text(text + "\n", encoding="utf-8")
+        if picture:
+            draw_picture(difference, picture, (arguments.a.name, arguments.b.name))
+        if surface:
+            write_ply(colored_surface(difference), surface)
+    mean, largest = (difference.statistics[key] for key in ("mean_abs", "max"))
+    progress.step(1.0, f"Done: {mean:.2f} mm on average, {largest:.2f} mm at most")
+
+
+def _check_call(arguments: argparse.Namespace) -> None:
+    for path, suffix in ((arguments.picture, ".png"), (arguments.surface, ".ply")):
+        if path is not None and path.suffix.lower() != suffix:
+            raise UsageError(f"{path} names no file that can be written; let it end in {suffix}.")
+    if not 1 <= arguments.median <= 25:
+        raise UsageError(f"--median is {arguments.median}, and must be 1 to 25 pixels.")
+    if arguments.align not in ("best", "none", "dots") and not arguments.align.endswith(".json"):
+        raise UsageError(
+            f"--align is {arguments.align}; write best, none, dots, or the name of a .json file."
+        )
+
+
+def _alignment(word: str) -> Alignment:
+    from insole_core.compare.picked_points import read_picked_points
+
+    words: dict[str, Alignment] = {"best": "best", "none": "none", "dots": "dots"}
+    return words[word] if word in words else read_picked_points(Path(word))
+
+
+def _read(path: Path, progress: Progress) -> TriangleMesh:
+    from insole_core.foot.mesh_file import read_mesh
+    from insole_core.reconstruct import reconstruct
+    from insole_core.recording.reader import is_session, read_session
+
+    progress.step(0.0, f"Reading {path.name}")
+    if is_session(path):
+        return reconstruct(read_session(path), "fused", progress).mesh
+    read = read_mesh(path)
+    for note in read.notes:
+        print(f"{path.name}: {note}", file=sys.stderr)
+    return read.mesh

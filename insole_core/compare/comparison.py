@@ -1,0 +1,86 @@
+"""Compare any two surfaces: lay one on the other, then measure how far they differ."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from insole_core.compare.difference import Difference, measure_difference
+from insole_core.compare.picked_points import find_dots, fit_dots, fit_points
+from insole_core.compare.registration import Fit, badness, best_fit
+from insole_core.compare.seen_surface import facing, seen_points
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.progress import SILENT, Progress
+
+PickedPoints: TypeAlias = tuple[FloatArray, FloatArray]
+Alignment: TypeAlias = Literal["best", "none", "dots"] | PickedPoints
+
+_FIXED_PITCH_MM, _MOVED_PITCH_MM = 1.0, 2.0
+_GOOD_SHARE = 0.75
+
+
+def compare_surfaces(
+    a: TriangleMesh,
+    b: TriangleMesh,
+    alignment: Alignment = "best",
+    *,
+    median_pixels: int = 1,
+    progress: Progress = SILENT,
+) -> Difference:
+    """Measure the difference of two surfaces, a minus b, in the frame of a.
+
+    Parameters
+    ----------
+    a, b : mm
+    alignment
+        "best" fits b to a; "none" takes both as they lie; "dots" uses four black dots found on
+        both; or points picked on a and on b.
+    median_pixels
+        Kernel of the spatial median filter; 1 for none, 6 as in thesis 8.3.
+
+    Raises
+    ------
+    InputError
+        When the two do not overlap, or cannot be laid on each other.
+    """
+    progress.step(0.0, "Looking at both surfaces")
+    fit, looks_b = _aligned(a, b, alignment, progress.part(0.1, 0.8))
+    progress.step(0.8, "Measuring the difference")
+    return measure_difference(a, b, fit, looks_b, median_pixels=median_pixels)
+
+
+def _aligned(
+    a: TriangleMesh, b: TriangleMesh, alignment: Alignment, progress: Progress
+) -> tuple[Fit, FloatArray]:
+    """How b lies in the frame of a, and where its seen side looks, in its own frame."""
+    if alignment == "best":
+        return _best(a, b, progress)
+    if alignment == "none":
+        return Fit(np.eye(4), float("nan"), 1.0), facing(b)
+    if alignment == "dots":
+        return fit_dots(
+            find_dots(a, "the first surface"), find_dots(b, "the second surface")
+        ), facing(b)
+    return fit_points(*alignment), facing(b)
+
+
+def _best(a: TriangleMesh, b: TriangleMesh, progress: Progress) -> tuple[Fit, FloatArray]:
+    """Fit the seen sides; where they do not meet well, b may stand in another frame than ours."""
+    target = seen_points(a, facing(a), _FIXED_PITCH_MM)
+    fits: list[tuple[Fit, FloatArray]] = []
+    for number, looks in enumerate([facing(b), *np.eye(3), *-np.eye(3)]):
+        part = progress.part(number / 7, (number + 1) / 7)
+        fit = best_fit(target, seen_points(b, looks, _MOVED_PITCH_MM), part)
+        if fit is not None:
+            fits.append((fit, looks))
+        if number == 0 and fit is not None and fit.share >= _GOOD_SHARE:
+            break
+    if not fits:
+        raise InputError(
+            "The two surfaces do not overlap in any pose, so they cannot be compared;"
+            " check that both show the same side of the same foot."
+        )
+    return min(fits, key=lambda found: badness(found[0]))

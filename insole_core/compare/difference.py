@@ -1,0 +1,148 @@
+"""Difference maps of two surfaces in the (x, y)-plane, thesis 8.3, (27) to (29)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.compare.registration import Fit
+from insole_core.compare.seen_surface import Grid, facing, grid_over, height_map
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+
+PITCH_MM = 1.0
+THESIS_MEDIAN_PIXELS = 6
+"""The kernel of thesis 8.3: 6 by 6 pixels of about 1 mm."""
+_LEAST_AREA_MM2 = 100.0
+
+
+@dataclass(frozen=True, eq=False)
+class Difference:
+    """Two surfaces over the same pixels.
+
+    Parameters
+    ----------
+    grid
+        In the frame of a.
+    heights_a_mm, heights_b_mm : (rows, columns) float64
+        NaN where nothing was seen.
+    fit
+        How b was laid onto a.
+    """
+
+    grid: Grid
+    heights_a_mm: FloatArray
+    heights_b_mm: FloatArray
+    fit: Fit
+
+    @cached_property
+    def signed_mm(self) -> FloatArray:
+        """(rows, columns) a minus b: positive where a is higher; NaN where one is missing."""
+        return np.asarray(self.heights_a_mm - self.heights_b_mm)
+
+    @cached_property
+    def statistics(self) -> dict[str, float]:
+        """Figures of the report, mm; of the absolute difference unless the name says signed."""
+        signed = self.signed_mm[np.isfinite(self.signed_mm)]
+        size = np.abs(signed)
+        return {
+            "mean_abs": float(size.mean()),
+            "rms": float(np.sqrt((size**2).mean())),
+            "median_abs": float(np.median(size)),
+            "p95": float(np.percentile(size, 95)),
+            "max": float(size.max()),
+            "signed_mean": float(signed.mean()),
+            "signed_min": float(signed.min()),
+            "signed_max": float(signed.max()),
+            "compared_area_mm2": float(len(signed) * self.grid.pitch_mm**2),
+        }
+
+
+def measure_difference(
+    a: TriangleMesh,
+    b: TriangleMesh,
+    fit: Fit,
+    looks_b: FloatArray,
+    *,
+    pitch_mm: float = PITCH_MM,
+    median_pixels: int = 1,
+) -> Difference:
+    """Project both surfaces into the (x, y)-plane of a and take their heights.
+
+    Parameters
+    ----------
+    a, b : mm
+        Each in its own frame.
+    looks_b : (3,) float64
+        Where the seen side of b looks, in its own frame.
+    median_pixels
+        Kernel of the spatial median filter of both; 1 for none, 6 as in the thesis.
+
+    Raises
+    ------
+    InputError
+        When they do not lie over each other.
+    """
+    turned = b.transformed(fit.b2a)
+    grid = grid_over(a, pitch_mm)
+    sides = ((a, facing(a)), (turned, fit.b2a[:3, :3] @ looks_b))
+    heights = [
+        _median_filtered(height_map(mesh, grid, bool(looks[2] > 0)), median_pixels)
+        for mesh, looks in sides
+    ]
+    difference = Difference(grid, heights[0], heights[1], fit)
+    area = np.isfinite(difference.signed_mm).sum() * pitch_mm**2
+    if area < _LEAST_AREA_MM2:
+        raise InputError(
+            f"The two surfaces lie over each other on {area:.0f} mm² only, which is too little to"
+            " compare; let them be fitted, or pick points on both."
+        )
+    return difference
+
+
+def table_3(difference: Difference) -> dict[str, dict[str, float]]:
+    """Length, widths and arch height of both, mm, where the frame of a is an insole's or a foot's.
+
+    Heights count on the side that faces the ground; widths are those of the compared surface.
+    """
+    rows = np.flatnonzero(np.isfinite(difference.signed_mm).any(axis=1))
+    first, last = rows.min(), rows.max()
+    measures = {}
+    for name, heights in (("a", difference.heights_a_mm), ("b", difference.heights_b_mm)):
+        known = np.isfinite(heights)
+        known[:first], known[last + 1 :] = False, False
+        measures[name] = _shape_measures(heights, known, difference.grid)
+    return measures
+
+
+def _shape_measures(heights: FloatArray, known: BoolArray, grid: Grid) -> dict[str, float]:
+    rows = np.flatnonzero(known.any(axis=1))
+    length = len(rows) * grid.pitch_mm
+    widths = known.sum(axis=1) * grid.pitch_mm
+    heel, arch, ball = (
+        rows[int(start * len(rows)) : max(int(end * len(rows)), int(start * len(rows)) + 1)]
+        for start, end in ((0.10, 0.25), (0.35, 0.55), (0.60, 0.80))
+    )
+    return {
+        "length": float(length),
+        "heel_width": float(widths[heel].max()),
+        "forefoot_width": float(widths[ball].max()),
+        "arch_height": float(np.nanmax(heights[arch]) - np.nanpercentile(heights[rows], 2)),
+    }
+
+
+def _median_filtered(heights: FloatArray, pixels: int) -> FloatArray:
+    """Median over square neighbourhoods; NaN where less than half of one was seen."""
+    if pixels <= 1:
+        return heights
+    before, after = pixels // 2, (pixels - 1) // 2
+    padded = np.pad(heights, (before, after), constant_values=np.nan)
+    windows = np.lib.stride_tricks.sliding_window_view(padded, (pixels, pixels))
+    flat = windows.reshape(*heights.shape, -1)
+    enough = np.isfinite(flat).sum(axis=-1) * 2 >= pixels**2
+    result = np.full(heights.shape, np.nan)
+    result[enough] = np.nanmedian(flat[enough], axis=-1)
+    return np.where(np.isfinite(heights), result, np.nan)

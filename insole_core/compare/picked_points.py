@@ -1,0 +1,138 @@
+"""Registration by points that were picked on both surfaces, or by black dots found on them."""
+
+from __future__ import annotations
+
+import json
+from itertools import permutations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.sparse.csgraph import connected_components
+
+from insole_core.compare.registration import Fit
+from insole_core.errors import InputError, ReconstructionError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.horn import absolute_orientation
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import adjacency
+from insole_core.geometry.transforms import transform
+
+DOTS = 4
+"""Black dots on a mould, thesis 8.2."""
+_DARK = 0.45  # of the usual brightness
+_DOT_EXTENT_MM = (2.0, 20.0)
+_LEAST_ROUNDNESS = 0.4
+_LUMA = (0.299, 0.587, 0.114)
+
+
+def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
+    """Read points picked on a and on b: ``{"a": [[x, y, z], …], "b": [[x, y, z], …]}``, mm.
+
+    Returns
+    -------
+    two (n, 3) float64, row i of one belonging to row i of the other
+
+    Raises
+    ------
+    InputError
+        Names the file and what is wrong with it.
+    """
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path} is no valid JSON; write the points anew.") from error
+    if not isinstance(content, dict):
+        raise InputError(f'{path} must be an object with the keys "a" and "b"; write it anew.')
+    a, b = (_points(content.get(key), key, path) for key in ("a", "b"))
+    if len(a) != len(b):
+        raise InputError(
+            f"{path} holds {len(a)} points of a and {len(b)} of b; pick each point on both."
+        )
+    return a, b
+
+
+def _points(value: Any, key: str, path: Path) -> FloatArray:
+    try:
+        points = np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        points = np.empty(0)
+    if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
+        raise InputError(
+            f'"{key}" in {path} must be a list of points [x, y, z] in mm; pick the points again.'
+        )
+    return points
+
+
+def fit_points(a: FloatArray, b: FloatArray) -> Fit:
+    """Lay points of b (n, 3) onto their partners of a, Horn's method (thesis 3.2).
+
+    Raises
+    ------
+    InputError
+        With fewer than three points, or all on one line.
+    """
+    try:
+        b2a = absolute_orientation(b, a).a2b
+    except ReconstructionError as error:
+        raise InputError(
+            f"The picked points cannot place one surface on the other: {error}"
+        ) from error
+    away = np.linalg.norm(transform(b2a, b) - a, axis=1)
+    return Fit(b2a, float(np.sqrt((away**2).mean())), 1.0)
+
+
+def fit_dots(a: FloatArray, b: FloatArray) -> Fit:
+    """Lay dots onto dots of which nobody said which is which."""
+    fits = (fit_points(a, b[list(order)]) for order in permutations(range(len(b))))
+    return min(fits, key=lambda fit: fit.residual_mm)
+
+
+def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
+    """Find the four black dots on a coloured surface.
+
+    Parameters
+    ----------
+    name
+        Of the surface, for messages.
+
+    Returns
+    -------
+    (4, 3) float64, mm
+        Their centres.
+
+    Raises
+    ------
+    InputError
+        When the surface has no colours, or not just four dots.
+    """
+    if mesh.colors is None:
+        raise InputError(
+            f"{name} has no colours, so no dots can be found; pick the points instead."
+        )
+    brightness = mesh.colors @ np.array(_LUMA)
+    dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
+    _, piece = connected_components(adjacency(mesh)[dark][:, dark], directed=False)
+    spots = [dark[piece == number] for number in range(piece.max(initial=-1) + 1)]
+    dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
+    if len(dots) != DOTS:
+        raise InputError(
+            f"{len(dots)} black dots were found on {name} and four are needed;"
+            " pick the points instead."
+        )
+    areas = mesh.vertex_areas
+    return np.array([areas[dot] @ mesh.vertices[dot] / areas[dot].sum() for dot in dots])
+
+
+def _is_dot(spot: FloatArray) -> bool:
+    if len(spot) < 3:
+        return False
+    length, width, _ = np.linalg.svd(
+        spot - spot.mean(axis=0), compute_uv=False, full_matrices=False
+    )
+    extent = np.ptp(spot, axis=0).max()
+    return bool(
+        _DOT_EXTENT_MM[0] <= extent <= _DOT_EXTENT_MM[1] and width >= _LEAST_ROUNDNESS * length
+    )

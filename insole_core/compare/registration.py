@@ -1,0 +1,140 @@
+"""Best fit of one surface to another: iterated closest points, point to plane, robust.
+
+Places that do not belong together (a pad that only one of the two has, an edge) lose their weight
+(Tukey's biweight on the distances, as in Chetverikov's trimming but smooth), so the rest fits as if
+they were not there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from insole_core.compare.seen_surface import SurfacePoints
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.progress import SILENT, Progress
+
+_TUKEY = 4.685 * 1.4826
+_LEAST_SPREAD_MM = 0.004
+_COARSE_POINTS = 600
+_COARSE_ROUNDS, _FINE_ROUNDS = 25, 80
+_SETTLED_MM = 1e-6
+_START_REACH_MM = 25.0
+_LEAST_REACH_MM = 2.0
+_LEAST_PAIRS = 30
+_LEAST_SHARE = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """How surface b lies in the frame of surface a.
+
+    Parameters
+    ----------
+    b2a : (4, 4) float64, mm
+    residual_mm
+        Median distance of b's places from a's surface; of picked points the root mean square.
+    share
+        Part of b's places that found a partner.
+    """
+
+    b2a: FloatArray
+    residual_mm: float
+    share: float
+
+
+def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) -> Fit | None:
+    """Find the motion that lays b onto a, wherever b lies; None where they meet in no pose."""
+    progress.step(0.0, "Trying poses")
+    target = _Target(a)
+    coarse = b.every(max(1, len(b.points) // _COARSE_POINTS))
+    fits = [_refine(target, coarse, start, _COARSE_ROUNDS) for start in _starts(a, b)]
+    found = [fit for fit in fits if fit is not None]
+    if not found:
+        return None
+    progress.step(0.5, "Fitting one surface to the other")
+    fine = _refine(target, b, min(found, key=badness).b2a, _FINE_ROUNDS)
+    return fine if fine is not None and fine.share >= _LEAST_SHARE else None
+
+
+def badness(fit: Fit) -> float:
+    """Small where much of b lies near a; 0.05 mm let the earlier candidate win a draw."""
+    return (fit.residual_mm + 0.05) / fit.share**2
+
+
+class _Target:
+    """Surface a with its search tree."""
+
+    def __init__(self, a: SurfacePoints) -> None:
+        self.surface = a
+        self.tree = KDTree(a.points)
+
+    def partners(self, b: SurfacePoints, reach_mm: float) -> tuple[IntArray, IntArray]:
+        """Indices into b and a of places that face each other within reach."""
+        distance, nearest = self.tree.query(b.points, distance_upper_bound=reach_mm)
+        of_b = np.flatnonzero(np.isfinite(distance))
+        of_a = np.asarray(nearest)[of_b]
+        normal = self.surface.normals[of_a]
+        parallel = np.abs((normal * b.normals[of_b]).sum(axis=1)) > 0.7
+        return of_b[parallel], of_a[parallel]
+
+
+def _refine(target: _Target, b: SurfacePoints, start: FloatArray, rounds: int) -> Fit | None:
+    """Iterate from a start; None where too few places meet."""
+    b2a, reach = start, _START_REACH_MM
+    for _ in range(rounds):
+        moved = b.transformed(b2a)
+        of_b, of_a = target.partners(moved, reach)
+        if len(of_b) < _LEAST_PAIRS:
+            return None
+        points, normals = moved.points[of_b], target.surface.normals[of_a]
+        distance = ((points - target.surface.points[of_a]) * normals).sum(axis=1)
+        spread = max(float(np.median(np.abs(distance))), _LEAST_SPREAD_MM)
+        step = _step(points, normals, distance, _tukey(distance, _TUKEY * spread))
+        b2a = step @ b2a
+        reach = max(_LEAST_REACH_MM, min(reach * 0.8, 6 * spread + 2))
+        if np.abs(step - np.eye(4)).max() < _SETTLED_MM:
+            break
+    return Fit(b2a, float(np.median(np.abs(distance))), len(of_b) / len(b.points))
+
+
+def _tukey(distance: FloatArray, limit: float) -> FloatArray:
+    return np.asarray(np.clip(1 - (distance / limit) ** 2, 0, None) ** 2)
+
+
+def _step(
+    points: FloatArray, normals: FloatArray, distance: FloatArray, weights: FloatArray
+) -> FloatArray:
+    """Small motion (4, 4) that lessens the weighted distances most, about the points' centre."""
+    centre = points.mean(axis=0)
+    jacobian = np.concatenate([np.cross(points - centre, normals), normals], axis=1)
+    weighted = jacobian * weights[:, None]
+    normal_matrix = weighted.T @ jacobian
+    damping = 1e-9 * np.trace(normal_matrix) * np.eye(6)
+    motion = -np.linalg.solve(normal_matrix + damping, weighted.T @ distance)
+    angle = np.linalg.norm(motion[:3])
+    rotation = rotation_about(motion[:3], float(np.degrees(angle))) if angle > 0 else np.eye(3)
+    return rigid(rotation, centre + motion[3:] - rotation @ centre)
+
+
+def _starts(a: SurfacePoints, b: SurfacePoints) -> list[FloatArray]:
+    """As it lies; centre on centre; and the ways to lay the main axes of b onto those of a."""
+    mean_a, mean_b = a.points.mean(axis=0), b.points.mean(axis=0)
+    axes_a, axes_b = _axes(a), _axes(b)
+    turns = [np.eye(3)]
+    for signs in product((1, -1), repeat=2):
+        flips = np.diag([*signs, signs[0] * signs[1]])
+        turns.append(axes_a @ flips @ axes_b.T)
+    return [np.eye(4), *(rigid(turn, mean_a - turn @ mean_b) for turn in turns)]
+
+
+def _axes(surface: SurfacePoints) -> FloatArray:
+    """(3, 3) main axes as columns, right-handed."""
+    centred = surface.points - surface.points.mean(axis=0)
+    axes = np.linalg.eigh(centred.T @ centred)[1][:, ::-1].copy()
+    axes[:, 2] *= np.sign(np.linalg.det(axes))
+    return axes

@@ -1,0 +1,97 @@
+"""The outcome of a comparison as numbers, as a picture, and as a coloured surface."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from insole_core.compare.difference import Difference, table_3
+from insole_core.export.lettering import with_known_letters
+from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+
+_COLOR_MAP = "RdBu_r"
+_LEAST_RANGE_MM = 0.1
+
+
+def report_json(difference: Difference) -> dict[str, Any]:
+    """Give the figures for `json.dump`: docs/formats/comparison.md."""
+    fit = difference.fit
+    residual = None if np.isnan(fit.residual_mm) else round(fit.residual_mm, 6)
+    return {
+        "unit": "mm",
+        "sign": "positive where a is higher (+z) than b",
+        **{key: round(value, 6) for key, value in difference.statistics.items()},
+        "b2a": fit.b2a.tolist(),
+        "fit": {"residual": residual, "share_of_b": round(fit.share, 4)},
+        "pixel_mm": difference.grid.pitch_mm,
+        "measures": table_3(difference),
+    }
+
+
+def draw_picture(difference: Difference, path: Path, names: tuple[str, str]) -> None:
+    """Draw the signed and the absolute difference side by side as PNG, to scale."""
+    signed = difference.signed_mm
+    limit = _limit_mm(signed)
+    figure = Figure(figsize=(9, 8), layout="constrained")
+    FigureCanvasAgg(figure)
+    grid = difference.grid
+    (x, y), (rows, columns), pitch = grid.first_mm, grid.shape, grid.pitch_mm
+    extent = (x - pitch / 2, x + (columns - 0.5) * pitch, y - pitch / 2, y + (rows - 0.5) * pitch)
+    figure.suptitle(_caption(difference, names))
+    for axes, values, low, colors, title in zip(
+        figure.subplots(1, 2),
+        (signed, np.abs(signed)),
+        (-limit, 0.0),
+        (_COLOR_MAP, "viridis"),
+        ("first minus second", "absolute difference"),
+        strict=True,
+    ):
+        image = axes.imshow(
+            values, origin="lower", extent=extent, vmin=low, vmax=limit, cmap=colors
+        )
+        axes.set(title=title, xlabel="x in mm", ylabel="y in mm", aspect="equal")
+        figure.colorbar(image, ax=axes, label="mm", shrink=0.8, extend="both")
+    figure.savefig(path, format="png", dpi=120)
+
+
+def colored_surface(difference: Difference) -> TriangleMesh:
+    """Give surface a with the signed difference as colour, for a 3-D view; b missing is grey."""
+    heights = difference.heights_a_mm
+    known = np.isfinite(heights)
+    places = np.concatenate([difference.grid.places, heights[..., None]], axis=-1).reshape(-1, 3)
+    index = np.arange(known.size, dtype=np.int32).reshape(known.shape)
+    a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
+    triangles = np.concatenate(
+        [np.stack([corner.ravel() for corner in half], axis=1) for half in ((a, b, c), (a, c, d))]
+    )
+    whole = known.ravel()[triangles].all(axis=1)
+    mesh = TriangleMesh(places, triangles[whole], difference_colors(difference.signed_mm.ravel()))
+    return mesh.part(known.ravel())
+
+
+def difference_colors(signed_mm: FloatArray) -> ByteArray:
+    """(n, 3) red where a is higher, blue where b is, grey where there is no difference to tell."""
+    share = 0.5 + 0.5 * signed_mm / _limit_mm(signed_mm)
+    colors = colormaps[_COLOR_MAP](np.nan_to_num(np.clip(share, 0, 1), nan=0.5), bytes=True)
+    return np.where(np.isfinite(signed_mm)[:, None], colors[:, :3], 128).astype(np.uint8)
+
+
+def _limit_mm(signed: FloatArray) -> float:
+    """End of the colour scale: what 99 % of the places stay below."""
+    size = np.abs(signed[np.isfinite(signed)])
+    return max(float(np.percentile(size, 99)), _LEAST_RANGE_MM)
+
+
+def _caption(difference: Difference, names: tuple[str, str]) -> str:
+    s = difference.statistics
+    first, second = (with_known_letters(name) for name in names)
+    return (
+        f"{first} – {second}\nmean {s['mean_abs']:.2f} mm, 95 % {s['p95']:.2f} mm,"
+        f" largest {s['max']:.2f} mm, signed mean {s['signed_mean']:+.2f} mm"
+    )

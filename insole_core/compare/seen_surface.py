@@ -1,0 +1,145 @@
+"""What of a mesh faces the comparison: the sole of a foot, the upper side of an insole or mould."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.ray_casting import RayCaster
+
+_BASE_MM = 0.05
+_BASE_SHARE = 0.6
+_FOOT_HEIGHT_MM = 60.0
+_ONE_SIDED = 0.15
+_OFF_LATTICE = 0.3137
+"""Share of the pitch by which rays pass beside round coordinates: lattices have vertices there."""
+STEEPEST = 0.5
+"""Least z of a unit normal where heights are compared; steeper places (60 degrees) are walls."""
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePoints:
+    """Places on the seen side of a mesh.
+
+    Parameters
+    ----------
+    points, normals : (n, 3) float64, mm
+        The normals point to the viewer.
+    """
+
+    points: FloatArray
+    normals: FloatArray
+
+    def transformed(self, a2b: FloatArray) -> SurfacePoints:
+        """Bring the places from frame a to frame b."""
+        return SurfacePoints(self.points @ a2b[:3, :3].T + a2b[:3, 3], self.normals @ a2b[:3, :3].T)
+
+    def every(self, step: int) -> SurfacePoints:
+        """Give one place of `step`."""
+        return SurfacePoints(self.points[::step], self.normals[::step])
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Square pixels in the (x, y)-plane.
+
+    Parameters
+    ----------
+    first_mm
+        Centre of the pixel (row 0, column 0).
+    pitch_mm
+    shape
+        Rows (along y) and columns (along x).
+    """
+
+    first_mm: tuple[float, float]
+    pitch_mm: float
+    shape: tuple[int, int]
+
+    @property
+    def places(self) -> FloatArray:
+        """(rows, columns, 2) centres of the pixels."""
+        x = self.first_mm[0] + self.pitch_mm * np.arange(self.shape[1])
+        y = self.first_mm[1] + self.pitch_mm * np.arange(self.shape[0])
+        return np.stack(np.meshgrid(x, y), axis=-1)
+
+
+def grid_over(mesh: TriangleMesh, pitch_mm: float) -> Grid:
+    """Lay pixels over a mesh."""
+    low, high = mesh.bounds_mm[:, :2]
+    first = (np.floor(low / pitch_mm) - 1 + _OFF_LATTICE) * pitch_mm
+    columns, rows = (int(n) for n in np.ceil((high - first) / pitch_mm) + 1)
+    return Grid((float(first[0]), float(first[1])), pitch_mm, (rows, columns))
+
+
+def facing(mesh: TriangleMesh) -> FloatArray:
+    """Unit vector (3,) towards which the side to compare looks.
+
+    An open surface looks where its triangles do. A solid in one of the product's frames looks
+    upwards if it stands on a flat base (insole, block, mould) or is as flat as an insole; otherwise
+    it is a foot, whose sole looks down.
+    """
+    areas = np.linalg.norm(np.cross(*_sides(mesh)), axis=1)
+    mean = (areas[:, None] * mesh.triangle_normals).sum(axis=0) / areas.sum()
+    if np.linalg.norm(mean) > _ONE_SIDED:
+        return np.asarray(mean / np.linalg.norm(mean))
+    height = np.ptp(mesh.vertices[:, 2])
+    stands = _has_flat_base(mesh, areas)
+    return np.array([0.0, 0.0, 1.0 if stands or height < _FOOT_HEIGHT_MM else -1.0])
+
+
+def _sides(mesh: TriangleMesh) -> tuple[FloatArray, FloatArray]:
+    a, b, c = (mesh.vertices[mesh.triangles[:, corner]] for corner in range(3))
+    return b - a, c - a
+
+
+def _has_flat_base(mesh: TriangleMesh, areas: FloatArray) -> bool:
+    heights = mesh.vertices[mesh.triangles, 2]
+    lowest = (heights < mesh.vertices[:, 2].min() + _BASE_MM).all(axis=1)
+    downward = mesh.triangle_normals[:, 2] < -STEEPEST
+    return bool(areas[lowest & downward].sum() > _BASE_SHARE * areas[downward].sum())
+
+
+def height_map(mesh: TriangleMesh, grid: Grid, from_above: bool) -> FloatArray:
+    """Heights (rows, columns) of what is seen along z; NaN beside the mesh and on its walls."""
+    points, normals, ray = _cast(mesh, grid, from_above)
+    heights = np.full(grid.shape[0] * grid.shape[1], np.nan)
+    flat = np.abs(normals[:, 2]) >= STEEPEST
+    heights[ray[flat]] = points[flat, 2]
+    return heights.reshape(grid.shape)
+
+
+def seen_points(mesh: TriangleMesh, direction: FloatArray, pitch_mm: float) -> SurfacePoints:
+    """Sample the side of a mesh that looks in a direction (3,), evenly as seen from there."""
+    up = _frame_looking_up(direction)
+    turned = TriangleMesh(mesh.vertices @ up.T, mesh.triangles)
+    points, normals, _ = _cast(turned, grid_over(turned, pitch_mm), from_above=True)
+    normals = normals * np.where(normals[:, 2] < 0, -1, 1)[:, None]
+    flat = normals[:, 2] >= STEEPEST
+    return SurfacePoints(points[flat] @ up, normals[flat] @ up)
+
+
+def _cast(
+    mesh: TriangleMesh, grid: Grid, from_above: bool
+) -> tuple[FloatArray, FloatArray, IntArray]:
+    """Points and normals (n, 3) that rays along z meet first, and the pixel of each."""
+    sign = 1.0 if from_above else -1.0
+    start = (mesh.vertices[:, 2] * sign).max() + 10.0
+    places = grid.places.reshape(-1, 2)
+    origins = np.column_stack([places, np.full(len(places), sign * start)])
+    hits = RayCaster(mesh).cast(origins, np.broadcast_to([0.0, 0.0, -sign], origins.shape))
+    corners = mesh.vertices[mesh.triangles[hits.triangle]]
+    points = np.einsum("nk,nkc->nc", hits.weights, corners)
+    return np.asarray(points), mesh.triangle_normals[hits.triangle], hits.ray
+
+
+def _frame_looking_up(direction: FloatArray) -> FloatArray:
+    """Rotation (3, 3) that brings a unit vector to +z; the identity for +z itself."""
+    up = direction / np.linalg.norm(direction)
+    helper = np.array([0.0, 1.0, 0.0]) if abs(up[1]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    right = np.cross(helper, up)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(up, right), up])

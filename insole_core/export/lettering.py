@@ -1,0 +1,36 @@
+"""Names of any script in the letters that the product's own font has."""
+
+from __future__ import annotations
+
+import unicodedata
+from functools import cache
+from pathlib import Path
+
+from matplotlib import get_data_path
+from matplotlib.font_manager import get_font
+
+FONT_PATH = Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
+"""DejaVu Sans comes with matplotlib: Latin, Greek, Cyrillic, Arabic and more."""
+_UNKNOWN = "?"
+
+
+@cache
+def _letters() -> frozenset[int]:
+    return frozenset(get_font(FONT_PATH).get_charmap())
+
+
+def with_known_letters(text: str) -> str:
+    """Give a text in letters that the font has; "?" stands for one that has no likeness there.
+
+    Accents that the font lacks are dropped; control characters become blanks.
+    """
+    return "".join(_known(letter) for letter in unicodedata.normalize("NFC", text)).strip()
+
+
+def _known(letter: str) -> str:
+    if unicodedata.category(letter).startswith("C"):
+        return " "
+    if ord(letter) in _letters():
+        return letter
+    bare = "".join(c for c in unicodedata.normalize("NFKD", letter) if ord(c) in _letters())
+    return bare or _UNKNOWN

@@ -1,0 +1,90 @@
+"""``insole-studio compare``, as another program calls it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.export.stl import write_stl
+from insole_core.foot.placing import place_foot
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import InsoleDesign
+from insole_core.simulate import FootShape, build_foot
+from insole_core.solids.solid import insole_solid
+from insole_studio.cli import run
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, str]:
+    """An insole, and the same 1.25 mm lower."""
+    mesh = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=4.0).mesh
+    foot = place_foot(mesh, Side.LEFT, frame="reference")
+    solid = insole_solid(build_insole(foot, InsoleDesign(Side.LEFT)))
+    folder = tmp_path_factory.mktemp("pair")
+    paths = folder / "a.stl", folder / "lower Fuß 足.stl"
+    write_stl(solid, paths[0])
+    write_stl(replace(solid, vertices=solid.vertices - np.array([0, 0, 1.25])), paths[1])
+    return str(paths[0]), str(paths[1])
+
+
+def last_line(capsys: pytest.CaptureFixture[str]) -> str:
+    return capsys.readouterr().err.strip().splitlines()[-1]
+
+
+def test_offset_and_every_output(pair: tuple[str, str], tmp_path: Path) -> None:
+    outputs = {"report": "d.json", "picture": "d.png", "surface": "d.ply"}
+    options = [word for key, name in outputs.items() for word in (f"--{key}", str(tmp_path / name))]
+    assert run(["compare", *pair, *options, "--align", "none"]) == 0
+    values = json.loads((tmp_path / "d.json").read_text())
+    for key in ("mean_abs", "rms", "p95", "max", "signed_mean"):
+        assert values[key] == pytest.approx(1.25, abs=0.01), key
+    assert values["b2a"] == np.eye(4).tolist()
+    assert values["compared_area_mm2"] > 10_000
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["d.json", "d.ply", "d.png"]
+
+
+def test_best_fit_is_the_default(pair: tuple[str, str], tmp_path: Path) -> None:
+    assert run(["compare", *pair, "--report", str(tmp_path / "d.json")]) == 0
+    values = json.loads((tmp_path / "d.json").read_text())
+    assert values["max"] < 0.05
+    assert values["b2a"][2][3] == pytest.approx(1.25, abs=0.02)
+
+
+def test_picked_points(pair: tuple[str, str], tmp_path: Path) -> None:
+    b = [[0.0, 0, 0], [50, 0, 0], [0, 90, 0]]
+    points = {"a": [[x, y, 1.25] for x, y, _ in b], "b": b}
+    (tmp_path / "points.json").write_text(json.dumps(points))
+    call = ["--align", str(tmp_path / "points.json"), "--report", str(tmp_path / "d.json")]
+    assert run(["compare", *pair, *call]) == 0
+    assert json.loads((tmp_path / "d.json").read_text())["max"] < 0.01
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "sentence"),
+    [
+        (["--align", "worst"], 2, "write best, none, dots"),
+        (["--align", "{tmp}/no.json"], 1, "cannot be read"),
+        (["--align", "dots"], 1, "no colours"),
+        (["--picture", "{tmp}/d.jpg"], 2, "end in .png"),
+        (["--surface", "{tmp}/d.stl"], 2, "end in .ply"),
+        (["--median", "0"], 2, "1 to 25"),
+        (["--picture", "{tmp}/no/d.png"], 1, "its folder does not exist"),
+    ],
+)
+def test_failures_leave_nothing_behind(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    options: list[str],
+    code: int,
+    sentence: str,
+) -> None:
+    words = [word.format(tmp=tmp_path) for word in options]
+    assert run(["compare", *pair, "--report", str(tmp_path / "d.json"), *words]) == code
+    assert sentence in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
