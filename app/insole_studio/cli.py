@@ -18,6 +18,7 @@ from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
 from insole_studio.commands import (
     capture,
+    compare,
     design,
     import_fakenect,
     reconstruct,
@@ -49,6 +50,7 @@ COMMANDS: tuple[Command, ...] = (
     import_fakenect,
     reconstruct,
     design,
+    compare,
     simulate,
 )
 
