@@ -9,15 +9,17 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-from insole_core.cases.record import KeyPoint, ReferencePlane
-from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.cases.record import ReferencePlane
+from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Look
-from insole_studio.scene.pointer import Handle
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import Handle, MarkedPoint
 
 MATERIAL = (232, 229, 222)
-COLOR_MAP = "viridis"
+CONTOUR = "#30363d"
+SURE = 0.6
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
 """Of the anatomical words from what they stand beside, in x and in y."""
@@ -49,6 +51,8 @@ class Painter:
         self._ratio = pixel_ratio
         self._surface: pv.PolyData | None = None
         self._mesh: TriangleMesh | None = None
+        self._colored = ""
+        self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
         """Form and look of the marks that are shown; equal ones only move."""
         self.scheme = Scheme.of(dark)
@@ -68,16 +72,15 @@ class Painter:
     def show_surface(
         self,
         mesh: TriangleMesh | None,
-        values: FloatArray | None = None,
-        limits: tuple[float, float] = (0.0, 1.0),
+        coloring: Coloring | None = None,
     ) -> None:
         """Show the foot or the insole.
 
         Parameters
         ----------
         mesh : mm, insole frame
-        values : (n,) float64, optional
-            Coloured by the map between `limits`; otherwise the mesh's own colours are shown.
+        coloring
+            By default the mesh's own colours, or those of the material.
         """
         self._mesh = mesh
         self._plotter.remove_actor("surface", render=False)
@@ -92,27 +95,71 @@ class Painter:
             reset_camera=False,
             smooth_shading=False,
             specular=0.0,
-            **self._surface_colors(mesh, values, limits),
+            style="wireframe" if self._wireframe else "surface",
+            **self._surface_colors(mesh, coloring),
         )
 
-    def move_surface(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
-        """Give the shown surface new places; False when its triangles are others.
+    def move_surface(
+        self,
+        mesh: TriangleMesh,
+        normals: FloatArray,
+        moved: IntArray | None = None,
+        coloring: Coloring | None = None,
+    ) -> bool:
+        """Give the shown surface new places; False when its triangles or colours are others.
 
         Parameters
         ----------
         mesh : mm, insole frame
         normals : (n, 3) float64
             Of its vertices.
+        moved
+            The vertices that have moved; by default all.
+        coloring
+            Of the same kind as the one that is shown.
         """
         if self._surface is None or self._mesh is None:
             return False
-        if self._mesh.triangles is not mesh.triangles:
+        if self._mesh.triangles is not mesh.triangles or _title(coloring) != self._colored:
             return False
         self._mesh = mesh
-        self._surface.points[:] = mesh.vertices
-        self._surface.point_data["Normals"][:] = normals
+        which = slice(None) if moved is None else moved
+        self._surface.points[which] = mesh.vertices[which]
+        self._surface.point_data["Normals"][which] = normals[which]
+        if coloring is not None:
+            self._surface.point_data["values"][:] = coloring.values
+            self._plotter.actors["surface"].mapper.scalar_range = coloring.limits
         self._surface.Modified()
         return True
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show the triangles' edges alone, or the whole surface."""
+        self._wireframe = shown
+        actor = self._plotter.actors.get("surface")
+        if actor is not None:
+            actor.prop.style = "wireframe" if shown else "surface"
+
+    def show_contours(self, step_mm: float) -> None:
+        """Draw lines of equal height on the surface; 0 for none."""
+        self._plotter.remove_actor("contours", render=False)
+        if step_mm <= 0 or self._surface is None:
+            return
+        heights = np.asarray(self._surface.points[:, 2])
+        levels = np.arange(step_mm, float(heights.max()), step_mm)
+        if len(levels) == 0:
+            return
+        lines = self._surface.contour(levels, scalars=heights)
+        if lines.n_points == 0:
+            return
+        self._plotter.add_mesh(
+            lines,
+            name="contours",
+            color=CONTOUR,
+            line_width=self._ratio,
+            lighting=False,
+            reset_camera=False,
+            render=False,
+        )
 
     def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
         """Draw closed or open polylines, each (n, 3) mm, in front of everything."""
@@ -133,11 +180,20 @@ class Painter:
             self._show_dots(f"rim-{kind}", places, size + 5, "white")
             self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
 
-    def show_key_points(self, points: Sequence[KeyPoint]) -> None:
-        """Show named places with their names."""
+    def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
+        """Show named places with their names; those that are not sure stand out."""
+        for name, wanted in (("sure", True), ("unsure", False)):
+            places = [p.position_mm for p in points if (p.confidence >= SURE) is wanted]
+            color = self.scheme.accent if wanted else self.scheme.mark
+            self._show_dots(f"rim-{name}", places, 13.0, "white")
+            self._show_dots(f"points-{name}", places, 9.0, color)
         places = [point.position_mm for point in points]
-        self._show_dots("key-points", places, 11.0, self.scheme.mark)
-        self._show_texts("key-names", places, [f" {point.name}" for point in points], 12)
+        self._show_texts("key-names", places, [f"  {point.text}" for point in points], 12)
+
+    def show_label(self, place_mm: FloatArray | None, text: str) -> None:
+        """Write a measure at a place; None for none."""
+        places = [] if place_mm is None else [place_mm]
+        self._show_texts("label", places, [f"  {text}"] * len(places), 13)
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
         """Write the anatomical words around what lies in the box (2, 3)."""
@@ -178,16 +234,15 @@ class Painter:
         camera.parallel_scale = look.height_mm / 2
         camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
 
-    def _surface_colors(
-        self, mesh: TriangleMesh, values: FloatArray | None, limits: tuple[float, float]
-    ) -> dict[str, Any]:
-        if values is not None:
+    def _surface_colors(self, mesh: TriangleMesh, coloring: Coloring | None) -> dict[str, Any]:
+        self._colored = _title(coloring)
+        if coloring is not None:
             assert self._surface is not None
-            self._surface.point_data["values"] = values
+            self._surface.point_data["values"] = coloring.values
             return {
                 "scalars": "values",
-                "cmap": COLOR_MAP,
-                "clim": limits,
+                "cmap": coloring.color_map,
+                "clim": coloring.limits,
                 "show_scalar_bar": False,
                 "ambient": 0.35,
                 "diffuse": 0.7,
@@ -254,6 +309,10 @@ class Painter:
             justification_horizontal="center" if centred else "left",
             justification_vertical="center",
         )
+
+
+def _title(coloring: Coloring | None) -> str:
+    return "" if coloring is None else coloring.title
 
 
 def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:

@@ -29,6 +29,15 @@ class Handle:
     kind: str = "size"
 
 
+@dataclass(frozen=True)
+class MarkedPoint:
+    """A named place to be shown, mm, insole frame, and how sure it is (0 to 1)."""
+
+    text: str
+    position_mm: tuple[float, float, float]
+    confidence: float = 1.0
+
+
 @dataclass(frozen=True, eq=False)
 class PointerEvent:
     """One moment of the pointer over a view.

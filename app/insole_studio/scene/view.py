@@ -9,12 +9,13 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Camera, Look, Preset, Subject, fitted, look
 from insole_studio.scene.canvas import make_canvas
+from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
@@ -100,19 +101,24 @@ class SceneView(QWidget):
     def show_mesh(
         self,
         mesh: TriangleMesh | None,
-        values: FloatArray | None = None,
-        limits: tuple[float, float] = (0.0, 1.0),
+        coloring: Coloring | None = None,
     ) -> None:
         """Show another surface; it can be touched by the pointer from now on."""
-        self.painter.show_surface(mesh, values, limits)
+        self.painter.show_surface(mesh, coloring)
         self._take(mesh)
 
-    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
+    def move_mesh(
+        self,
+        mesh: TriangleMesh,
+        normals: FloatArray,
+        moved: IntArray | None = None,
+        coloring: Coloring | None = None,
+    ) -> bool:
         """Show the same triangles at new places; False when they are others."""
-        moved = self.painter.move_surface(mesh, normals)
-        if moved:
+        followed = self.painter.move_surface(mesh, normals, moved, coloring)
+        if followed:
             self._take(mesh)
-        return moved
+        return followed
 
     def show_handles(self, handles: tuple[Handle, ...]) -> None:
         """Show what can be grabbed."""

@@ -16,6 +16,7 @@ from insole_core.insole.design import (
     Posting,
 )
 from insole_studio.scene.camera import Preset
+from insole_studio.stages.design.maps import MapKind
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ class ActionRecord:
 
 
 SEPARATOR = ""
+EXAMPLE = "example/example.insole"
 RECENT = "recent"
 """Where the menu lists what was open lately."""
 
@@ -84,6 +86,21 @@ def _prescription(
         text,
         tip,
         lambda studio, _on: studio.prescribe(make()),
+        needs_foot=True,
+    )
+
+
+def _map(
+    kind: MapKind, text: Callable[[], str], tip: Callable[[], str], shortcut: str
+) -> ActionRecord:
+    return ActionRecord(
+        f"map_{kind.value}",
+        text,
+        tip,
+        lambda studio, on: studio.show_map(kind) if on else None,
+        shortcut=shortcut,
+        checkable=True,
+        group="maps",
         needs_foot=True,
     )
 
@@ -132,6 +149,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         shortcut="Ctrl+M",
     ),
     ActionRecord(
+        "open_example",
+        lambda: tr("Open the example"),
+        lambda: tr("Open the case that comes with Insole Studio"),
+        lambda studio, _on: studio.open_example(),
+    ),
+    ActionRecord(
         "save",
         lambda: tr("Save"),
         lambda: tr("Save the case"),
@@ -148,8 +171,8 @@ ACTIONS: tuple[ActionRecord, ...] = (
     ),
     ActionRecord(
         "export",
-        lambda: tr("Export STL…"),
-        lambda: tr("Write the insole as an STL file for the shop"),
+        lambda: tr("Export insole…"),
+        lambda: tr("Write the insole for the shop: STL, 3MF, OBJ or PLY"),
         lambda studio, _on: studio.ask_export(),
         icon="export",
         shortcut="Ctrl+E",
@@ -193,7 +216,9 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("Turn the view; click on a pelott to select it"),
         "O",
     ),
-    _tool("key_point", lambda: tr("Key point"), lambda: tr("Mark named places on the skin"), "K"),
+    _tool(
+        "key_point", lambda: tr("Landmarks"), lambda: tr("Put right the landmarks of the foot"), "K"
+    ),
     _tool("pelott", lambda: tr("Pelott"), lambda: tr("Place and shape pelotts"), "P"),
     _tool(
         "free_hand",
@@ -269,13 +294,30 @@ ACTIONS: tuple[ActionRecord, ...] = (
         shortcut="L",
         checkable=True,
     ),
+    _map(MapKind.NONE, lambda: tr("Shaded"), lambda: tr("Show the insole in its material"), "0"),
+    _map(MapKind.HEIGHT, lambda: tr("Height map"), lambda: tr("Colour by height"), "H"),
+    _map(MapKind.THICKNESS, lambda: tr("Thickness map"), lambda: tr("Colour by thickness"), "M"),
+    _map(
+        MapKind.FIT,
+        lambda: tr("Fit map"),
+        lambda: tr("Colour by the distance of the insole from the foot"),
+        "I",
+    ),
     ActionRecord(
-        "height_map",
-        lambda: tr("Height map"),
-        lambda: tr("Colour the insole by its height"),
-        lambda studio, on: studio.show_height_map(on),
-        icon="map",
-        shortcut="H",
+        "contours",
+        lambda: tr("Contour lines"),
+        lambda: tr("Lines of equal height, a millimetre apart"),
+        lambda studio, on: studio.show_contours(on),
+        shortcut="N",
+        checkable=True,
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "wireframe",
+        lambda: tr("Wireframe"),
+        lambda: tr("Show the edges of the insole's triangles alone"),
+        lambda studio, on: studio.show_wireframe(on),
+        shortcut="W",
         checkable=True,
         needs_foot=True,
     ),
@@ -295,6 +337,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
     ),
 )
 
+MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit")
 TOOL_KEYS = (
     "tool_orbit",
     "tool_key_point",
@@ -314,6 +357,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "open",
             "open_session",
             "open_archive",
+            "open_example",
             RECENT,
             SEPARATOR,
             "save",
@@ -336,7 +380,10 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             "fit",
             "linked",
-            "height_map",
+            SEPARATOR,
+            *MAP_KEYS,
+            "contours",
+            "wireframe",
             SEPARATOR,
             "dark",
         ),
@@ -362,7 +409,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
 TOOLBAR: tuple[tuple[str, ...], ...] = (
     ("open_session", "open_archive", "save", "export"),
     TOOL_KEYS,
-    ("fit", "linked", "height_map"),
+    ("fit", "linked"),
     ("undo", "redo"),
 )
 """Parts of the toolbar; the last stands at the right."""

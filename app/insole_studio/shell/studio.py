@@ -13,20 +13,23 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_core.export.stl import write_stl
+from insole_core.export.solid_file import write_solids
+from insole_core.export.three_mf import Part
 from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
-from insole_core.insole.block import block_solid
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import Correction
 from insole_core.progress import Progress
+from insole_core.resources import resource_path
+from insole_core.solids.solid import make_solid
 from insole_studio.jobs import Jobs
 from insole_studio.scene.camera import Preset
 from insole_studio.settings import Settings
-from insole_studio.shell.actions import ACTIONS
+from insole_studio.shell.actions import ACTIONS, EXAMPLE
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.questions import Answer, Questions
 from insole_studio.shell.theme import apply_theme
+from insole_studio.stages.design.maps import MapKind
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
@@ -44,6 +47,7 @@ from insole_studio.workbench.opening import (
 )
 
 OPENING, SAVING, EXPORTING = "open", "save", "export"
+SOLID_KINDS = "STL (*.stl);;3MF (*.3mf);;OBJ (*.obj);;PLY (*.ply)"
 
 
 class Studio(QObject):
@@ -159,9 +163,9 @@ class Studio(QObject):
 
     def ask_export(self) -> None:
         """Let the user choose where the STL file goes."""
-        path = self.questions.file_to_write(f"{self._file_stem()}.stl", "STL (*.stl)")
+        path = self.questions.file_to_write(f"{self._file_stem()}.stl", SOLID_KINDS)
         if path is not None:
-            self.export_to(path.with_suffix(".stl"))
+            self.export_to(path if path.suffix else path.with_suffix(".stl"))
 
     def export_to(self, path: Path) -> None:
         """Build the insole anew and write it, beside the window."""
@@ -172,8 +176,9 @@ class Studio(QObject):
 
         def write(progress: Progress) -> None:
             insole = build_insole(foot, design, progress.part(0.0, 0.8))
-            progress.step(0.8, tr("Writing the STL file"))
-            write_stl(block_solid(insole), path)
+            solid = make_solid(insole, progress=progress.part(0.8, 0.9))
+            progress.step(0.9, tr("Writing the file"))
+            write_solids([Part(solid, f"{design.side} insole")], path)
 
         def done(_nothing: None) -> None:
             message = tr("Exported {name}").format(name=path.name)
@@ -218,9 +223,21 @@ class Studio(QObject):
         """Show the whole foot and the whole insole."""
         self.stage.fit()
 
-    def show_height_map(self, shown: bool) -> None:
-        """Colour the insole by its height, or not."""
-        self.stage.insole_presenter.show_map(shown)
+    def show_map(self, kind: MapKind) -> None:
+        """Colour the insole by a map."""
+        self.stage.insole_presenter.show_map(kind)
+
+    def show_contours(self, shown: bool) -> None:
+        """Draw lines of equal height on the insole, or not."""
+        self.stage.insole_presenter.show_contours(shown)
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show the insole's edges alone, or the whole."""
+        self.stage.insole_presenter.show_wireframe(shown)
+
+    def open_example(self) -> None:
+        """Open the case that comes with the product."""
+        self.open_path(resource_path(EXAMPLE))
 
     def set_linked(self, linked: bool) -> None:
         """Let the views move together or not."""

@@ -18,6 +18,7 @@ from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
+from insole_studio.tools.metatarsal import NEAR_MM, clearance, snapped
 from insole_studio.tools.tool import (
     Gesture,
     Ground,
@@ -49,6 +50,9 @@ class PelottTool(Tool):
         """Say in one short sentence what one can do now."""
         if selected_pelott(case) is None:
             return tr("Click on the sole to place: {name}").format(name=name_of(self.template))
+        distance = clearance_text(case)
+        if distance:
+            return distance
         return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
 
     def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
@@ -150,6 +154,17 @@ def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
     return True
 
 
+def clearance_text(case: Case) -> str:
+    """Say how far behind the metatarsal heads the selected pad ends; empty far from them."""
+    pad = selected_pelott(case)
+    found = clearance(case.shown, pad) if pad is not None else None
+    if found is None or abs(found.distance_mm) > NEAR_MM:
+        return ""
+    return tr("Front edge {distance} mm behind the metatarsal heads").format(
+        distance=f"{found.distance_mm:.1f}"
+    )
+
+
 def seen_from_above(event: PointerEvent) -> bool:
     """Whether the back of the foot is in front, where nothing of the insole can lie."""
     return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
@@ -187,7 +202,7 @@ def _follow(
     while event.phase is not Phase.RELEASE:
         event = yield
         if event.surface_mm is not None:
-            pad = _at(pad, event.surface_mm[:2])
+            pad = _settled(case, _at(pad, event.surface_mm[:2]), event)
             case.preview(into(pad))
     case.apply(into(pad), sentence)
 
@@ -202,6 +217,8 @@ def _reshape(
     while event.phase is not Phase.RELEASE:
         event = yield
         changed = reshape(pad, press, event)
+        if reshape is _moved and changed != pad:
+            changed = _settled(case, changed, event)
         case.preview(design.with_changed(changed))
     case.apply(design.with_changed(changed), sentence)
 
@@ -211,6 +228,11 @@ def _moved(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
     if start is None or now is None:
         return pad
     return _at(pad, np.array(pad.centre_mm) + (now - start)[:2])
+
+
+def _settled(case: Case, pad: Pelott, event: PointerEvent) -> Pelott:
+    """Let a moved pad snap to the metatarsal line; Ctrl holds it free."""
+    return pad if event.fine else snapped(case.record, pad)
 
 
 def _lengthened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
+
+from insole_studio.scene.coloring import Coloring
 
 BAR_PX = 140
 NUMBER_PX = 72
@@ -15,16 +15,16 @@ NUMBER_PX = 72
 class Legend(QWidget):
     """A strip of colour between its least and its greatest number."""
 
-    def __init__(self, colors: Sequence[str], parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._colors = colors
-        self._limits: tuple[float, float] | None = None
+        self._coloring: Coloring | None = None
         self.setVisible(False)
 
-    def show_limits(self, limits_mm: tuple[float, float] | None) -> None:
-        """Show other numbers; None hides the legend."""
-        self._limits = limits_mm
-        self.setVisible(limits_mm is not None)
+    def show_coloring(self, coloring: Coloring | None) -> None:
+        """Show other colours and numbers; None hides the legend."""
+        self._coloring = coloring
+        self.setVisible(coloring is not None)
+        self.setToolTip("" if coloring is None else coloring.title)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -37,18 +37,20 @@ class Legend(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw number, strip, number."""
-        if self._limits is None:
+        if self._coloring is None:
             return
         painter = QPainter(self)
         strip = QRectF(NUMBER_PX, 5, BAR_PX, self.height() - 10)
         gradient = QLinearGradient(strip.topLeft(), strip.topRight())
-        for number, color in enumerate(self._colors):
-            gradient.setColorAt(number / (len(self._colors) - 1), QColor(color))
+        for number, color in enumerate(self._coloring.colors):
+            gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))
         painter.fillRect(strip, gradient)
-        low, high = (f"{limit:.1f}" for limit in self._limits)
+        low, high = (f"{limit:.1f}" for limit in self._coloring.limits)
         left = QRectF(0, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter
         painter.drawText(left, vertical | Qt.AlignmentFlag.AlignRight, low)
-        painter.drawText(right, vertical | Qt.AlignmentFlag.AlignLeft, f"{high} mm")
+        painter.drawText(
+            right, vertical | Qt.AlignmentFlag.AlignLeft, f"{high} {self._coloring.unit}"
+        )
         painter.end()

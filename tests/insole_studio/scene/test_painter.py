@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 import pyvista as pv
 
-from insole_core.cases.record import KeyPoint, ReferencePlane
+from insole_core.cases.record import ReferencePlane
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Camera, Preset, Subject, fitted, look
+from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.painter import Painter, direction_words
-from insole_studio.scene.pointer import Handle
+from insole_studio.scene.pointer import Handle, MarkedPoint
 
 SIZE = (300, 400)
 
@@ -90,7 +91,7 @@ def test_an_unseen_painter_moves_nothing(painter: Painter, make_foot: Any) -> No
 def test_a_map_runs_from_dark_to_light(painter: Painter, plotter: Any, make_foot: Any) -> None:
     mesh = make_foot(Side.LEFT).mesh
     seen = aim(painter, mesh)
-    painter.show_surface(mesh, mesh.vertices[:, 1], (0.0, 250.0))
+    painter.show_surface(mesh, Coloring(mesh.vertices[:, 1], (0.0, 250.0), "Height"))
     image = pixels(plotter)
     low, high = (
         image[tuple(seen.pixels_of(np.array([-20.0, y, 0.0]))[0].astype(int)[::-1])]
@@ -105,7 +106,7 @@ def test_marks_appear_and_go(painter: Painter, plotter: Any, make_foot: Any) -> 
     painter.show_surface(mesh)
     bare = pixels(plotter)
     box = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
-    painter.show_key_points([KeyPoint("Heel", (0.0, 20.0, 0.0))])
+    painter.show_key_points([MarkedPoint("Heel", (0.0, 20.0, 0.0))])
     painter.show_plane(ReferencePlane((0.0, 120.0, -20.0)), 100.0)
     painter.show_lines("outlines", [mesh.vertices[:40]], "red", 2.0)
     painter.show_directions(Side.LEFT, box)

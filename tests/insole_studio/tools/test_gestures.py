@@ -15,7 +15,7 @@ from insole_studio.bootstrap import make_tools
 from insole_studio.scene.camera import Camera, Preset, Subject, look
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.tools.hand import Hand
-from insole_studio.tools.key_point import NAMES, distances
+from insole_studio.tools.key_point import confidence, distances, shown_points
 from insole_studio.tools.posting import posting_of
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.section import Section, SectionPlane
@@ -239,22 +239,25 @@ def test_a_click_without_a_drag_makes_no_posting(case: Case, hand: Hand) -> None
     assert len(case.history) == 0
 
 
-def test_key_points_take_their_names_in_turn(case: Case, hand: Hand) -> None:
+def test_clicks_on_the_skin_mark_further_points(case: Case, hand: Hand) -> None:
     hand.take("key_point")
     drag(hand, (0.0, 0.0))
     drag(hand, (30.0, 40.0))
     points = case.record.annotations.key_points
-    assert [point.name for point in points] == list(NAMES[:2])
-    assert distances(case.record.annotations) == [(NAMES[0], NAMES[1], pytest.approx(50.0))]
+    assert [point.name for point in points] == ["Point 1", "Point 2"]
+    assert distances(case.record.annotations) == [("Point 1", "Point 2", pytest.approx(50.0))]
 
 
-def test_a_key_point_can_be_carried(case: Case, hand: Hand) -> None:
+def test_a_landmark_dragged_is_sure_from_then_on(case: Case, hand: Hand) -> None:
     hand.take("key_point")
-    drag(hand, (0.0, 0.0))
-    drag(hand, (0.0, 0.0), (5.0, 3.0), handle=f"point:{NAMES[0]}")
-    (point,) = case.record.annotations.key_points
-    assert point.position_mm == (5.0, 3.0, 0.0)
-    assert len(case.history) == 2
+    name = "metatarsal_head_2"
+    assert confidence(case, name) < 1.0
+    drag(hand, shown_points(case)[name][:2], (5.0, 180.0), handle=f"point:{name}")
+    assert shown_points(case)[name] == pytest.approx((5.0, 180.0, 0.0))
+    assert confidence(case, name) == 1.0
+    assert distances(case.record.annotations) == []
+    case.undo()
+    assert confidence(case, name) < 1.0
 
 
 def test_the_plane_is_put_raised_and_turned(case: Case, hand: Hand) -> None:

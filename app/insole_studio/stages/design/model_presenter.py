@@ -7,21 +7,29 @@ from typing import Protocol
 
 import numpy as np
 
-from insole_core.cases.record import KeyPoint, ReferencePlane
-from insole_core.geometry.arrays import FloatArray
+from insole_core.cases.record import ReferencePlane
+from insole_core.foot.landmarks import NAMES
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
+from insole_core.insole.height_field import HeightField
 from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
-from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import Handle, MarkedPoint, PointerEvent
+from insole_studio.stages.design.maps import MapKind, color_by
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
+from insole_studio.tools.key_point import confidence, point_text, shown_points
+from insole_studio.tools.metatarsal import NEAR_MM, clearance
+from insole_studio.tools.pelott import selected_pelott
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.section import Section, section_line
 
 OUTLINE_POINTS = 96
+CONTOUR_MM = 1.0
 _NOTHING = (object(),) * 6
 
 
@@ -33,15 +41,25 @@ class ModelPanel(Protocol):
     def show_mesh(  # noqa: D102
         self,
         mesh: TriangleMesh,
-        values: FloatArray | None = None,
-        limits: tuple[float, float] | None = None,
+        coloring: Coloring | None = None,
     ) -> None: ...
-    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool: ...  # noqa: D102
+    def move_mesh(  # noqa: D102
+        self,
+        mesh: TriangleMesh,
+        normals: FloatArray,
+        moved: IntArray | None = None,
+        coloring: Coloring | None = None,
+    ) -> bool: ...
+    def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
+    def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
+    def show_guide(  # noqa: D102
+        self, lines: Sequence[FloatArray], place: FloatArray | None, text: str
+    ) -> None: ...
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
     ) -> None: ...
     def show_handles(self, handles: tuple[Handle, ...]) -> None: ...  # noqa: D102
-    def show_key_points(self, points: Sequence[KeyPoint]) -> None: ...  # noqa: D102
+    def show_key_points(self, points: Sequence[MarkedPoint]) -> None: ...  # noqa: D102
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
     def show_section(self, line: FloatArray | None) -> None: ...  # noqa: D102
     def show_sketch(self, line: FloatArray) -> None: ...  # noqa: D102
@@ -122,8 +140,8 @@ class ModelPresenter:
         self._marked = state
         self.panel.show_outlines(*self._outlines())
         self.panel.show_handles(self._hand.tool.handles(self._case, self))
-        on_foot = self.subject is Subject.FOOT
-        self.panel.show_key_points(record.annotations.key_points if on_foot else ())
+        self.panel.show_key_points(self._points() if self.subject is Subject.FOOT else ())
+        self._show_guide()
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
         self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
@@ -157,6 +175,27 @@ class ModelPresenter:
         if plane is not None and self.bounds_mm is not None:
             size = 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
         self.panel.show_plane(plane, size)
+
+    def _points(self) -> list[MarkedPoint]:
+        """Further points always, landmarks while they are at hand."""
+        wanted = shown_points(self._case)
+        if self._hand.tool.key != "key_point":
+            wanted = {name: place for name, place in wanted.items() if name not in NAMES}
+        return [
+            MarkedPoint(point_text(name), place, confidence(self._case, name))
+            for name, place in wanted.items()
+        ]
+
+    def _show_guide(self) -> None:
+        """Show how far the selected pad ends behind the metatarsal heads."""
+        pad = selected_pelott(self._case)
+        found = clearance(self._case.shown, pad) if pad is not None else None
+        if found is None or abs(found.distance_mm) > NEAR_MM:
+            self.panel.show_guide((), None, "")
+            return
+        way = self._on_surface(np.stack([found.front, found.nearest]))
+        text = f"{found.distance_mm:.1f} mm"
+        self.panel.show_guide((self._on_surface(found.line), way), way.mean(axis=0), text)
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane
@@ -208,7 +247,11 @@ class FootPresenter(ModelPresenter):
         if foot is None:
             self.panel.show_empty(
                 tr("No scan yet. Open a recorded session, or the mesh of a foot."),
-                {"open_session": tr("Open session…"), "open_mesh": tr("Open mesh…")},
+                {
+                    "open_session": tr("Open session…"),
+                    "open_mesh": tr("Open mesh…"),
+                    "open_example": tr("Open the example"),
+                },
             )
             return
         self.panel.show_mesh(foot.mesh)
@@ -234,8 +277,11 @@ class InsolePresenter(ModelPresenter):
         hand: Hand,
     ) -> None:
         super().__init__(panel, case, surface, section, hand)
-        self._map_shown = False
+        self._map = MapKind.NONE
+        self._contours = False
+        self._compared: HeightField | None = None
         surface.failed.connect(self.panel.show_warning)
+        hand.gesture_ended.connect(self._show_contours)
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -246,17 +292,27 @@ class InsolePresenter(ModelPresenter):
         """Put a place onto the contact surface."""
         return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm)
 
-    def show_map(self, shown: bool) -> None:
-        """Colour the insole by its height, or not."""
-        self._map_shown = shown
+    def show_map(self, kind: MapKind) -> None:
+        """Colour the insole by a map."""
+        self._map = kind
         self._show_mesh_anew()
+
+    def show_contours(self, shown: bool) -> None:
+        """Draw lines of equal height, a millimetre apart, or not."""
+        self._contours = shown
+        self._show_contours()
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show edges alone, or the whole surface."""
+        self.panel.show_wireframe(shown)
 
     def show_surface(self) -> None:
         """Follow the surface."""
         mesh, normals = self._surface.mesh, self._surface.normals
         if mesh is None or normals is None:
             self._show_why_empty()
-        elif not self._map_shown and self.panel.move_mesh(mesh, normals):
+        elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
+            self._show_contours()
             self.show_marks()
         else:
             self._show_mesh_anew()
@@ -265,11 +321,18 @@ class InsolePresenter(ModelPresenter):
         mesh, side = self._surface.mesh, self._case.side
         if mesh is None or side is None:
             return
-        heights = mesh.vertices[:, 2] if self._map_shown else None
-        limits = (0.0, float(mesh.vertices[:, 2].max())) if self._map_shown else None
-        self.panel.show_mesh(mesh, heights, limits)
+        self.panel.show_mesh(mesh, self._coloring())
         self.panel.show_directions(side, mesh.bounds_mm)
+        self._show_contours()
         self.show_marks()
+
+    def _coloring(self) -> Coloring | None:
+        return color_by(self._map, self._surface, self._compared)
+
+    def _show_contours(self) -> None:
+        """Draw the lines, unless the hand is moving the surface."""
+        wanted = self._contours and not self._hand.is_busy
+        self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
 
     def _show_why_empty(self) -> None:
         if self._case.foot is None:

@@ -14,20 +14,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.cases.record import KeyPoint, ReferencePlane
-from insole_core.geometry.arrays import FloatArray
+from insole_core.cases.record import ReferencePlane
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Preset, Subject
-from insole_studio.scene.pointer import Handle
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view import SceneView
 from insole_studio.texts import tr
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
 from insole_studio.widgets.side_badge import SideBadge
-
-VIRIDIS = ("#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725")
 
 
 class ModelView(QWidget):
@@ -48,7 +47,7 @@ class ModelView(QWidget):
         self._warning.setWordWrap(True)
         self._warning.hide()
         self._scale = ScaleBar()
-        self._legend = Legend(VIRIDIS)
+        self._legend = Legend()
         self._empty = EmptyPage()
         self._empty.chosen.connect(self.offer_chosen)
         self._pages = QStackedLayout()
@@ -84,18 +83,43 @@ class ModelView(QWidget):
     def show_mesh(
         self,
         mesh: TriangleMesh,
-        values: FloatArray | None = None,
-        limits: tuple[float, float] | None = None,
+        coloring: Coloring | None = None,
     ) -> None:
         """Show a surface, and a legend where it is coloured by numbers."""
         self._pages.setCurrentWidget(self.scene)
-        self._legend.show_limits(limits if values is not None else None)
-        self.scene.show_mesh(mesh, values, limits or (0.0, 1.0))
+        self._legend.show_coloring(coloring)
+        self.scene.show_mesh(mesh, coloring)
         self.show_scale()
 
-    def move_mesh(self, mesh: TriangleMesh, normals: FloatArray) -> bool:
+    def move_mesh(
+        self,
+        mesh: TriangleMesh,
+        normals: FloatArray,
+        moved: IntArray | None = None,
+        coloring: Coloring | None = None,
+    ) -> bool:
         """Move the surface that is shown; False when it is another."""
-        return self.scene.move_mesh(mesh, normals)
+        followed = self.scene.move_mesh(mesh, normals, moved, coloring)
+        if followed:
+            self._legend.show_coloring(coloring)
+            self.scene.request_render()
+        return followed
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show edges alone, or the whole surface."""
+        self.scene.painter.show_wireframe(shown)
+        self.scene.request_render()
+
+    def show_contours(self, step_mm: float) -> None:
+        """Draw lines of equal height; 0 for none."""
+        self.scene.painter.show_contours(step_mm)
+        self.scene.request_render()
+
+    def show_guide(self, lines: Sequence[FloatArray], place: FloatArray | None, text: str) -> None:
+        """Draw what a pad is measured against, and the measure."""
+        self.scene.painter.show_lines("guide", lines, self.scene.painter.scheme.mark, 2.0)
+        self.scene.painter.show_label(place, text)
+        self.scene.request_render()
 
     def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:
         """Draw the outlines of the corrections, the selected one stronger."""
@@ -108,7 +132,7 @@ class ModelView(QWidget):
         """Show what can be grabbed."""
         self.scene.show_handles(handles)
 
-    def show_key_points(self, points: Sequence[KeyPoint]) -> None:
+    def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
         """Show named places."""
         self.scene.painter.show_key_points(points)
         self.scene.request_render()

@@ -72,6 +72,7 @@ class DesignStage(QObject):
         surface.changed.connect(self._fit_insole_once)
         case.selection_changed.connect(self._show_hint)
         case.changed.connect(self._show_hint)
+        case.preview_changed.connect(self._show_hint)
         hand.tool_changed.connect(self._show_hint)
 
     def look(self, preset: Preset) -> None:

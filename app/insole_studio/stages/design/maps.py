@@ -1,0 +1,95 @@
+"""The colour maps of the insole: what each of them shows, computed from the surface of now."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import StrEnum
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.height_field import HeightField
+from insole_studio.scene.coloring import Coloring
+from insole_studio.texts import tr
+from insole_studio.workbench.insole_surface import InsoleSurface
+
+LEAST_SPAN_MM = 1.0
+
+
+class MapKind(StrEnum):
+    """What the insole's colours tell."""
+
+    NONE = "none"
+    HEIGHT = "height"
+    THICKNESS = "thickness"
+    FIT = "fit"
+    CHANGE = "change"
+
+
+def color_by(
+    kind: MapKind, surface: InsoleSurface, compared: HeightField | None = None
+) -> Coloring | None:
+    """Give the colours of the shown insole; None where there is nothing to tell.
+
+    Parameters
+    ----------
+    kind
+    surface
+    compared
+        The contact surface that CHANGE is counted from.
+    """
+    if surface.mesh is None or surface.contact is None or surface.base is None:
+        return None
+    if kind is MapKind.CHANGE:
+        return None if compared is None else _change(surface, compared)
+    maker = _MAKERS.get(kind)
+    return None if maker is None else maker(surface)
+
+
+def _height(surface: InsoleSurface) -> Coloring:
+    assert surface.mesh is not None
+    z = surface.mesh.vertices[:, 2]
+    return Coloring(z, (0.0, max(float(z.max()), LEAST_SPAN_MM)), tr("Height"))
+
+
+def _thickness(surface: InsoleSurface) -> Coloring:
+    assert surface.mesh is not None
+    bottom = surface.bottom_heights_mm
+    assert bottom is not None
+    thickness = surface.mesh.vertices[: len(bottom), 2] - bottom
+    limits = (0.0, max(float(thickness.max()), LEAST_SPAN_MM))
+    return Coloring(np.concatenate([thickness, thickness]), limits, tr("Thickness"))
+
+
+def _fit(surface: InsoleSurface) -> Coloring:
+    """How far the insole stands over the sole of the foot as it was scanned, before pads."""
+    base = surface.base
+    assert base is not None
+    return _signed(surface, base.surface, tr("Insole over foot"))
+
+
+def _change(surface: InsoleSurface, compared: HeightField) -> Coloring:
+    return _signed(surface, compared, tr("Difference"))
+
+
+def _signed(surface: InsoleSurface, from_field: HeightField, title: str) -> Coloring:
+    assert surface.mesh is not None
+    bottom = surface.bottom_heights_mm
+    assert bottom is not None
+    top = surface.mesh.vertices[: len(bottom)]
+    over = np.nan_to_num(top[:, 2] - from_field.height_at(top[:, :2]))
+    return Coloring(
+        np.concatenate([over, np.zeros(len(bottom))]), _symmetric(over), title, signed=True
+    )
+
+
+def _symmetric(values: FloatArray) -> tuple[float, float]:
+    span = max(float(np.abs(values).max()), LEAST_SPAN_MM)
+    return -span, span
+
+
+_MAKERS: dict[MapKind, Callable[[InsoleSurface], Coloring]] = {
+    MapKind.HEIGHT: _height,
+    MapKind.THICKNESS: _thickness,
+    MapKind.FIT: _fit,
+}
