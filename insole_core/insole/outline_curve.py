@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
-_POINTS_PER_SPAN = 8
+_LEAST_POINTS, _LEAST_PER_SPAN = 720, 8
 
 
 def closed_curve(points: Sequence[tuple[float, float]] | FloatArray) -> FloatArray:
@@ -21,12 +21,13 @@ def closed_curve(points: Sequence[tuple[float, float]] | FloatArray) -> FloatArr
 
     Returns
     -------
-    (8 n, 2) float64
-        Begins with the first place; not repeated at the end.
+    (m, 2) float64
+        At least 720 points; begins with the first place, which is not repeated at the end.
     """
     p1 = np.asarray(points, dtype=float)
     p0, p2, p3 = np.roll(p1, 1, axis=0), np.roll(p1, -1, axis=0), np.roll(p1, -2, axis=0)
-    t = (np.arange(_POINTS_PER_SPAN) / _POINTS_PER_SPAN)[:, None, None]
+    per_span = max(_LEAST_PER_SPAN, -(-_LEAST_POINTS // len(p1)))
+    t = (np.arange(per_span) / per_span)[:, None, None]
     curve = 0.5 * (
         2 * p1
         + (p2 - p0) * t

@@ -40,6 +40,13 @@ def pad2insole(pad: Pelott) -> FloatArray:
     return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
+def is_seen_whole(pad: Pelott) -> bool:
+    """Whether every ray from the apex meets the outline once."""
+    x, y = local_outline(pad).T
+    turn = x * np.roll(y, -1) - y * np.roll(x, -1)
+    return bool((turn > 0).all())
+
+
 def encloses_centre(pad: Pelott) -> bool:
     """Whether the apex of a free outline lies within it."""
     return bool(inside_curve(local_outline(pad), np.zeros(2)))
@@ -74,11 +81,13 @@ def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
         "arch_support": ((_SUPPORT_FLAT, 4.0), (_SUPPORT_ROUND, 2.0)),
     }[shape]
     angle = (np.arange(_POINTS) + 0.5) / _POINTS * 2 * np.pi
-    cos, sin = np.cos(angle), np.sin(angle)
-    half, power = (np.where(cos > 0, r, s) for r, s in zip(right, left, strict=True))
-    x = half * width_mm * np.sign(cos) * np.abs(cos) ** (2 / power)
-    y = 0.5 * length_mm * np.sign(sin) * np.abs(sin) ** (2 / power)
-    return np.stack([x, y], axis=1)
+    cos, sin = np.abs(np.cos(angle)), np.abs(np.sin(angle))
+    half, power = (
+        np.where((angle < np.pi / 2) | (angle > 3 * np.pi / 2), r, s)
+        for r, s in zip(right, left, strict=True)
+    )
+    reach = (cos / (half * width_mm)) ** power + (sin / (0.5 * length_mm)) ** power
+    return _circle(angle) * (reach ** (-1 / power))[:, None]
 
 
 def _bow(length_mm: float, width_mm: float) -> FloatArray:
@@ -90,7 +99,7 @@ def _bow(length_mm: float, width_mm: float) -> FloatArray:
     back = np.linspace(-np.pi, 0, _POINTS // 4)
     tip = np.linspace(0, np.pi, _TIP_POINTS + 2)[1:-1]
     parts = [
-        outer * _circle(back) + [0.0, 0.0],
+        outer * _circle(back),
         leg / 2 * _circle(tip) + [middle, reach],
         inner * _circle(back[::-1]),
         leg / 2 * _circle(tip) + [-middle, reach],

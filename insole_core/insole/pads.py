@@ -11,19 +11,21 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import gaussian_filter, map_coordinates
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.blending import smooth_step
 from insole_core.insole.corrections import Pelott
-from insole_core.insole.pad_shapes import DOMED, local_outline, pad2insole
+from insole_core.insole.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
 
 _PLATEAU = 0.5  # share of the way to the outline that the window of a dome leaves untouched
 _WIDEST_EDGE = 0.95  # share of the way to the outline that the edge may take
 _FLAT_EDGE = 0.25  # breadth of a flat pad's edge against its width
 _INSET_MM = 0.02  # a flat pad ends this much within its outline: the depth is interpolated
 _DEPTH_CELLS = 160
+_ROUNDING = 0.05  # of the greatest depth: over this way the creases of the depth are rounded
+_AROUND = 1.25  # the grid goes on so far beyond the outline, or its edge would lean on the rounding
 _OUTLINE_PITCH = 0.2  # of a cell
 
 
@@ -49,11 +51,10 @@ def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
 def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
     """Height that a pad adds at places (..., 2) of the insole frame, mm."""
     local = _to_pad(pad, np.asarray(xy, dtype=float))
-    if pad.shape in {"egg", "drop", "arch_support"}:
-        return np.asarray(pad.height_mm * _dome(pad, local) * _radial_window(pad, local))
-    window = _edge_window(pad, local)
-    dome = _dome(pad, local) if pad.shape in DOMED else 1.0
-    return np.asarray(pad.height_mm * dome * window)
+    if pad.shape not in DOMED:
+        return np.asarray(pad.height_mm * _edge_window(pad, local))
+    window = _radial_window if is_seen_whole(pad) else _edge_window
+    return np.asarray(pad.height_mm * _dome(pad, local) * window(pad, local))
 
 
 def _to_pad(pad: Pelott, xy: FloatArray) -> FloatArray:
@@ -105,8 +106,7 @@ def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
         edge = np.inf
     else:
         edge = _FLAT_EDGE * float(np.ptp(local_outline(pad)[:, 0]))
-    at_apex = float(depth.at(np.zeros(2)))
-    whole = depth.deepest_mm if pad.shape == "horseshoe" else at_apex
+    whole = depth.deepest_mm if pad.shape == "horseshoe" else depth.at_apex_mm
     edge = min(edge, _WIDEST_EDGE * (whole - _INSET_MM))
     return smooth_step(depth.at(local), _INSET_MM, _INSET_MM + edge)
 
@@ -129,14 +129,20 @@ class _Depth:
 
     @property
     def deepest_mm(self) -> float:
+        """Greatest distance."""
         return float(self.values.max())
+
+    @property
+    def at_apex_mm(self) -> float:
+        """Distance of the apex, which is the middle node."""
+        row, column = self.values.shape
+        return float(self.values[row // 2, column // 2])
 
     def at(self, local: FloatArray) -> FloatArray:
         """Distance at places (..., 2), linear between the nodes; negative beyond the grid."""
-        index = (np.moveaxis(local, -1, 0) - self.first_mm[(...,) + (None,) * (local.ndim - 1)]) / (
-            self.step_mm
-        )
-        return np.asarray(map_coordinates(self.values, index, order=1, cval=-1.0))
+        index = (local.reshape(-1, 2) - self.first_mm).T / self.step_mm
+        distance = map_coordinates(self.values, index, order=1, cval=-1.0)
+        return np.asarray(distance.reshape(local.shape[:-1]))
 
 
 @lru_cache(maxsize=16)
@@ -146,13 +152,14 @@ def _depth(outline: bytes) -> _Depth:
     # Symmetric about the apex, so that a mirrored outline has the mirrored field.
     reach = np.abs(curve).max(axis=0)
     step = float(2 * reach.max() / _DEPTH_CELLS)
-    half = np.ceil(reach / step).astype(int) + 1
+    half = np.ceil(_AROUND * reach / step).astype(int)
     x, y = (np.arange(-n, n + 1) * step for n in half)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
     points, inward = _dense(curve, _OUTLINE_PITCH * step)
     _, nearest = cKDTree(points).query(places)
     # Along the edge's normal the distance does not depend on where the edge was sampled.
     values = ((places - points[nearest]) * inward[nearest]).sum(axis=-1)
+    values = gaussian_filter(values, _ROUNDING * values.max() / step, mode="nearest")
     return _Depth(-half * step, step, values)
 
 

@@ -1,0 +1,119 @@
+"""Pads and strokes on a base: in order, only where they reach, and the same for every drag."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from insole_core.geometry.side import Side
+from insole_core.insole.contact import contact_base
+from insole_core.insole.design import ArchRaise, BrushStroke, InsoleDesign, Pelott
+from insole_core.insole.surface import apply_pads, moved_pad
+
+PAD = Pelott(centre_mm=(5.0, 150.0))
+OTHER = Pelott(centre_mm=(-12.0, 140.0), shape="bar", length_mm=30, width_mm=30, height_mm=2)
+PUSH = BrushStroke(points_mm=((0.0, 40.0), (10.0, 80.0)), radius_mm=12, strength=1.5)
+SMOOTH = BrushStroke(mode="smooth", points_mm=((0.0, 130.0), (9.0, 165.0)), strength=0.7)
+PLAIN = InsoleDesign(Side.LEFT)
+
+
+def surface(foot, design):
+    return apply_pads(contact_base(foot, design), design)
+
+
+@pytest.mark.parametrize(
+    ("change", "reach"),
+    [
+        (lambda d: d.with_changed(replace(PAD, centre_mm=(7.5, 148.0))), 70),
+        (lambda d: d.with_changed(replace(PAD, height_mm=2.0, turn_deg=40.0)), 70),
+        (lambda d: d.with_changed(replace(PAD, enabled=False)), 70),
+        (lambda d: d.with_removed(PAD.id), 70),
+        (lambda d: d.with_changed(replace(PUSH, strength=-1.0, mode="pull")), 80),
+        (lambda d: d.with_added(Pelott(centre_mm=(-5.0, 60.0), shape="cut_out", height_mm=-1)), 80),
+        (lambda d: d.with_changed(replace(PAD, centre_mm=(900.0, 900.0))), 120),
+        (lambda d: replace(d, corrections=d.corrections[::-1]), 400),
+    ],
+    ids=["move", "reshape", "switch off", "remove", "stroke", "add", "off the foot", "reorder"],
+)
+def test_update_is_what_a_rebuild_gives_to_the_bit(left_foot, change, reach):
+    old = replace(PLAIN, corrections=(OTHER, PAD, PUSH, SMOOTH, ArchRaise(height_mm=2)))
+    new = change(old)
+    base = contact_base(left_foot, old)
+    update = moved_pad(base, apply_pads(base, old), old, new)
+    rebuilt = apply_pads(base, new)
+    assert np.array_equal(update.surface.heights_mm, rebuilt.heights_mm)
+    different = update.surface.heights_mm != apply_pads(base, old).heights_mm
+    different[update.window.rows, update.window.columns] = False
+    assert not different.any()
+    assert update.window.end_row - update.window.first_row <= reach + 60
+
+
+def test_nothing_changed_is_the_same_surface(left_foot):
+    design = PLAIN.with_added(PAD)
+    base = contact_base(left_foot, design)
+    before = apply_pads(base, design)
+    update = moved_pad(base, before, design, replace(design, bottom="following"))
+    assert update.window.is_empty
+    assert update.surface is before
+
+
+def test_push_and_pull_are_opposite_and_end_at_the_radius(left_foot):
+    plain = surface(left_foot, PLAIN)
+    push, pull = (
+        surface(left_foot, PLAIN.with_added(replace(PUSH, mode=mode))).heights_mm - plain.heights_mm
+        for mode in ("push", "pull")
+    )
+    assert push == pytest.approx(-pull, abs=1e-9)
+    assert push.max() == pytest.approx(1.5, abs=0.01)
+    x, y = np.meshgrid(plain.x_mm, plain.y_mm)
+    start, end = np.array(PUSH.points_mm)
+    share = np.clip(((np.stack([x, y], -1) - start) @ (end - start)) / 1700.0, 0, 1)
+    away = np.hypot(
+        *np.moveaxis(np.stack([x, y], -1) - start - share[..., None] * (end - start), -1, 0)
+    )
+    assert np.all(push[away > 12.01] == 0)
+    assert np.all(push[away < 10] > 0)
+
+
+def test_smoothing_evens_out_where_it_is_and_nowhere_else(left_foot):
+    rough = PLAIN.with_added(Pelott(centre_mm=(5, 150), length_mm=12, width_mm=12, height_mm=4))
+    stroke = BrushStroke(mode="smooth", points_mm=((5.0, 150.0),), radius_mm=20, strength=1.0)
+    before, after = surface(left_foot, rough), surface(left_foot, rough.with_added(stroke))
+    top = np.array([5.0, 150.0])
+    assert after.height_at(top) < before.height_at(top) - 1
+    x, y = np.meshgrid(before.x_mm, before.y_mm)
+    outside = np.hypot(x - 5, y - 150) > 20
+    assert np.array_equal(before.heights_mm[outside], after.heights_mm[outside])
+
+
+def test_order_matters_for_smoothing(left_foot):
+    pad = Pelott(centre_mm=(5, 150), length_mm=14, width_mm=14, height_mm=4)
+    stroke = BrushStroke(mode="smooth", points_mm=((5.0, 150.0),), radius_mm=20, strength=1.0)
+    first, last = (
+        surface(left_foot, replace(PLAIN, corrections=c)).height_at(np.array([5.0, 150.0]))
+        for c in ((stroke, pad), (pad, stroke))
+    )
+    assert first > last + 1
+
+
+def test_arch_raise_stands_where_it_was_put_or_on_the_foots_own_apex(left_foot):
+    plain = surface(left_foot, PLAIN)
+    own = surface(left_foot, PLAIN.with_added(ArchRaise(height_mm=4))).heights_mm - plain.heights_mm
+    put = surface(left_foot, PLAIN.with_added(ArchRaise(height_mm=4, apex_mm=(20.0, 90.0))))
+    row, column = np.unravel_index(own.argmax(), own.shape)
+    assert own.max() == pytest.approx(4, abs=0.01)
+    assert plain.x_mm[column] > 8
+    assert 70 < plain.y_mm[row] < 150
+    assert put.height_at(np.array([20.0, 90.0])) == pytest.approx(
+        plain.height_at(np.array([20.0, 90.0])) + 4, abs=0.01
+    )
+
+
+def test_normals_of_a_window_are_those_of_the_whole(left_foot):
+    field = surface(left_foot, PLAIN.with_added(PAD))
+    rows, columns = field.heights_mm.shape
+    whole = field.normals.reshape(rows, columns, 3)
+    for window in [(slice(0, 20), slice(0, columns)), (slice(50, 80), slice(40, 70))]:
+        assert np.array_equal(field.normals_of(*window), whole[window])
