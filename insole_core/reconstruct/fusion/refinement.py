@@ -37,8 +37,8 @@ class RefinementLimits:
         Draws from the posterior that its spread is estimated from.
     """
 
-    stiffness: float = 5.0
-    view_offset_raw: float = 0.25
+    stiffness: float = 4.0
+    view_offset_raw: float = 0.1
     robust: float = 1.5
     rounds: int = 2
     farthest_mm: float = 4.0

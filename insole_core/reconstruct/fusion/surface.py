@@ -15,6 +15,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
+from insole_core.reconstruct.fusion.silhouette import within_outline
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 from insole_core.reconstruct.fusion.texture import color_vertices
 from insole_core.reconstruct.result import Surface
@@ -58,6 +59,7 @@ def fuse(
         Is given the coloured mesh before refinement, as soon as there is one.
     """
     progress.step(0.0, "Joining the views")
+    readings = [within_outline(reading) for reading in readings]
     coarse = _mesh(readings, limits)
     if on_preview is not None:
         on_preview(replace(coarse, colors=color_vertices(coarse, readings)))

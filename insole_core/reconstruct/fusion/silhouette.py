@@ -1,0 +1,158 @@
+"""Where the foot ends in a colour image, learnt from the colours of what depth calls foot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from scipy.ndimage import gaussian_filter
+
+from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.reconstruct.fusion.reading import Reading
+
+_CORE_PX = 4
+"""Depth fattens the foot by up to half its window; this far inside it is surely foot."""
+_RING = (6.0, 25.0)
+"""Between these distances from what depth calls foot lies surely background, in depth pixels."""
+_REACH = 8.0
+_BINS = 32
+_LARGEST_ERROR = 0.04
+_SURE = 0.3
+_LEAST_SAMPLES = 500
+_TOLERANCE_MM = 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class Silhouette:
+    """The outline of the foot in a part of a colour image.
+
+    Parameters
+    ----------
+    corner : (u, v), px
+        Position of the arrays' first pixel in the colour image.
+    outside_px : (height, width) float32
+        Distance from the outline, negative inside.
+    background : (height, width) bool
+        What has the colour of the background for certain.
+    """
+
+    corner: tuple[int, int]
+    outside_px: Float32Array
+    background: BoolArray
+
+    def look_up(self, pixels: FloatArray) -> FloatArray:
+        """Distance outside the foot (n,), px, at positions (n, 2); -inf unless surely outside."""
+        height, width = self.outside_px.shape
+        u, v = (np.rint(pixels).astype(np.int64) - self.corner).T
+        within = (u >= 0) & (u < width) & (v >= 0) & (v < height)
+        found = np.full(len(pixels), -np.inf)
+        u, v = u[within], v[within]
+        distance = self.outside_px[v, u]
+        found[within] = np.where(self.background[v, u] | (distance < 0), distance, -np.inf)
+        return found
+
+
+def find_silhouette(reading: Reading) -> Silhouette | None:
+    """Find the outline of the foot; None when its colours do not differ from the background's.
+
+    Histograms of the colours inside, and of those in a ring around, tell for every pixel which
+    it is (Bayes). The test is the samples themselves: where more than a few are told wrong, the
+    outline is not to be relied on.
+    """
+    camera = reading.sensor.color_camera
+    scale = camera.fx / reading.sensor.depth_camera.fx
+    known = np.isfinite(reading.raw)
+    pixels = _in_color(reading, known)
+    margin = int(np.ceil(_RING[1] * scale))
+    low = np.maximum(np.floor(pixels.min(0)).astype(np.int64) - margin, 0)
+    high = np.minimum(
+        np.ceil(pixels.max(0)).astype(np.int64) + margin, [camera.width, camera.height]
+    )
+    if (high - low < 3).any():
+        return None
+    shape = (int(high[1] - low[1]), int(high[0] - low[0]))
+    kernel = np.ones((2 * _CORE_PX + 1,) * 2, np.uint8)
+    core = cv2.erode(known.astype(np.uint8), kernel) > 0
+    gap = 2 * int(np.ceil(scale)) + 1
+    foot = _painted(pixels - low, shape, 2 * gap + 1)
+    inside = _painted(_in_color(reading, core) - low, shape, gap) > 0
+    distance = cv2.distanceTransform(1 - foot, cv2.DIST_L2, 5) / scale
+    around = (distance > _RING[0]) & (distance < _RING[1])
+    color = reading.color[low[1] : high[1], low[0] : high[0]]
+    likelihood = _likelihood(color, inside, around)
+    if likelihood is None:
+        return None
+    outline = _largest_filled(((likelihood > 0.5) & (distance < _REACH)).astype(np.uint8))
+    outside = cv2.distanceTransform(1 - outline, cv2.DIST_L2, 5)
+    depth_inside = cv2.distanceTransform(outline, cv2.DIST_L2, 5)
+    signed = np.where(outline > 0, 0.5 - depth_inside, outside - 0.5).astype(np.float32)
+    background = (outline == 0) & (cv2.GaussianBlur(likelihood, (0, 0), 1) < _SURE)
+    return Silhouette((int(low[0]), int(low[1])), signed, background)
+
+
+def within_outline(reading: Reading) -> Reading:
+    """Leave out readings that the colour image shows to lie beside the foot.
+
+    The sensor compares windows, so that the foot's disparity spreads beyond its edge and closes
+    the gaps between toes; the colour image has neither fault.
+    """
+    silhouette = find_silhouette(reading)
+    if silhouette is None:
+        return reading
+    known = np.isfinite(reading.raw)
+    beside = np.zeros(known.shape, dtype=bool)
+    beside[known] = _outside_mm(reading, silhouette) > _TOLERANCE_MM
+    return reading.without(beside)
+
+
+def _outside_mm(reading: Reading, silhouette: Silhouette) -> FloatArray:
+    """How far outside the foot's outline each reading (n,) is seen; -inf where that is unsure."""
+    points = reading.points(reading.raw)[np.isfinite(reading.raw)]
+    in_color = transform(inverse(reading.color2reference), points)
+    pixels = reading.sensor.color_camera.project(in_color)
+    return silhouette.look_up(pixels) * in_color[:, 2] / reading.sensor.color_camera.fx
+
+
+def _in_color(reading: Reading, chosen: BoolArray) -> FloatArray:
+    points = reading.points(reading.raw)[chosen]
+    in_color = transform(inverse(reading.color2reference), points)
+    return reading.sensor.color_camera.project(in_color)
+
+
+def _painted(pixels: FloatArray, shape: tuple[int, int], gap: int) -> ByteArray:
+    """Draw positions into an image, the gaps between them closed."""
+    image = np.zeros(shape, np.uint8)
+    u, v = np.rint(pixels).astype(np.int64).T
+    within = (u >= 0) & (u < shape[1]) & (v >= 0) & (v < shape[0])
+    image[v[within], u[within]] = 1
+    return np.asarray(cv2.morphologyEx(image, cv2.MORPH_CLOSE, np.ones((gap, gap), np.uint8)))
+
+
+def _likelihood(color: ByteArray, inside: BoolArray, around: BoolArray) -> Float32Array | None:
+    """Probability (height, width) of being foot, from the colour alone."""
+    if min(inside.sum(), around.sum()) < _LEAST_SAMPLES:
+        return None
+    lab = cv2.cvtColor(cv2.GaussianBlur(color, (0, 0), 1.0), cv2.COLOR_RGB2LAB)
+    index = np.ravel_multi_index(tuple(np.moveaxis(lab // 8, 2, 0)), (_BINS,) * 3)
+    foot, background = _histogram(index[inside]), _histogram(index[around])
+    likelihood = (foot / (foot + background + 1e-7)).astype(np.float32)[index]
+    wrong = max((likelihood[inside] < 0.5).mean(), (likelihood[around] > 0.5).mean())
+    return likelihood if wrong < _LARGEST_ERROR else None
+
+
+def _histogram(index: IndexArray) -> FloatArray:
+    count = np.bincount(index, minlength=_BINS**3).astype(float).reshape((_BINS,) * 3)
+    smooth = gaussian_filter(count, 1.0)
+    return np.asarray((smooth / smooth.sum()).ravel())
+
+
+def _largest_filled(mask: ByteArray) -> ByteArray:
+    """Keep the largest region, with its holes: pen marks and sores belong to the foot."""
+    opened = cv2.morphologyEx(mask, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    outlines, _ = cv2.findContours(opened, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    filled = np.zeros_like(mask)
+    if outlines:
+        cv2.drawContours(filled, [max(outlines, key=cv2.contourArea)], -1, 1, cv2.FILLED)
+    return filled
