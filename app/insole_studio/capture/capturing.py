@@ -163,6 +163,7 @@ class Capturing:
         self._tell(Phase.VERIFYING, f"Checking view {names}")
         for series in taken:
             self._finish(series)
+        self._tell(Phase.VERIFYING, f"View {names} is on the disk")
 
     def _light_only(self, step: Step) -> float:
         """Switch the emitters of all other sensors off and those of a step on.

@@ -15,6 +15,7 @@ from insole_core.calibration.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.resources import resource_path
+from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.errors import SensorError
@@ -36,6 +37,13 @@ SPEED = 8.0
 FRAMES = 4
 
 RawFrames = list[NDArray[np.uint16]]
+
+
+class NothingStored:
+    """No sensor was ever calibrated here."""
+
+    def load(self, _serial: str) -> Sensor | None:
+        return None
 
 
 @cache

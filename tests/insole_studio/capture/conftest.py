@@ -6,17 +6,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from capture_samples import Bench, make_bench
+from capture_samples import Bench, NothingStored, make_bench
 
 from insole_core.recording.session import CaptureCondition
-from insole_core.sensing.sensor import Sensor
-
-
-class NothingStored:
-    """No sensor was ever calibrated here."""
-
-    def load(self, _serial: str) -> Sensor | None:
-        return None
 
 
 @pytest.fixture

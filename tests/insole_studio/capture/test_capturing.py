@@ -90,7 +90,7 @@ def test_phases_follow_each_other(bench: Bench) -> None:
     assert turns == [Phase.SETTLING, Phase.CAPTURING, Phase.VERIFYING] * 3
     fractions = [status.fraction for status in bench.told]
     assert fractions == sorted(fractions)
-    assert bench.told[-1].sentence == "Checking view top"
+    assert bench.told[-1].sentence == "View top is on the disk"
     assert fractions[-1] == 1.0
 
 

@@ -1,0 +1,83 @@
+"""The window's end of the capture service."""
+
+from __future__ import annotations
+
+import multiprocessing
+from dataclasses import replace
+
+from insole_studio.capture.frame_board import FrameBoard, Kind, Picture
+from insole_studio.capture.messages import Command, Event, Quit, Sensors
+from insole_studio.capture.place import Place
+from insole_studio.capture.service import serve
+
+_PATIENCE_S = 5.0
+
+
+class CaptureService:
+    """Starts the service, sends it orders, and gives its news and the newest pictures.
+
+    Parameters
+    ----------
+    place
+        Where the sensors are.
+    """
+
+    def __init__(self, place: Place) -> None:
+        # Not forked: a copy of a program with threads and a window would not be safe.
+        context = multiprocessing.get_context("spawn")
+        self._connection, theirs = context.Pipe()
+        self._board = FrameBoard(context)
+        self._process = context.Process(
+            target=serve,
+            args=(theirs, self._board, replace(place)),
+            name="capture-service",
+            daemon=True,
+        )
+        self._process.start()
+        theirs.close()
+        self._ended = self._closed = False
+
+    def send(self, command: Command) -> None:
+        """Give an order; a service that is gone takes none."""
+        if not self._ended:
+            try:
+                self._connection.send(command)
+            except OSError:
+                self._ended = True
+
+    def news(self) -> list[Event]:
+        """Give what has happened since the last time; never waits."""
+        events: list[Event] = []
+        try:
+            while not self._ended and self._connection.poll():
+                events.append(self._connection.recv())
+        except (EOFError, OSError):
+            self._ended = True
+            if not any(isinstance(event, Sensors) and event.problem for event in events):
+                events.append(
+                    Sensors((), "The program that reads the sensors has ended; start it again.")
+                )
+        return events
+
+    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
+        """Give the newest picture of a sensor if it is newer than number `after`."""
+        return self._board.read(slot, kind, after)
+
+    @property
+    def has_ended(self) -> bool:
+        """Whether the service is gone."""
+        return self._ended
+
+    def close(self) -> None:
+        """End the service; it switches every emitter off first. Does nothing the second time."""
+        if self._closed:
+            return
+        self._closed = True
+        self.send(Quit())
+        self._process.join(_PATIENCE_S)
+        if self._process.is_alive():
+            self._process.kill()
+            self._process.join()
+        self._connection.close()
+        self._process.close()
+        self._ended = True

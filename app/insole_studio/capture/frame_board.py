@@ -1,0 +1,95 @@
+"""The newest pictures of every sensor in shared memory: written by one process, read by another.
+
+Each picture has three places that are written in turn, so the reader always finds a whole one and
+neither side ever waits for the other.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from multiprocessing.context import BaseContext
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_studio.capture.plan import MOST_SENSORS
+
+Kind = Literal["depth", "color"]
+
+_KINDS: tuple[Kind, ...] = ("depth", "color")
+_PLACES = 3
+_LARGEST_BYTES = 512 * 640 * 3
+_COUNT, _HEIGHT, _WIDTH = range(3)
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A picture from the board.
+
+    Parameters
+    ----------
+    image
+        (height, width) uint16 raw numbers, or (height, width, 3) uint8, RGB.
+    number
+        Grows with every picture.
+    """
+
+    image: NDArray[Any]
+    number: int
+
+
+class FrameBoard:
+    """Shared memory; give it to the other process when that is started.
+
+    Parameters
+    ----------
+    context
+        Of multiprocessing.
+    """
+
+    def __init__(self, context: BaseContext) -> None:
+        fields = MOST_SENSORS * len(_KINDS) * 3
+        self._head = context.RawArray(ctypes.c_int64, fields)
+        self._body = context.RawArray(
+            ctypes.c_uint8, MOST_SENSORS * len(_KINDS) * _PLACES * _LARGEST_BYTES
+        )
+
+    def write(self, sensor: int, image: RawArray | ByteArray) -> None:
+        """Show a picture of sensor number `sensor`; depth or colour as its shape says."""
+        kind: Kind = "depth" if image.ndim == 2 else "color"
+        head = self._heads()[sensor, _KINDS.index(kind)]
+        count = int(head[_COUNT]) + 1
+        place = self._place(sensor, kind, count)
+        place[: image.nbytes] = np.ascontiguousarray(image).reshape(-1).view(np.uint8)
+        head[_HEIGHT], head[_WIDTH] = image.shape[:2]
+        head[_COUNT] = count  # at last: only now does the reader look there
+
+    def read(self, sensor: int, kind: Kind, after: int = 0) -> Picture | None:
+        """Give a copy of the newest picture if its number is larger than `after`."""
+        head = self._heads()[sensor, _KINDS.index(kind)]
+        while True:
+            count = int(head[_COUNT])
+            if count <= after:
+                return None
+            height, width = int(head[_HEIGHT]), int(head[_WIDTH])
+            size = height * width * (3 if kind == "color" else 2)
+            copied = self._place(sensor, kind, count)[:size].copy()
+            if int(head[_COUNT]) < count + _PLACES - 1:  # else it was written over meanwhile
+                return Picture(_shaped(copied, kind, height, width), count)
+
+    def _heads(self) -> NDArray[np.int64]:
+        return np.ctypeslib.as_array(self._head).reshape(MOST_SENSORS, len(_KINDS), 3)
+
+    def _place(self, sensor: int, kind: Kind, count: int) -> NDArray[np.uint8]:
+        places = np.ctypeslib.as_array(self._body)
+        places = places.reshape(MOST_SENSORS, len(_KINDS), _PLACES, _LARGEST_BYTES)
+        return places[sensor, _KINDS.index(kind), count % _PLACES]
+
+
+def _shaped(data: NDArray[np.uint8], kind: Kind, height: int, width: int) -> NDArray[Any]:
+    if kind == "color":
+        return data.reshape(height, width, 3)
+    return data.view(np.uint16).reshape(height, width)

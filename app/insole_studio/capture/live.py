@@ -1,0 +1,141 @@
+"""The sensors of a rig, all open and streaming, with what is known of each."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_studio.capture.errors import SensorError
+from insole_studio.capture.messages import Sensors, SensorState
+from insole_studio.capture.plan import MOST_SENSORS
+from insole_studio.capture.rig import OpenSensor, Rig, raw_image
+
+_RATE_FRAMES = 16
+
+
+class LiveSensors:
+    """Opens what is found, streams it, and drops what is lost.
+
+    Parameters
+    ----------
+    rig
+    show
+        Is given every depth image and colour preview, by slot.
+    """
+
+    def __init__(self, rig: Rig, show: Callable[[int, RawArray | ByteArray], None]) -> None:
+        self._rig = rig
+        self._show = show
+        self._states: dict[str, SensorState] = {}
+        self._times: dict[str, deque[float]] = {}
+        self._problem: str | None = None
+        self.opened: dict[str, OpenSensor] = {}
+
+    @property
+    def summary(self) -> Sensors:
+        """The sensors now."""
+        states = (replace(state, fps=self._fps(serial)) for serial, state in self._states.items())
+        return Sensors(tuple(states), self._problem)
+
+    def find(self) -> None:
+        """Take every sensor into use that is there and is not in use yet."""
+        try:
+            found = self._rig.require()
+        except SensorError as error:
+            self._problem = str(error)
+            return
+        problems = [sensor.problem for sensor in found if sensor.problem is not None]
+        self._problem = problems[0] if problems else None
+        for sensor in found:
+            if sensor.problem is None and sensor.serial and sensor.serial not in self.opened:
+                self._open(sensor.serial, sensor.model or "", sensor.bus)
+
+    def start(self) -> None:
+        """Stream every open sensor; one whose controller is full waits dark for its turn."""
+        for serial, sensor in self.opened.items():
+            self._note(serial, None)
+            try:
+                sensor.start()
+            except SensorError as error:
+                self._note(serial, str(error))
+
+    def pump(self) -> bool:
+        """Show what has come; tell whether anything has."""
+        came = [self._advance(sensor) for sensor in tuple(self.opened.values())]
+        return any(came)
+
+    def show(self, serial: str, image: RawArray | ByteArray) -> None:
+        """Show a picture of a sensor and count it; colour is made small."""
+        if image.ndim == 2:
+            self._times[serial].append(time.monotonic())
+        self._show(self._states[serial].slot, image if image.ndim == 2 else image[::2, ::2])
+
+    def drop_lost(self) -> None:
+        """Give back the sensors that do not answer any more."""
+        for serial, state in tuple(self._states.items()):
+            if state.problem is not None and serial in self.opened:
+                self._close(serial)
+
+    def close(self) -> None:
+        """Give every sensor back."""
+        for serial in tuple(self.opened):
+            self._close(serial)
+
+    def _open(self, serial: str, model: str, bus: int) -> None:
+        slot = _free_slot(state.slot for key, state in self._states.items() if key != serial)
+        if slot is None:
+            return
+        self._states[serial] = SensorState(serial, model, bus, slot)
+        self._times[serial] = deque(maxlen=_RATE_FRAMES)
+        try:
+            self.opened[serial] = self._rig.open(serial)
+        except SensorError as error:
+            self._note(serial, str(error))
+
+    def _advance(self, sensor: OpenSensor) -> bool:
+        serial = sensor.serial
+        try:
+            depth, color = sensor.poll_depth(), sensor.poll_color()
+        except SensorError as error:
+            self._note(serial, str(error))
+            self._close(serial)
+            return False
+        if depth is not None:
+            self.show(serial, raw_image(depth))
+            state = self._states[serial]
+            self._states[serial] = replace(state, discarded=depth.discarded)
+        if color is not None:
+            self._show(self._states[serial].slot, preview(color.image))
+        return depth is not None or color is not None
+
+    def _fps(self, serial: str) -> float:
+        times = self._times[serial]
+        now = time.monotonic()
+        recent = [moment for moment in times if now - moment < 1.0]
+        return (len(recent) - 1) / (recent[-1] - recent[0]) if len(recent) > 1 else 0.0
+
+    def _note(self, serial: str, problem: str | None) -> None:
+        self._states[serial] = replace(self._states[serial], problem=problem)
+
+    def _close(self, serial: str) -> None:
+        sensor = self.opened.pop(serial)
+        try:
+            sensor.close()
+        except SensorError as error:
+            self._note(serial, str(error))
+
+
+def preview(mosaic: NDArray[np.uint8]) -> ByteArray:
+    """Give a colour picture of half the size: each square of a Bayer mosaic is one pixel."""
+    return np.stack([mosaic[0::2, 1::2], mosaic[0::2, 0::2], mosaic[1::2, 0::2]], axis=-1)
+
+
+def _free_slot(taken: Iterable[int]) -> int | None:
+    used = set(taken)
+    return next((slot for slot in range(MOST_SENSORS) if slot not in used), None)

@@ -1,0 +1,188 @@
+"""The capture service: a process of its own that hosts the driver, so that nobody can stall it."""
+
+from __future__ import annotations
+
+import signal
+import time
+from collections import deque
+from multiprocessing.connection import Connection
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.progress import Cancelled
+from insole_studio.capture.capturing import Capturing, Watcher
+from insole_studio.capture.draft import Draft
+from insole_studio.capture.frame_board import FrameBoard
+from insole_studio.capture.live import LiveSensors
+from insole_studio.capture.messages import (
+    Cancel,
+    Command,
+    Event,
+    Find,
+    Identify,
+    Placed,
+    Quit,
+    Sensors,
+    Start,
+    Tilt,
+    Told,
+)
+from insole_studio.capture.place import Place
+from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.capture.workplace import Workplace
+
+_IDLE_S = 0.004
+_STATE_PERIOD_S = 0.25
+_FIND_PERIOD_S = 2.0
+
+
+def serve(connection: Connection, board: FrameBoard, place: Place) -> None:
+    """Run the service until the other end says so, or is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window, which tells us
+    try:
+        rig, workplace = place.rig(), place.workplace()
+    except InsoleError as error:
+        connection.send(Sensors((), str(error)))
+        return
+    service = _Service(connection, LiveSensors(rig, board.write), workplace)
+    try:
+        service.run()
+    finally:
+        service.close()
+
+
+class _Service:
+    """One loop: orders, frames, and now and then the state of the sensors."""
+
+    def __init__(self, connection: Connection, live: LiveSensors, workplace: Workplace) -> None:
+        self._connection = connection
+        self._live = live
+        self._workplace = workplace
+        self._waiting: deque[Command] = deque()
+        self._quitting = False
+        self._last: CaptureStatus | None = None
+
+    def run(self) -> None:
+        """Stream, and do what is ordered, until the end."""
+        self._find()
+        next_state_s = next_find_s = 0.0
+        while not self._quitting:
+            self._receive()
+            while self._waiting and not self._quitting:
+                self._obey(self._waiting.popleft())
+            if not self._live.pump():
+                time.sleep(_IDLE_S)
+            now = time.monotonic()
+            if now >= next_state_s:
+                next_state_s = now + _STATE_PERIOD_S
+                self._send(self._live.summary)
+            if not self._live.opened and now >= next_find_s:
+                next_find_s = now + _FIND_PERIOD_S
+                self._find()
+
+    def close(self) -> None:
+        """Switch every emitter off."""
+        self._live.close()
+        self._connection.close()
+
+    def _receive(self) -> None:
+        """Take what was ordered; an end that is gone orders to quit."""
+        try:
+            while self._connection.poll():
+                self._waiting.append(self._connection.recv())
+        except (EOFError, OSError):
+            self._quitting = True
+
+    def _send(self, event: Event) -> None:
+        try:
+            self._connection.send(event)
+        except OSError:  # the window is gone
+            self._quitting = True
+
+    def _find(self) -> None:
+        self._live.drop_lost()
+        self._live.find()
+        self._live.start()
+
+    def _obey(self, command: Command) -> None:
+        try:
+            if isinstance(command, Start):
+                self._capture(command)
+            elif isinstance(command, Find):
+                self._find()
+            elif isinstance(command, Tilt):
+                self._tilt(command)
+            elif isinstance(command, Identify):
+                self._live.opened[command.serial].blink(command.on)
+            elif isinstance(command, Quit):
+                self._quitting = True
+        except KeyError as error:
+            self._send(Told(f"Sensor {error.args[0]} is not in use; look for sensors again."))
+        except InsoleError as error:
+            self._send(Told(str(error)))
+
+    def _tilt(self, command: Tilt) -> None:
+        sensor = self._live.opened[command.serial]
+        turned = 0.0 if command.by_deg is None else sensor.tilt_deg() + command.by_deg
+        sensor.tilt_to(turned)
+
+    def _capture(self, order: Start) -> None:
+        """Carry a plan out; whatever happens, one last status says how it ended."""
+        self._last = None
+        try:
+            warnings = self._carry_out(order)
+        except Cancelled:
+            self._end(Phase.CANCELLED, "The capture was stopped.")
+        except KeyError as error:
+            self._end(Phase.FAILED, f"Sensor {error.args[0]} is not in use; plug it in.")
+        except InsoleError as error:
+            self._end(Phase.FAILED, str(error))
+        else:
+            self._end(Phase.DONE, " ".join(warnings))
+        if not self._quitting:
+            self._live.start()
+
+    def _carry_out(self, order: Start) -> tuple[str, ...]:
+        exists = (order.folder / "manifest.json").exists()
+        draft = (
+            Draft.reopen(order.folder, order.order)
+            if exists
+            else Draft(order.folder, order.manifest, order.order)
+        )
+        watcher = Watcher(
+            self._report, self._is_cancelled, self._wait_for_hand, self._show_captured
+        )
+        try:
+            sensors = self._live.opened
+            return Capturing(sensors, order.plan, self._workplace, draft, watcher).run()
+        finally:
+            draft.close()
+
+    def _report(self, status: CaptureStatus) -> None:
+        self._last = status
+        self._send(status)
+
+    def _show_captured(self, serial: str, image: RawArray | ByteArray) -> None:
+        self._live.show(serial, image)
+
+    def _is_cancelled(self) -> bool:
+        self._receive()
+        if any(isinstance(command, Cancel | Quit) for command in self._waiting):
+            self._quitting |= any(isinstance(command, Quit) for command in self._waiting)
+            self._waiting.clear()
+            return True
+        return self._quitting
+
+    def _wait_for_hand(self, _sentence: str) -> None:
+        """Stream on until somebody says that the sensor stands."""
+        self._live.start()
+        while not any(isinstance(command, Placed) for command in self._waiting):
+            if self._is_cancelled():
+                raise Cancelled("moving a sensor")
+            if not self._live.pump():
+                time.sleep(_IDLE_S)
+        self._waiting.clear()
+
+    def _end(self, phase: Phase, sentence: str) -> None:
+        views = self._last.views if self._last is not None else ()
+        self._send(CaptureStatus(phase, views, sentence))

@@ -1,0 +1,164 @@
+"""The service in its process, as the window uses it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from capture_samples import NothingStored
+
+from insole_core.geometry.side import Side
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Manifest
+from insole_studio.capture.client import CaptureService
+from insole_studio.capture.messages import (
+    Cancel,
+    Command,
+    Event,
+    Identify,
+    Placed,
+    Sensors,
+    Start,
+    Tilt,
+    Told,
+)
+from insole_studio.capture.place import Place
+from insole_studio.capture.plan import CapturePlan, make_plan
+from insole_studio.capture.status import CaptureStatus, Phase
+
+PATIENCE_S = 30.0
+
+
+class Window:
+    """Stands in for the window: keeps the news, and waits for what must come."""
+
+    def __init__(self, place: Place) -> None:
+        self.service = CaptureService(place)
+        self.events: list[Event] = []
+
+    def wait_for(self, wanted: Callable[[Event], bool]) -> Event:
+        limit_s = time.monotonic() + PATIENCE_S
+        while time.monotonic() < limit_s:
+            news = self.service.news()
+            self.events += news
+            found = next((event for event in news if wanted(event)), None)
+            if found is not None:
+                return found
+            time.sleep(0.01)
+        raise AssertionError(f"did not come: {self.events[-3:]}")
+
+    def wait_for_end(self) -> CaptureStatus:
+        event = self.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase.is_end)
+        assert isinstance(event, CaptureStatus)
+        return event
+
+    def wait_for_sensors(self) -> Sensors:
+        event = self.wait_for(lambda e: isinstance(e, Sensors) and all(s.fps > 0 for s in e.states))
+        assert isinstance(event, Sensors)
+        return event
+
+    def answer(self, command: Command) -> Event:
+        self.service.send(command)
+        return self.wait_for(lambda e: isinstance(e, Told))
+
+
+@pytest.fixture
+def window(small_session: Path) -> Iterator[Window]:
+    opened = Window(Place(NothingStored(), small_session))
+    yield opened
+    opened.service.close()
+
+
+def order(session: Path, folder: Path, plan: CapturePlan | None = None) -> Start:
+    recorded = read_session(session)
+    views = [(view.name, view.sensor.serial) for view in recorded.views]
+    plan = plan or make_plan(views, frames=2)
+    manifest = Manifest(
+        "2026-11-20T10:00:00+00:00", Side.LEFT, recorded.manifest.reference_system, ()
+    )
+    return Start(plan, folder, manifest, plan.views)
+
+
+def test_live_pictures_then_a_session_then_live_again(
+    window: Window, small_session: Path, tmp_path: Path
+) -> None:
+    sensors = window.wait_for_sensors()
+    recorded = read_session(small_session)
+    assert [s.serial for s in sensors.states] == [v.sensor.serial for v in recorded.views]
+    depth = window.service.picture(sensors.states[1].slot, "depth")
+    color = window.service.picture(sensors.states[1].slot, "color")
+    assert depth is not None
+    assert depth.image.shape == (480, 640)
+    assert color is not None
+    assert color.image.shape == (512, 640, 3)
+
+    draft = tmp_path / "draft"
+    window.service.send(order(small_session, draft))
+    ended = window.wait_for_end()
+    assert ended.phase is Phase.DONE
+    assert all(view.finished for view in ended.views)
+    assert read_session(draft).manifest.views == ("left", "right", "top")
+    window.wait_for_sensors()
+
+    one = make_plan([("right", recorded.views[1].sensor.serial)], frames=3)
+    again = order(small_session, draft, one)
+    window.service.send(again)
+    assert window.wait_for_end().phase is Phase.DONE
+    counts = {view.name: view.depth_count for view in read_session(draft).views}
+    assert counts == {"right": 3, "left": 2, "top": 2}
+
+
+def test_cancel_and_moving_by_hand(window: Window, small_session: Path, tmp_path: Path) -> None:
+    window.wait_for_sensors()
+    serial = read_session(small_session).views[0].sensor.serial
+    plan = make_plan([("left", serial), ("right", serial)], frames=2)
+    window.service.send(order(small_session, tmp_path / "a", plan))
+    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is Phase.MOVING)
+    window.service.send(Placed())
+    assert window.wait_for_end().phase is Phase.DONE
+
+    window.service.send(order(small_session, tmp_path / "b", plan))
+    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is Phase.MOVING)
+    window.service.send(Cancel())
+    assert window.wait_for_end().phase is Phase.CANCELLED
+    assert read_session(tmp_path / "b").manifest.views == ("left",)
+
+
+def test_tilt_and_light(window: Window, small_session: Path) -> None:
+    serial = window.wait_for_sensors().states[0].serial
+    for command in (Tilt(serial, 2.0), Tilt(serial, None), Identify(serial, True)):
+        window.service.send(command)
+    told = window.answer(Tilt("Z9", 1.0))
+    assert told == Told("Sensor Z9 is not in use; look for sensors again.")
+    assert not [e for e in window.events[:-1] if isinstance(e, Told) and "Z9" not in e.sentence]
+
+
+def test_closing_in_mid_capture_keeps_what_is_there(
+    window: Window, small_session: Path, tmp_path: Path
+) -> None:
+    window.wait_for_sensors()
+    draft = tmp_path / "draft"
+    window.service.send(order(small_session, draft))
+    window.wait_for(
+        lambda e: isinstance(e, CaptureStatus) and any(view.finished for view in e.views)
+    )
+    window.service.close()
+    assert read_session(draft).manifest.views[0] == "left"
+    assert [path.name for path in draft.glob(".*")] == []
+
+
+def test_a_session_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    window = Window(Place(NothingStored(), tmp_path))
+    event = window.wait_for(lambda e: isinstance(e, Sensors) and e.problem is not None)
+    assert isinstance(event, Sensors)
+    assert "holds no manifest.json" in str(event.problem)
+    window.service.close()
+
+
+def test_a_service_that_died_is_told(window: Window) -> None:
+    window.wait_for_sensors()
+    window.service._process.kill()
+    event = window.wait_for(lambda e: isinstance(e, Sensors) and e.problem is not None)
+    assert "has ended" in str(event)
