@@ -106,6 +106,7 @@ def _style_sheet(colors: Colors) -> str:
     QToolBar QToolButton {{ padding: 4px 8px; border-radius: 4px; }}
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
+    QToolButton#row {{ text-align: left; padding: 3px 6px; }}
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}

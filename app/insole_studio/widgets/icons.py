@@ -23,6 +23,8 @@ _NAMES = {
     "section": "mdi6.box-cutter",
     "eye": "mdi6.eye-outline",
     "eye-off": "mdi6.eye-off-outline",
+    "up": "mdi6.chevron-up",
+    "down": "mdi6.chevron-down",
     "remove": "mdi6.close",
     "link": "mdi6.link-variant",
     "map": "mdi6.palette-outline",

@@ -32,3 +32,14 @@ class SideBadge(QLabel):
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
             " padding: 1px 8px; font-weight: 600;"
         )
+
+
+def side_letter(side: Side) -> QLabel:
+    """Give the badge of a list row: one letter."""
+    letter = QLabel(tr("L") if side is Side.LEFT else tr("R"))
+    letter.setToolTip(tr("LEFT") if side is Side.LEFT else tr("RIGHT"))
+    letter.setStyleSheet(
+        f"background: {COLORS[side]}; color: white; border-radius: 3px; padding: 0 4px;"
+        " font-weight: 600;"
+    )
+    return letter

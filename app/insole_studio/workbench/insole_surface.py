@@ -43,17 +43,45 @@ class Ground:
         Equal keys, equal ground.
     base
     solid
-        Closed; its first half of vertices is the top, the second half the bottom below it.
+        Its vertices are the top, the bottom below it, and those of the walls once more, so that
+        light falls on them as on walls.
+    top_count
+        Number of vertices that follow the contact surface; as many are below them.
+    rim
+        Which of them the walls begin at.
     """
 
     key: tuple[Any, ...]
     base: ContactBase
     solid: TriangleMesh
+    top_count: int
+    rim: IntArray
 
-    @property
-    def top_count(self) -> int:
-        """Number of vertices that follow the contact surface."""
-        return len(self.solid.vertices) // 2
+    @classmethod
+    def of(cls, key: tuple[Any, ...], base: ContactBase, solid: TriangleMesh) -> Ground:
+        """Take a closed solid whose first half of vertices is the top."""
+        count = len(solid.vertices) // 2
+        on_top = solid.triangles < count
+        is_wall = on_top.any(axis=1) & ~on_top.all(axis=1)
+        used = np.unique(solid.triangles[is_wall])
+        again = np.zeros(len(solid.vertices), dtype=np.int32)
+        again[used] = len(solid.vertices) + np.arange(len(used), dtype=np.int32)
+        triangles = solid.triangles.copy()
+        triangles[is_wall] = again[triangles[is_wall]]
+        vertices = np.concatenate([solid.vertices, solid.vertices[used]])
+        mesh = TriangleMesh(vertices, triangles)
+        _ = mesh.vertex_normals  # kept by the mesh: computed here, not in the window
+        return cls(key, base, mesh, count, used[used < count].astype(np.int64))
+
+    @cached_property
+    def skins(self) -> tuple[TriangleMesh, TriangleMesh]:
+        """Top and bottom, without the walls."""
+        corners, count = self.solid.triangles, self.top_count
+        top = (corners < count).all(axis=1)
+        bottom = ((corners >= count) & (corners < 2 * count)).all(axis=1)
+        return replace(self.solid, triangles=corners[top]), replace(
+            self.solid, triangles=corners[bottom]
+        )
 
     def vertices_in(self, window: Window) -> IntArray:
         """Indices of the top's vertices that the nodes of a window decide."""
@@ -120,7 +148,19 @@ class InsoleSurface(QObject):
         """(n,) heights of the bottom below the top's vertices."""
         if self._ground is None or self.mesh is None:
             return None
-        return self.mesh.vertices[self._ground.top_count :, 2]
+        count = self._ground.top_count
+        return self.mesh.vertices[count : 2 * count, 2]
+
+    def values_everywhere(self, top: FloatArray, bottom: FloatArray) -> FloatArray:
+        """Give numbers of the top's and the bottom's vertices to all vertices of the mesh."""
+        assert self._ground is not None
+        rim = self._ground.rim
+        return np.concatenate([top, bottom, top[rim], bottom[rim]])
+
+    @property
+    def skins(self) -> tuple[TriangleMesh, TriangleMesh] | None:
+        """Top (without pads) and bottom of the trimmed insole."""
+        return None if self._ground is None else self._ground.skins
 
     @property
     def standing_foot(self) -> TriangleMesh | None:
@@ -191,8 +231,7 @@ class InsoleSurface(QObject):
             progress.step(0.7, "Trimming the insole")
             bare = without_added(design)
             solid = insole_solid(Insole(bare, foot, base.surface, base.measured))
-            _ = solid.vertex_normals  # kept by the mesh: computed here, not in the window
-            return Ground(_ground_key(foot, design), base, solid)
+            return Ground.of(_ground_key(foot, design), base, solid)
 
         def take(ground: Ground) -> None:
             self._ground = ground
@@ -239,8 +278,10 @@ class InsoleSurface(QObject):
         xy = ground.solid.vertices[moved, :2]
         self.mesh.vertices[moved, 2] = self.contact.height_at(xy)
         self.normals[moved] = _normals_at(self.contact, window, xy)
+        walls = 2 * ground.top_count + np.arange(len(ground.rim))
+        self.mesh.vertices[walls, 2] = self.mesh.vertices[ground.rim, 2]
         self.mesh = TriangleMesh(self.mesh.vertices, self.mesh.triangles)
-        return moved
+        return np.concatenate([moved, walls])
 
     def _set_problem(self, problem: str) -> None:
         if problem != self.problem:

@@ -8,10 +8,9 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.section import section_segments
 from insole_studio.workbench.insole_surface import InsoleSurface
-
-REACH_MM = 400.0
 
 
 @dataclass(frozen=True)
@@ -77,31 +76,35 @@ class Section(QObject):
 
 def cut_profile(surface: InsoleSurface, plane: SectionPlane) -> Profile | None:
     """Cut insole and foot; None where the plane misses the insole."""
-    line = section_line(surface, plane)
-    standing = surface.standing_foot
-    if line is None or standing is None:
+    line, skins, standing = section_line(surface, plane), surface.skins, surface.standing_foot
+    if line is None or skins is None or standing is None:
         return None
-    origin = np.array(plane.origin_mm)
-    distance = (line[:, :2] - origin) @ plane.along
-    segments = section_segments(standing, np.append(origin, 0.0), plane.normal)
-    skin = np.stack([(segments[..., :2] - origin) @ plane.along, segments[..., 2]], axis=-1)
-    return Profile(
-        top=np.stack([distance, line[:, 2]], axis=1),
-        bottom=np.stack([distance, np.zeros(len(line))], axis=1),
-        skin=skin,
-    )
+    top = _in_plane(line, plane)
+    lowest = _in_plane(_cut(skins[1], plane).reshape(-1, 3), plane)
+    lowest = lowest[lowest[:, 0].argsort()]
+    bottom = np.stack([top[:, 0], np.interp(top[:, 0], *lowest.T)], axis=1)
+    return Profile(top, bottom, _in_plane(_cut(standing, plane), plane))
 
 
 def section_line(surface: InsoleSurface, plane: SectionPlane) -> FloatArray | None:
     """Give the cut through the contact surface, (n, 3) mm; None where there is none."""
-    field = surface.contact
-    if field is None:
+    field, skins = surface.contact, surface.skins
+    if field is None or skins is None:
         return None
-    count = round(2 * REACH_MM / field.step_mm)
-    distance = np.linspace(-REACH_MM, REACH_MM, count + 1)
+    reached = _in_plane(_cut(skins[0], plane).reshape(-1, 3), plane)[:, 0]
+    if len(reached) == 0:
+        return None
+    start, end = float(reached.min()), float(reached.max())
+    distance = np.linspace(start, end, max(round((end - start) / field.step_mm), 1) + 1)
     places = np.array(plane.origin_mm) + distance[:, None] * plane.along
-    heights = field.height_at(places)
-    on_insole = np.isfinite(heights)
-    if on_insole.sum() < 2:
-        return None
-    return np.column_stack([places, heights])[on_insole]
+    return np.column_stack([places, surface.heights_mm(places)])
+
+
+def _cut(mesh: TriangleMesh, plane: SectionPlane) -> FloatArray:
+    return section_segments(mesh, np.append(plane.origin_mm, 0.0), plane.normal)
+
+
+def _in_plane(points: FloatArray, plane: SectionPlane) -> FloatArray:
+    """Distance along the plane and height of points (..., 3)."""
+    distance = (points[..., :2] - np.array(plane.origin_mm)) @ plane.along
+    return np.stack([distance, points[..., 2]], axis=-1)

@@ -58,7 +58,8 @@ def _thickness(surface: InsoleSurface) -> Coloring:
     assert bottom is not None
     thickness = surface.mesh.vertices[: len(bottom), 2] - bottom
     limits = (0.0, max(float(thickness.max()), LEAST_SPAN_MM))
-    return Coloring(np.concatenate([thickness, thickness]), limits, tr("Thickness"))
+    everywhere = surface.values_everywhere(thickness, thickness)
+    return Coloring(everywhere, limits, tr("Thickness"))
 
 
 def _fit(surface: InsoleSurface) -> Coloring:
@@ -78,9 +79,8 @@ def _signed(surface: InsoleSurface, from_field: HeightField, title: str) -> Colo
     assert bottom is not None
     top = surface.mesh.vertices[: len(bottom)]
     over = np.nan_to_num(top[:, 2] - from_field.height_at(top[:, :2]))
-    return Coloring(
-        np.concatenate([over, np.zeros(len(bottom))]), _symmetric(over), title, signed=True
-    )
+    everywhere = surface.values_everywhere(over, np.zeros(len(bottom)))
+    return Coloring(everywhere, _symmetric(over), title, signed=True)
 
 
 def _symmetric(values: FloatArray) -> tuple[float, float]:

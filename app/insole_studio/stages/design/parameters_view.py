@@ -22,7 +22,8 @@ from insole_studio.widgets.number_field import NumberField
 
 ROWS = 2
 ROW_HEIGHT_PX = 26
-FIELD_PX = 100
+FIELD_PX = 96
+CHOICE_PX = 132
 
 
 class ParametersView(QScrollArea):
@@ -81,34 +82,36 @@ class ParametersView(QScrollArea):
         grid.setVerticalSpacing(4)
         for row in range(ROWS):
             grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
-        for number, spec in enumerate(group.fields):
-            self._add_field(grid, spec, number)
         self._add_offers(grid, group)
+        before = (len(group.offers) + ROWS - 1) // ROWS
+        for number, spec in enumerate(group.fields):
+            self._add_field(grid, spec, number, before)
         column.addLayout(grid)
         column.addStretch(1)
         return column
 
-    def _add_field(self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int) -> None:
+    def _add_field(
+        self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
+    ) -> None:
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        field.setFixedWidth(FIELD_PX)
+        field.setFixedWidth(CHOICE_PX if isinstance(spec, ChoiceSpec) else FIELD_PX)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)
         label.setBuddy(field)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        row, column = number % ROWS, 2 * (number // ROWS)
+        row, column = number % ROWS, before + 2 * (number // ROWS)
         grid.addWidget(label, row, column)
         grid.addWidget(field, row, column + 1)
 
     def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> None:
-        column = 2 * ((len(group.fields) + ROWS - 1) // ROWS)
         for number, offer in enumerate(group.offers):
             button = QPushButton(offer.text)
             button.setProperty("offer", offer.key)
             button.clicked.connect(self._choose)
-            grid.addWidget(button, number % ROWS, column + number // ROWS)
+            grid.addWidget(button, number % ROWS, number // ROWS)
 
     def _edited(self, value: object) -> None:
         self.field_edited.emit(self.sender().property("key"), value)

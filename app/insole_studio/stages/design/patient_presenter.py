@@ -21,6 +21,7 @@ class PatientPanel(Protocol):
     correction_selected: Any
     correction_toggled: Any
     correction_removed: Any
+    correction_moved: Any
 
     def show_fields(self, values: dict[str, str]) -> None: ...  # noqa: D102
     def show_side(self, side: Side | None) -> None: ...  # noqa: D102
@@ -38,6 +39,7 @@ class PatientPresenter:
         panel.correction_selected.connect(case.select)
         panel.correction_toggled.connect(self.toggle)
         panel.correction_removed.connect(self.remove)
+        panel.correction_moved.connect(self.move)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.selection_changed.connect(self._show_corrections)
@@ -67,6 +69,18 @@ class PatientPresenter:
         )
         self._case.apply(design.with_changed(switched), sentence)
 
+    def move(self, correction_id: str, by: int) -> None:
+        """Let a correction act before or after its neighbour."""
+        design = self._case.record.design
+        if design is None:
+            return
+        order = list(design.corrections)
+        start = next(i for i, c in enumerate(order) if c.id == correction_id)
+        end = min(max(start + by, 0), len(order) - 1)
+        order.insert(end, order.pop(start))
+        moved = replace(design, corrections=tuple(order))
+        self._case.apply(moved, tr("Change the order of the corrections"))
+
     def remove(self, correction_id: str) -> None:
         """Take a correction out of the design."""
         design = self._case.record.design
@@ -86,10 +100,14 @@ class PatientPresenter:
 
     def _show_corrections(self) -> None:
         design = self._case.record.design
-        corrections = design.corrections if design is not None else ()
+        if design is None:
+            self._panel.show_corrections([])
+            return
         self._panel.show_corrections(
             [
-                CorrectionRow(c.id, describe(c), c.enabled, c.id == self._case.selection)
-                for c in corrections
+                CorrectionRow(
+                    c.id, design.side, describe(c), c.enabled, c.id == self._case.selection
+                )
+                for c in design.corrections
             ]
         )

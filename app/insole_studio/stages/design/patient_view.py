@@ -23,7 +23,7 @@ from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
-from insole_studio.widgets.side_badge import SideBadge
+from insole_studio.widgets.side_badge import SideBadge, side_letter
 
 
 class PatientView(QScrollArea):
@@ -33,6 +33,7 @@ class PatientView(QScrollArea):
     correction_selected = Signal(str)
     correction_toggled = Signal(str)
     correction_removed = Signal(str)
+    correction_moved = Signal(str, int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -128,9 +129,16 @@ class PatientView(QScrollArea):
         name.setCheckable(True)
         name.setChecked(row.selected)
         name.setAutoRaise(True)
+        name.setObjectName("row")
         name.setToolTip(row.text)
         name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
         name.clicked.connect(self._select)
+        up = _button(row, "up", tr("Move up"))
+        up.clicked.connect(self._move_up)
+        down = _button(row, "down", tr("Move down"))
+        down.clicked.connect(self._move_down)
+        for button in (up, down):
+            button.setVisible(row.selected)
         remove = _button(row, "remove", tr("Remove"))
         remove.clicked.connect(self._remove)
         line = QWidget()
@@ -139,7 +147,8 @@ class PatientView(QScrollArea):
         layout.setSpacing(2)
         layout.addWidget(eye)
         layout.addWidget(name, 1)
-        layout.addWidget(remove)
+        for widget in (side_letter(row.side), up, down, remove):
+            layout.addWidget(widget)
         return line
 
     def _line_edited(self) -> None:
@@ -155,6 +164,12 @@ class PatientView(QScrollArea):
 
     def _toggle(self) -> None:
         self.correction_toggled.emit(self.sender().property("correction"))
+
+    def _move_up(self) -> None:
+        self.correction_moved.emit(self.sender().property("correction"), -1)
+
+    def _move_down(self) -> None:
+        self.correction_moved.emit(self.sender().property("correction"), 1)
 
     def _remove(self) -> None:
         self.correction_removed.emit(self.sender().property("correction"))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from insole_core.geometry.side import Side
+
 
 @dataclass(frozen=True)
 class Measure:
@@ -18,6 +20,7 @@ class CorrectionRow:
     """One correction in the list."""
 
     id: str
+    side: Side
     text: str
     enabled: bool
     selected: bool
