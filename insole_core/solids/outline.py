@@ -11,9 +11,10 @@ from scipy.ndimage import distance_transform_edt, gaussian_filter
 from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.height_field import HeightField
+from insole_core.insole.outline_curve import inside_curve
 
 _ALLOWANCE_MM = 2.0  # of the outline beyond the foot
 _GAP_MM = 12.0  # gaps between toes and under a high arch are bridged up to twice this
@@ -21,6 +22,7 @@ _SMOOTHING_MM = 2.5
 _LEAST_AREA_MM2 = 400.0
 _PITCH_MM = 0.5  # of the points along an outline that find the nearest part of it
 _SUBPIXEL_BITS = 8
+_DOUBTFUL = 2.0  # steps from the outline, where a painted mask may err
 _ON_OUTLINE_MM = 1e-6  # nearer, the way from the outline has no direction
 
 
@@ -90,8 +92,10 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
     """Measure the distance of a field's nodes to an outline (n, 2), mm, insole frame."""
     sign, coarse = _coarse_distance(polygon, field)
     near = coarse < reach_mm + 2 * field.step_mm
-    away, normal = _away_from(polygon, field.nodes[near.ravel(), :2])
+    nodes = field.nodes[near.ravel(), :2]
+    away, normal = _away_from(polygon, nodes)
     distance = np.linalg.norm(away, axis=1)
+    sign[near] = _exact_sign(polygon, nodes, sign[near], distance < _DOUBTFUL * field.step_mm)
     inside = sign * coarse
     inside[near] = sign[near] * distance
     outward = np.zeros((*near.shape, 2))
@@ -99,6 +103,15 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
     length = np.where(apart, distance, 1.0)
     outward[near] = np.where(apart[:, None], -(sign[near] / length)[:, None] * away, normal)
     return OutlineDistance(inside, outward, reach_mm)
+
+
+def _exact_sign(
+    polygon: FloatArray, nodes: FloatArray, sign: FloatArray, doubtful: BoolArray
+) -> FloatArray:
+    """Decide anew on which side the doubtful nodes lie."""
+    exact = sign.copy()
+    exact[doubtful] = np.where(inside_curve(polygon, nodes[doubtful]), 1.0, -1.0)
+    return exact
 
 
 def _coarse_distance(polygon: FloatArray, field: HeightField) -> tuple[FloatArray, FloatArray]:

@@ -15,7 +15,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntAr
 
 FULL = 15
 """The case of a cell with all corners inside."""
-_NEAREST = 0.08
+_NEAREST = 0.02
 """A crossing keeps this share of a cell's side away from the nodes: no triangle degenerates."""
 
 

@@ -12,7 +12,7 @@ from insole_core.insole.height_field import HeightField
 from insole_core.solids.outline import OutlineDistance
 from insole_core.solids.plan import Plan
 
-_ROUNDS = 40
+_ROUNDS = 300
 _FADE = 1.3  # above 1: the border itself, which lies within a step of the outline, leans fully
 _LEAST_SHARE = 0.05  # of its area, that a triangle keeps
 _BAND_SHARE = 4.0
@@ -97,7 +97,7 @@ def _without_folds(triangles: IndexArray, places: FloatArray, lean: FloatArray) 
         folded = np.flatnonzero(_areas((places + lean)[moved]) < _LEAST_SHARE * area)
         if len(folded) == 0:
             return lean
-        lean[moved[folded]] *= 0.6
+        lean[moved[folded]] *= 0.7
     return np.zeros_like(lean)
 
 

@@ -13,13 +13,13 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.block import apexes, block_solid
 from insole_core.insole.build import Insole
 from insole_core.progress import SILENT, Progress
+from insole_core.solids.ball import parallel_below
 from insole_core.solids.outline import (
     OutlineDistance,
     automatic_outline,
     checked_outline,
     outline_distance,
 )
-from insole_core.solids.parallel_surface import parallel_below
 from insole_core.solids.plan import Plan, trim
 from insole_core.solids.prism import Faces, band_mm, prism
 

@@ -1,0 +1,47 @@
+"""What a ball can touch of a surface: shells of even thickness, and hollows too tight to mill."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.height_field import HeightField
+
+
+def parallel_below(field: HeightField, distance_mm: float) -> FloatArray:
+    """Give the highest surface that keeps a distance from the field, and stays above z = 0.
+
+    A ball rolled under the field, its centre on the result, never cuts into it: no place is nearer
+    than the distance, and no loop can arise in a hollow.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
+        Heights at the nodes of the field.
+    """
+    return np.maximum(_eroded(field.heights_mm, field.step_mm, distance_mm), 0.0)
+
+
+def left_by_cutter(heights_mm: FloatArray, step_mm: float, radius_mm: float) -> FloatArray:
+    """Height of the material (ny, nx) that a ball-nose cutter from above cannot take away.
+
+    The cutter's centre runs on the dilation of the surface by the ball; what it leaves is the
+    closing of the surface less the surface.
+    """
+    centres = -_eroded(-heights_mm, step_mm, radius_mm)
+    return _eroded(centres, step_mm, radius_mm) - heights_mm
+
+
+def _eroded(heights_mm: FloatArray, step_mm: float, radius_mm: float) -> FloatArray:
+    """Centre height of a ball that touches the surface from below, at every node."""
+    rows, columns = heights_mm.shape
+    reach = int(radius_mm / step_mm)
+    ring = np.pad(heights_mm, reach, mode="edge")
+    lowest = np.full_like(heights_mm, np.inf)
+    for i in range(-reach, reach + 1):
+        for j in range(-reach, reach + 1):
+            below2 = radius_mm**2 - (i * i + j * j) * step_mm**2
+            if below2 >= 0:
+                part = ring[reach + i : reach + i + rows, reach + j : reach + j + columns]
+                np.minimum(lowest, part - np.sqrt(below2), out=lowest)
+    return lowest

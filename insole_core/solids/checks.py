@@ -1,0 +1,245 @@
+"""What must hold before a solid goes to the shop: each check with its number and its place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from scipy.ndimage import binary_erosion
+
+from insole_core.errors import DesignError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.ray_casting import RayCaster
+from insole_core.progress import SILENT, Progress
+from insole_core.solids.ball import left_by_cutter
+from insole_core.solids.rules import CheckName, Policy, Rules
+
+_PITCH_MM = 1.0
+_OFF_LATTICE = 0.3137  # rays pass beside round coordinates, where lattices have their vertices
+_RIM_PIXELS = 3  # the rim runs out to an edge, which has no thickness
+_SKIN_MM = 0.01
+_DOWNWARD = -0.02
+
+Place = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The outcome of one check.
+
+    Parameters
+    ----------
+    value, limit, unit
+        What was measured, and what is allowed.
+    place_mm
+        Where the worst place lies, in the frame of the solid; None where there is no one place.
+    """
+
+    name: CheckName
+    policy: Policy
+    passed: bool
+    value: float
+    limit: float
+    unit: str
+    sentence: str
+    place_mm: Place | None = None
+
+    @property
+    def blocks(self) -> bool:
+        """Whether the export must stop, unless somebody answers for it."""
+        return self.policy == "blocking" and not self.passed
+
+
+@dataclass(frozen=True)
+class Override:
+    """Somebody lets a solid pass that a blocking rule would stop."""
+
+    author: str
+    reason: str
+    at: str
+
+
+def check_solid(
+    solid: TriangleMesh, rules: Rules, progress: Progress = SILENT
+) -> tuple[Finding, ...]:
+    """Make every check that is not off.
+
+    Parameters
+    ----------
+    solid : mm
+        Standing on z = 0, the side to be milled upwards.
+    """
+    survey = _Survey(solid)
+    checks = {
+        "watertight": _watertight, "thickness": _thickness, "cutter": _cutter,
+        "undercut": _undercut, "step": _step, "block": _block, "shoe_height": _shoe_height,
+    }  # fmt: skip
+    findings = []
+    for number, (name, policy) in enumerate(rules.policies.items()):
+        progress.step(number / len(rules.policies), f"Checking: {name.replace('_', ' ')}")
+        if policy != "off":
+            findings.append(checks[name](survey, rules, policy))
+    return tuple(findings)
+
+
+def require_export(findings: Sequence[Finding], override: Override | None = None) -> dict[str, Any]:
+    """Give the record of an export for `json.dump`, with the override where one was needed.
+
+    Raises
+    ------
+    DesignError
+        When a blocking check failed and nobody overrides it.
+    """
+    blocking = [finding for finding in findings if finding.blocks]
+    if blocking and (override is None or not override.reason.strip()):
+        raise DesignError(
+            f"{blocking[0].sentence} Change the design, or override the rule with a reason."
+        )
+    return {
+        "findings": [asdict(finding) for finding in findings],
+        "override": asdict(override) if blocking and override is not None else None,
+    }
+
+
+class _Survey:
+    """The solid as seen from above, on a grid."""
+
+    def __init__(self, solid: TriangleMesh) -> None:
+        self.solid = solid
+        self.caster = RayCaster(solid)
+        low, high = solid.bounds_mm[:, :2]
+        first = np.floor(low) - 2 + _OFF_LATTICE
+        x, y = (np.arange(a, b + 2, _PITCH_MM) for a, b in zip(first, high, strict=True))
+        self.places = np.stack(np.meshgrid(x, y), axis=-1)
+
+    @cached_property
+    def seen(self) -> tuple[FloatArray, FloatArray]:
+        """Heights (ny, nx), NaN beside the solid, and normals (ny, nx, 3)."""
+        flat = self.places.reshape(-1, 2)
+        above = self.solid.bounds_mm[1, 2] + 10
+        origins = np.column_stack([flat, np.full(len(flat), above)])
+        hits = self.caster.cast(origins, np.broadcast_to([0.0, 0, -1], origins.shape))
+        heights = np.full(len(flat), np.nan)
+        corners = self.solid.vertices[self.solid.triangles[hits.triangle], 2]
+        heights[hits.ray] = (hits.weights * corners).sum(axis=1)
+        normals = np.zeros((len(flat), 3))
+        normals[hits.ray] = self.solid.triangle_normals[hits.triangle]
+        shape = self.places.shape[:2]
+        return heights.reshape(shape), normals.reshape(*shape, 3)
+
+    @cached_property
+    def inner(self) -> BoolArray:
+        """(ny, nx) places away from the rim."""
+        return np.asarray(binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS))
+
+    def place(self, index: tuple[int, ...]) -> Place:
+        x, y = self.places[index]
+        return float(round(x, 2)), float(round(y, 2)), float(round(self.seen[0][index], 2))
+
+
+def _at(place: Place | None) -> str:
+    return "" if place is None else f" at x = {place[0]:.0f} mm, y = {place[1]:.0f} mm"
+
+
+def _worst(values: FloatArray) -> tuple[int, ...]:
+    index = np.unravel_index(np.nanargmax(values), values.shape)
+    return tuple(int(i) for i in index)
+
+
+def _watertight(survey: _Survey, _rules: Rules, policy: Policy) -> Finding:
+    passed = survey.solid.is_closed and survey.solid.volume_mm3 > 0
+    sentence = "The solid is closed." if passed else "The solid is open or inside out."
+    return Finding("watertight", policy, passed, float(passed), 1.0, "", sentence)
+
+
+def _thickness(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    """From each place of the upper side straight into the material, until it ends."""
+    heights, normals = survey.seen
+    limit = rules.limits["thickness"]
+    thickness = np.full(heights.shape, np.nan)
+    inner = np.flatnonzero(survey.inner)
+    into = -normals.reshape(-1, 3)[inner]
+    points = np.dstack([survey.places, heights]).reshape(-1, 3)[inner]
+    hits = survey.caster.cast(points + _SKIN_MM * into, into)
+    ends = np.einsum(
+        "nk,nkc->nc", hits.weights, survey.solid.vertices[survey.solid.triangles[hits.triangle]]
+    )
+    thickness.flat[inner[hits.ray]] = np.linalg.norm(ends - points[hits.ray], axis=1)
+    return _graded(survey, "thickness", policy, -thickness, limit, unit="mm thick", least=True)
+
+
+def _cutter(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    heights = survey.seen[0]
+    radius = rules.cutter_diameter_mm / 2
+    left = left_by_cutter(np.nan_to_num(heights, nan=0.0), _PITCH_MM, radius)
+    left = np.where(survey.inner, left, np.nan)
+    unit = f"mm of material left by the {rules.cutter_diameter_mm:g} mm cutter in a hollow"
+    return _graded(survey, "cutter", policy, left, rules.limits["cutter"], unit=unit)
+
+
+def _step(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    heights = np.where(survey.inner, survey.seen[0], np.nan)
+    rise = np.full(heights.shape, np.nan)
+    along_y, along_x = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
+    rise[:-1, :-1] = np.fmax(along_y[:, :-1], along_x[:-1])
+    return _graded(survey, "step", policy, rise, rules.limits["step"], unit="mm of rise over 1 mm")
+
+
+def _shoe_height(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    limit = rules.limits["shoe_height"]
+    return _graded(survey, "shoe_height", policy, survey.seen[0], limit, unit="mm high")
+
+
+def _graded(
+    survey: _Survey,
+    name: CheckName,
+    policy: Policy,
+    badness: FloatArray,
+    limit: float,
+    *,
+    unit: str,
+    least: bool = False,
+) -> Finding:
+    """Judge the worst place of a map; with `least` the map holds the negative of what counts."""
+    if not np.isfinite(badness).any():
+        sentence = f"Too little of the solid is seen from above to check its {name}."
+        return Finding(name, policy, False, 0.0, limit, unit, sentence)
+    worst = _worst(badness)
+    value = float(-badness[worst] if least else badness[worst])
+    passed = value >= limit if least else value <= limit
+    place = survey.place(worst)
+    bound = "least" if least else "most"
+    sentence = f"{value:.2f} {unit}{_at(place)}; {limit:g} is the {bound} allowed."
+    return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place)
+
+
+def _undercut(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    """Area that looks down and is not the base: no cutter from above reaches it."""
+    solid, limit = survey.solid, rules.limits["undercut"]
+    corners = solid.vertices[solid.triangles]
+    lifted = corners[..., 2].max(axis=1) > solid.bounds_mm[0, 2] + _SKIN_MM
+    hidden = lifted & (solid.triangle_normals[:, 2] < _DOWNWARD)
+    sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
+    areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
+    area = float(areas.sum())
+    place = None
+    if area > 0:
+        x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
+        place = (float(round(x, 2)), float(round(y, 2)), float(round(z, 2)))
+    sentence = f"{area:.0f} mm² cannot be reached from above{_at(place)}; {limit:g} are allowed."
+    return Finding("undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place)
+
+
+def _block(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+    extent = np.ptp(survey.solid.vertices, axis=0)
+    size = np.concatenate([np.sort(extent[:2])[::-1], extent[2:]])
+    stock = np.concatenate([np.sort(rules.block_mm[:2])[::-1], rules.block_mm[2:]])
+    over = float((size - stock).max())
+    needed = " × ".join(f"{value:.0f}" for value in size)
+    there = " × ".join(f"{value:g}" for value in stock)
+    sentence = f"The solid needs {needed} mm, and the block has {there} mm."
+    return Finding("block", policy, over <= 0, round(over, 2), 0.0, "mm too large", sentence)

@@ -1,0 +1,107 @@
+"""Left and right in one block: as close as they go, the right one turned where that is closer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.errors import DesignError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rigid, rotation_about
+
+_PITCH_MM = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Nest:
+    """Solids in one block; the block's corner is the origin, its length along y.
+
+    Parameters
+    ----------
+    meshes
+        In the order they were given.
+    insole2block : (4, 4) float64, mm, for each
+    size_mm
+        Width (x), length (y) and height they need together, with the margin.
+    """
+
+    meshes: tuple[TriangleMesh, ...]
+    insole2block: tuple[FloatArray, ...]
+    size_mm: tuple[float, float, float]
+
+
+def nest_pair(
+    left: TriangleMesh,
+    right: TriangleMesh,
+    block_mm: tuple[float, float, float],
+    *,
+    gap_mm: float = 12.0,
+    margin_mm: float = 4.0,
+) -> Nest:
+    """Lay two solids side by side into a block (length, width, height).
+
+    Parameters
+    ----------
+    gap_mm
+        Between the two, for the cutter.
+    margin_mm
+        To the sides of the block.
+
+    Raises
+    ------
+    DesignError
+        When the block is too small.
+    """
+    nests = [_side_by_side(left, right, turn_deg, gap_mm, margin_mm) for turn_deg in (0, 180)]
+    smallest = min(nests, key=lambda nest: nest.size_mm[0])
+    length, width = sorted(block_mm[:2], reverse=True)
+    need_x, need_y, need_z = smallest.size_mm
+    if need_y > length or need_x > width or need_z > block_mm[2]:
+        raise DesignError(
+            f"The pair needs a block of {need_y:.0f} × {need_x:.0f} × {need_z:.0f} mm, and this one"
+            f" has {length:g} × {width:g} × {block_mm[2]:g} mm; take a larger block, or one for"
+            " each side."
+        )
+    return smallest
+
+
+def _side_by_side(
+    left: TriangleMesh, right: TriangleMesh, turn_deg: float, gap_mm: float, margin_mm: float
+) -> Nest:
+    """Right beside left, the backs level; as near as their outlines allow."""
+    turn = rigid(rotation_about(np.array([0.0, 0, 1]), turn_deg), np.zeros(3))
+    placed = []
+    for mesh, a2b in ((left, np.eye(4)), (right, turn)):
+        low = mesh.transformed(a2b).bounds_mm[0]
+        placed.append(rigid(np.eye(3), margin_mm - low * [1, 1, 0] - [0, 0, margin_mm]) @ a2b)
+    apart = _shift(left.transformed(placed[0]), right.transformed(placed[1]), gap_mm)
+    placed[1] = rigid(np.eye(3), np.array([apart, 0, 0])) @ placed[1]
+    meshes = (left.transformed(placed[0]), right.transformed(placed[1]))
+    high = np.maximum(meshes[0].bounds_mm[1], meshes[1].bounds_mm[1])
+    size = (float(high[0]) + margin_mm, float(high[1]) + margin_mm, float(high[2]))
+    return Nest(meshes, (placed[0], placed[1]), size)
+
+
+def _shift(left: TriangleMesh, right: TriangleMesh, gap_mm: float) -> float:
+    """How far the right one must move along x to stand clear of the left one by the gap."""
+    end = max(left.bounds_mm[1, 1], right.bounds_mm[1, 1])
+    rows = int(np.ceil(end / _PITCH_MM)) + 1
+    right_side = _profile(left, rows, gap_mm, np.maximum, -np.inf)
+    left_side = _profile(right, rows, 0.0, np.minimum, np.inf)
+    both = np.isfinite(right_side) & np.isfinite(left_side)
+    return float((right_side - left_side)[both].max() + gap_mm)
+
+
+def _profile(
+    mesh: TriangleMesh, rows: int, reach_mm: float, extreme: np.ufunc, start: float
+) -> FloatArray:
+    """Outermost x in every row along y, also of what lies within reach along y."""
+    profile = np.full(rows, start)
+    row = np.clip((mesh.vertices[:, 1] / _PITCH_MM).astype(int), 0, rows - 1)
+    extreme.at(profile, row, mesh.vertices[:, 0])
+    reach = int(reach_mm / _PITCH_MM) + 1
+    padded = np.pad(profile, reach, constant_values=start)
+    windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1)
+    return np.asarray(extreme.reduce(windows, axis=1))

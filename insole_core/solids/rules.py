@@ -1,0 +1,96 @@
+"""The shop's and the clinic's rules for what may leave the house: resources/rules/export.json."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+from insole_core.errors import InputError
+from insole_core.resources import resource_path
+
+FORMAT, VERSION = "insole-export-rules", 1
+Policy: TypeAlias = Literal["blocking", "warning", "off"]
+CheckName: TypeAlias = Literal[
+    "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"
+]
+CHECK_NAMES: tuple[CheckName, ...] = get_args(CheckName)
+
+
+@dataclass(frozen=True)
+class Rules:
+    """How strictly each check is taken, and its limit.
+
+    Parameters
+    ----------
+    policies
+        A check that is not named is off.
+    limits
+        Thickness: least, mm. Cutter: most material left in hollows, mm. Undercut: most area, mm².
+        Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm.
+    cutter_diameter_mm
+        Of the ball-nose cutter.
+    block_mm
+        Length, width, height of the stock.
+    """
+
+    policies: dict[CheckName, Policy] = field(default_factory=dict)
+    limits: dict[CheckName, float] = field(default_factory=dict)
+    cutter_diameter_mm: float = 10.0
+    block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
+
+
+def read_rules(path: Path | None = None) -> Rules:
+    """Read rules, by default those that come with the product.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key that is missing or wrong.
+    """
+    path = path or resource_path("rules/export.json")
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path} is no valid JSON; write the rules anew.") from error
+    if not isinstance(content, dict) or (content.get("format"), content.get("version")) != (
+        FORMAT, VERSION,
+    ):  # fmt: skip
+        raise InputError(f'{path} holds no export rules; "format" must be "{FORMAT}", version 1.')
+    rules = content.get("rules")
+    if not isinstance(rules, dict) or not rules.keys() <= set(CHECK_NAMES):
+        raise InputError(f'"rules" in {path} must name checks of: {", ".join(CHECK_NAMES)}.')
+    return _parsed(rules, path)
+
+
+def _parsed(rules: dict[CheckName, Any], path: Path) -> Rules:
+    policies: dict[CheckName, Policy] = {}
+    limits: dict[CheckName, float] = {}
+    for name, rule in rules.items():
+        if not isinstance(rule, dict) or rule.get("policy") not in get_args(Policy):
+            raise InputError(
+                f'The policy of "{name}" in {path} must be "blocking", "warning" or "off".'
+            )
+        policies[name] = rule["policy"]
+        if name not in ("watertight", "block"):
+            limits[name] = _number(rule.get("limit"), f'limit of "{name}"', path)
+    diameter = rules.get("cutter", {}).get("cutter_diameter_mm", Rules.cutter_diameter_mm)
+    size = rules.get("block", {}).get("size_mm", list(Rules.block_mm))
+    if not isinstance(size, list) or len(size) != 3:
+        raise InputError(f"size_mm of the block in {path} must be [length, width, height].")
+    length, width, height = (_number(value, "size_mm of the block", path) for value in size)
+    return Rules(
+        policies, limits, _number(diameter, "cutter_diameter_mm", path), (length, width, height)
+    )
+
+
+def _number(value: Any, what: str, path: Path) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"The {what} in {path} must be a number.")
+    if not (math.isfinite(value) and 0 <= value <= 1000):
+        raise InputError(f"The {what} in {path} is {value:g}, and must be 0 to 1000.")
+    return float(value)

@@ -1,0 +1,145 @@
+"""Fewer triangles for importers that choke, within a stated deviation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import manifold3d
+import numpy as np
+from scipy.spatial import KDTree
+
+from insole_core.errors import DesignError
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import sample_triangles
+
+_ROUNDS = 7
+_FINEST_SHARE = 1 / 64  # of the allowed deviation, where the search begins
+_PITCH_MM = 0.5
+_NEIGHBOURS = (6, 150)  # where slender triangles crowd, the nearest samples are not of the nearest
+_NEAR_MM = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Simplified:
+    """A solid with fewer triangles.
+
+    Parameters
+    ----------
+    mesh
+        Closed, facing outwards.
+    deviation_mm
+        Greatest distance of the original's vertices from it, measured (an upper bound).
+    """
+
+    mesh: TriangleMesh
+    deviation_mm: float
+
+
+def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float) -> Simplified:
+    """Collapse edges until the target is met; of all ways the one with the least deviation.
+
+    Raises
+    ------
+    DesignError
+        When the target cannot be met within the deviation.
+    """
+    if len(solid.triangles) <= most_triangles:
+        return Simplified(solid, 0.0)
+    body = to_manifold(solid)
+    low, high = most_deviation_mm * _FINEST_SHARE, most_deviation_mm
+    best = _attempt(body, high)
+    for _ in range(_ROUNDS):
+        middle = float(np.sqrt(low * high))
+        attempt = _attempt(body, middle)
+        if len(attempt.triangles) <= most_triangles:
+            best, high = attempt, middle
+        else:
+            low = middle
+    deviation = float(distances_to(best, solid.vertices).max())
+    if len(best.triangles) > most_triangles or deviation > most_deviation_mm:
+        raise DesignError(
+            f"{most_triangles} triangles are too few for this solid: {len(best.triangles)} deviate"
+            f" by {deviation:.3f} mm, and {most_deviation_mm:g} mm are allowed; allow more"
+            " triangles or more deviation."
+        )
+    return Simplified(best, deviation)
+
+
+def to_manifold(mesh: TriangleMesh) -> manifold3d.Manifold:
+    """Hand a closed mesh to the solid modeller.
+
+    Raises
+    ------
+    DesignError
+        When it is no solid.
+    """
+    triangles = mesh.triangles.astype(np.uint64)
+    body = manifold3d.Manifold(manifold3d.Mesh64(np.ascontiguousarray(mesh.vertices), triangles))
+    if body.status() != manifold3d.Error.NoError:
+        raise DesignError("The mesh is open or crosses itself; only a closed solid can be worked.")
+    return body
+
+
+def from_manifold(body: manifold3d.Manifold) -> TriangleMesh:
+    """Take a mesh back from the solid modeller."""
+    mesh = body.to_mesh64()
+    return TriangleMesh(
+        np.asarray(mesh.vert_properties, float)[:, :3].copy(),
+        np.asarray(mesh.tri_verts).astype(np.int32),
+    )
+
+
+def _attempt(body: manifold3d.Manifold, tolerance_mm: float) -> TriangleMesh:
+    return from_manifold(body.simplify(tolerance_mm))
+
+
+def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
+    """Distance (n,) of points from a surface; never too small."""
+    places, triangle = _covering(mesh)
+    tree = KDTree(places)
+    distance = np.full(len(points), np.inf)
+    for neighbours in _NEIGHBOURS:
+        far = np.flatnonzero(distance > _NEAR_MM)
+        _, near = tree.query(points[far], k=neighbours)
+        for candidate in triangle[np.asarray(near)].T:
+            corners = mesh.vertices[mesh.triangles[candidate]]
+            distance[far] = np.minimum(distance[far], _to_triangles(points[far], corners))
+    return distance
+
+
+def _covering(mesh: TriangleMesh) -> tuple[FloatArray, IntArray]:
+    """Places (n, 3) on a mesh that leave no gap, and the triangle (n,) of each.
+
+    The samples of slender triangles do not reach into their tips; their edges do.
+    """
+    inner = sample_triangles(mesh, _PITCH_MM)
+    start = mesh.vertices[mesh.triangles].reshape(-1, 3)
+    end = mesh.vertices[np.roll(mesh.triangles, -1, axis=1)].reshape(-1, 3)
+    count = np.ceil(np.linalg.norm(end - start, axis=1) / _PITCH_MM).astype(np.int64) + 1
+    edge = np.repeat(np.arange(len(count)), count)
+    number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    share = (number / count[edge])[:, None]
+    places = start[edge] + share * (end - start)[edge]
+    return np.concatenate([inner.points, places]), np.concatenate([inner.triangle, edge // 3])
+
+
+def _to_triangles(points: FloatArray, corners: FloatArray) -> FloatArray:
+    """Distance (n,) of each point from its triangle (n, 3, 3)."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    ab, ac, ap = b - a, c - a, points - a
+    normal = np.cross(ab, ac)
+    size2 = np.maximum((normal**2).sum(axis=1), 1e-30)
+    v = (np.cross(ap, ac) * normal).sum(axis=1) / size2
+    w = (np.cross(ab, ap) * normal).sum(axis=1) / size2
+    inside = (v >= 0) & (w >= 0) & (v + w <= 1)
+    plane = np.abs((ap * normal).sum(axis=1)) / np.sqrt(size2)
+    edges = [_to_segments(points, *ends) for ends in ((a, b), (b, c), (c, a))]
+    return np.asarray(np.where(inside, plane, np.minimum.reduce(edges)))
+
+
+def _to_segments(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+    along = end - start
+    share = ((points - start) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-30)
+    nearest = start + np.clip(share, 0, 1)[:, None] * along
+    return np.asarray(np.linalg.norm(points - nearest, axis=1))

@@ -1,0 +1,147 @@
+"""Checks before export: each finds its fault with number and place, and its policy decides."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.errors import DesignError, InputError
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.height_field import HeightField
+from insole_core.solids.checks import Finding, Override, check_solid, require_export
+from insole_core.solids.outline import outline_distance
+from insole_core.solids.plan import trim
+from insole_core.solids.prism import Faces, prism
+from insole_core.solids.rules import CHECK_NAMES, Rules, read_rules
+
+SQUARE = np.array([(-30.0, -60), (30, -60), (30, 60), (-30, 60)])
+
+
+def plate(heights, draft_deg=0.0, step=0.5) -> TriangleMesh:
+    """A plate of 60 x 120 mm whose upper side is heights(x, y)."""
+    x, y = np.meshgrid(np.arange(-40, 40.1, step), np.arange(-70, 70.1, step))
+    top = heights(x, y) + np.zeros_like(x)
+    field = HeightField(-40.0, -70.0, step, top)
+    distance = outline_distance(SQUARE, field, 8.0)
+    faces = Faces(top, np.zeros_like(top), np.zeros((0, 4)))
+    return prism(trim(distance.inside_mm), field, faces, distance, draft_deg)
+
+
+def findings(mesh: TriangleMesh) -> dict[str, Finding]:
+    return {finding.name: finding for finding in check_solid(mesh, read_rules())}
+
+
+def test_plain_plate_passes_everything():
+    found = findings(plate(lambda _x, _y: 8.0, draft_deg=3))
+    assert set(found) == set(CHECK_NAMES)
+    for finding in found.values():
+        assert finding.passed, finding.sentence
+    assert found["thickness"].value == pytest.approx(8, abs=0.01)
+    assert found["shoe_height"].value == pytest.approx(8, abs=0.01)
+
+
+def test_thin_place_is_named():
+    dent = findings(plate(lambda x, y: 8 - 7.4 * np.exp(-((x - 10) ** 2 + (y + 20) ** 2) / 60)))
+    finding = dent["thickness"]
+    assert not finding.passed
+    assert finding.value == pytest.approx(0.6, abs=0.05)
+    assert finding.place_mm == pytest.approx((10, -20, 0.6), abs=1)
+
+
+@pytest.mark.parametrize(("radius", "passes"), [(3.0, False), (12.0, True)])
+def test_groove_against_the_cutter(radius, passes):
+    """A round groove along y, 2 mm deep: a ball of 5 mm radius fits 12 mm, not 3 mm."""
+
+    def groove(x, _y):
+        depth = np.sqrt(np.clip(radius**2 - x**2, 0, None)) - (radius - 2)
+        return 10 - np.clip(depth, 0, None)
+
+    finding = findings(plate(groove, step=0.25))["cutter"]
+    assert finding.passed is passes
+    if not passes:
+        # The ball rests on the edges, half a groove apart: half = sqrt(3² - 1²).
+        reached = 5 - np.sqrt(25 - 8)
+        assert finding.value == pytest.approx(2 - reached, abs=0.2)
+        assert finding.place_mm is not None
+        assert abs(finding.place_mm[0]) < 1
+
+
+def test_step_is_measured():
+    finding = findings(plate(lambda x, _y: np.where(x < 5, 6.0, 12.0)))["step"]
+    assert not finding.passed
+    assert finding.value == pytest.approx(6, abs=0.01)
+    assert finding.place_mm is not None
+    assert finding.place_mm[0] == pytest.approx(5, abs=1)
+
+
+def test_walls_that_lean_inwards_are_undercut():
+    assert findings(plate(lambda _x, _y: 8.0, draft_deg=5))["undercut"].passed
+    finding = findings(plate(lambda _x, _y: 8.0, draft_deg=-10))["undercut"]
+    assert not finding.passed
+    assert finding.value == pytest.approx(360 * 8 / np.cos(np.radians(10)), rel=0.05)
+
+
+def test_block_and_shoe_that_are_too_small():
+    found = findings(plate(lambda _x, _y: 41.0))
+    assert found["block"].value == pytest.approx(1, abs=0.01)
+    assert not found["shoe_height"].passed
+    turned = plate(lambda _x, _y: 30.0)
+    along_x = replace(turned, vertices=turned.vertices[:, [1, 0, 2]] * [1, -1, 1])
+    assert findings(along_x)["block"].passed
+
+
+def test_open_solid_blocks_until_somebody_answers_for_it():
+    solid = plate(lambda _x, _y: 8.0)
+    found = check_solid(replace(solid, triangles=solid.triangles[1:]), read_rules())
+    with pytest.raises(DesignError, match="open or inside out"):
+        require_export(found)
+    with pytest.raises(DesignError, match="override the rule with a reason"):
+        require_export(found, Override("A. Berg", " ", "2026-11-20T10:00:00Z"))
+    record = require_export(found, Override("A. Berg", "closed by hand", "2026-11-20T10:00:00Z"))
+    assert json.loads(json.dumps(record))["override"]["reason"] == "closed by hand"
+    sound = require_export(check_solid(solid, read_rules()), Override("A", "b", "c"))
+    assert sound["override"] is None
+
+
+def test_check_that_is_off_is_not_made():
+    rules = Rules({"watertight": "off", "shoe_height": "blocking"}, {"shoe_height": 5.0})
+    found = check_solid(plate(lambda _x, _y: 8.0), rules)
+    assert [finding.name for finding in found] == ["shoe_height"]
+    assert found[0].blocks
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"format": "x"}, "no export rules"),
+        ({"rules": {"colour": {}}}, "must name checks"),
+        ({"rules": {"step": {"policy": "never"}}}, 'policy of "step"'),
+        ({"rules": {"step": {"policy": "warning"}}}, 'limit of "step"'),
+        ({"rules": {"step": {"policy": "warning", "limit": -1}}}, "must be 0 to 1000"),
+        ({"rules": {"block": {"policy": "warning", "size_mm": [1]}}}, "size_mm of the block"),
+    ],
+)
+def test_bad_rules(tmp_path: Path, change, sentence):
+    path = tmp_path / "rules.json"
+    path.write_text(
+        json.dumps({"format": "insole-export-rules", "version": 1, "rules": {}} | change)
+    )
+    with pytest.raises(InputError, match=sentence):
+        read_rules(path)
+
+
+def test_default_insole_can_leave_the_house(left_foot):
+    from insole_core.insole.build import build_insole
+    from insole_core.insole.design import InsoleDesign
+    from insole_core.solids.solid import insole_solid
+
+    solid = insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT)))
+    found = {finding.name: finding for finding in check_solid(solid, read_rules())}
+    require_export(tuple(found.values()))
+    assert found["thickness"].value > 0.3
+    assert found["undercut"].passed
