@@ -6,6 +6,7 @@ import logging
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 
@@ -25,8 +26,9 @@ from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.stages.design.stage import DesignStage
-from insole_studio.texts import tr
+from insole_studio.texts import load_language, tr
 from insole_studio.tools.brush import BrushTool
+from insole_studio.tools.correction_names import pad_text
 from insole_studio.tools.free_hand import FreeHandTool
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import KeyPointTool
@@ -39,7 +41,7 @@ from insole_studio.tools.tool import Tool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.pad_library import load_pelott_sizes
+from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section
 
 log = logging.getLogger(__name__)
@@ -83,10 +85,7 @@ class Application:
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
-        try:
-            save_settings(self.settings, self.places.settings_file)
-        except OutputError as error:
-            log.warning("the settings are not remembered: %s", error)
+        _remember(self.settings, self.places.settings_file)
         self.window.close_for_good()
         self.window.deleteLater()
 
@@ -94,23 +93,24 @@ class Application:
 def build_application(application: QApplication, places: Places) -> Application:
     """Construct the window and everything behind it; nothing is shown yet."""
     settings = load_settings(places.settings_file)
+    load_language(application, settings.language)
     dark = is_dark(settings.theme)
-    apply_theme(application, dark)
+    apply_theme(application, dark, settings.touch)
     jobs = Jobs()
     case = Case()
     surface = InsoleSurface(case, jobs)
-    section = Section()
+    section, pads = Section(), load_pads()
     hand = Hand(case, make_tools(section))
     stage = DesignStage(
         case=case,
         surface=surface,
         section=section,
         hand=hand,
-        sizes=load_pelott_sizes(),
+        pads=pads,
         dark=dark,
     )
     status = StatusBar(jobs)
-    window = MainWindow(stage, status)
+    window = MainWindow(stage, status, [pad_text(pad) for pad in pads])
     autosave = Autosave(case, jobs, places.autosave_folder)
     stage.pointed.connect(status.show_place)
     stage.hint_changed.connect(status.show_hint)
@@ -124,8 +124,13 @@ def build_application(application: QApplication, places: Places) -> Application:
         autosave=autosave,
         settings=settings,
         questions=Questions(window),
+        pads=pads,
+        remember=partial(_remember, settings, places.settings_file),
     )
     window.check_action("dark", dark)
+    window.check_action("touch", settings.touch)
+    window.check_action(f"language_{settings.language}", True)
+    studio.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
     window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
@@ -144,6 +149,14 @@ def make_tools(section: Section) -> tuple[Tool, ...]:
         PlaneTool(),
         SectionTool(section),
     )
+
+
+def _remember(settings: Settings, path: Path) -> None:
+    """Write the settings; a place that cannot be written costs a warning only."""
+    try:
+        save_settings(settings, path)
+    except OutputError as error:
+        log.warning("the settings are not remembered: %s", error)
 
 
 def run_application(
@@ -173,6 +186,8 @@ def run_application(
     app.window.show()
     for recovered in find_recovered(app.places.autosave_folder)[:1]:
         app.studio.offer_recovered(recovered)
+    if not app.settings.tour_seen:
+        QTimer.singleShot(0, app.window, app.studio.begin_tour)
     if paths:
         QTimer.singleShot(0, app.window, lambda: app.studio.open_path(paths[0], side))
     try:

@@ -16,20 +16,27 @@ VERSION = 1
 RECENT_COUNT = 8
 
 Theme = Literal["system", "light", "dark"]
+Language = Literal["system", "en", "sv"]
 
 
 @dataclass
 class Settings:
     """All settings of the window, with their defaults.
 
-    `window_geometry` and `window_docks` are Qt's own packed states in base64.
+    `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
+    which sensor gives which view (``left=SERIAL``).
     """
 
     theme: Theme = "system"
     linked_views: bool = True
+    language: Language = "system"
+    touch: bool = False
+    tour_seen: bool = False
+    author: str = ""
     recent: list[str] = field(default_factory=list)
     window_geometry: str = ""
     window_docks: str = ""
+    capture_views: list[str] = field(default_factory=list)
 
     def remember(self, path: Path) -> None:
         """Put `path` at the head of the recent files."""

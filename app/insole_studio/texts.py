@@ -2,9 +2,25 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
+
+from insole_core.resources import resource_path
+
+CONTEXT = "studio"
 
 
 def tr(text: str) -> str:
     """Give `text` in the language of the window."""
-    return QCoreApplication.translate("studio", text)
+    return QCoreApplication.translate(CONTEXT, text)
+
+
+def load_language(application: QCoreApplication, language: str) -> None:
+    """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay."""
+    for translator in application.findChildren(QTranslator):
+        application.removeTranslator(translator)
+        translator.deleteLater()
+    wanted = QLocale.system().name()[:2] if language == "system" else language
+    if wanted == "sv":
+        translator = QTranslator(application)
+        translator.load(str(resource_path("translations/insole_studio_sv.qm")))
+        application.installTranslator(translator)

@@ -16,6 +16,7 @@ from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Look
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.texts import tr
 
 MATERIAL = (232, 229, 222)
 CONTOUR = "#30363d"
@@ -327,7 +328,7 @@ def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray]
         np.array([middle[0], low[1] - WORD_GAP_MM[1], low[2]]),
         np.array([middle[0], high[1] + WORD_GAP_MM[1], low[2]]),
     ]
-    return places, ["Medial", "Lateral", "Heel", "Toes"]
+    return places, [tr("Medial"), tr("Lateral"), tr("Heel"), tr("Toes")]
 
 
 def _line_cells(lengths: tuple[int, ...]) -> IndexArray:

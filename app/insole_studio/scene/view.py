@@ -20,6 +20,7 @@ from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
 GRAB_PX = 14.0
+TOUCH_GRAB_PX = 28.0
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_STEP = 0.88
 
@@ -72,6 +73,8 @@ class SceneView(QWidget):
         self.side = Side.LEFT
         self.camera = Camera()
         self.handles: tuple[Handle, ...] = ()
+        self.grab_px = GRAB_PX
+        """How near the pointer must come to a handle."""
         self._mesh: TriangleMesh | None = None
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
@@ -286,7 +289,7 @@ class SceneView(QWidget):
         offset = self.look.pixels_of(places) - (position.x(), position.y())
         distance = np.hypot(*offset.T)
         nearest = int(np.argmin(distance))
-        return self.handles[nearest].name if distance[nearest] <= GRAB_PX else None
+        return self.handles[nearest].name if distance[nearest] <= self.grab_px else None
 
 
 def _holds(modifiers: Qt.KeyboardModifier, key: Qt.KeyboardModifier) -> bool:

@@ -16,6 +16,7 @@ from insole_core.insole.design import (
     Posting,
 )
 from insole_studio.scene.camera import Preset
+from insole_studio.settings import Language
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.texts import tr
 
@@ -59,6 +60,8 @@ class ActionRecord:
 
 
 SEPARATOR = ""
+MAPS = "maps"
+"""Where the toolbar offers the colour maps."""
 EXAMPLE = "example/example.insole"
 RECENT = "recent"
 """Where the menu lists what was open lately."""
@@ -85,8 +88,19 @@ def _prescription(
         f"add_{make().type}",
         text,
         tip,
-        lambda studio, _on: studio.prescribe(make()),
+        lambda studio, _on: studio.prescribing.prescribe(make()),
         needs_foot=True,
+    )
+
+
+def _language(key: Language, text: Callable[[], str]) -> ActionRecord:
+    return ActionRecord(
+        f"language_{key}",
+        text,
+        lambda: tr("The language of the window, from the next start on"),
+        lambda studio, on: studio.set_language(key) if on else None,
+        checkable=True,
+        group="languages",
     )
 
 
@@ -330,6 +344,67 @@ ACTIONS: tuple[ActionRecord, ...] = (
         checkable=True,
     ),
     ActionRecord(
+        "touch",
+        lambda: tr("Touch mode"),
+        lambda: tr("Large targets for fingers"),
+        lambda studio, on: studio.set_touch(on),
+        checkable=True,
+    ),
+    _language("system", lambda: tr("Language of the system")),
+    _language("en", lambda: "English"),
+    _language("sv", lambda: "Svenska"),
+    ActionRecord(
+        "print_outline",
+        lambda: tr("Print outline 1:1…"),
+        lambda: tr("Write the outline of the insole in true size as a PDF"),
+        lambda studio, _on: studio.ask_print_outline(),
+        shortcut="Ctrl+P",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "confirm_landmarks",
+        lambda: tr("Confirm landmarks"),
+        lambda: tr("Take all landmarks as they are shown"),
+        lambda studio, _on: studio.prescribing.confirm_landmarks(),
+        shortcut="Ctrl+K",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "find_landmarks",
+        lambda: tr("Find landmarks anew"),
+        lambda: tr("Forget the landmarks that were set by hand"),
+        lambda studio, _on: studio.prescribing.find_landmarks(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_template",
+        lambda: tr("Save as template…"),
+        lambda: tr("Save the prescription without the patient, for other feet"),
+        lambda studio, _on: studio.prescribing.ask_save_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "apply_template",
+        lambda: tr("Apply template…"),
+        lambda: tr("Prescribe what a template holds; one of the other side is mirrored"),
+        lambda studio, _on: studio.prescribing.ask_apply_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "repeat_design",
+        lambda: tr("Repeat the design of a case…"),
+        lambda: tr("Prescribe on this scan what an earlier case prescribes"),
+        lambda studio, _on: studio.prescribing.ask_repeat_design(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "tour",
+        lambda: tr("Take the tour"),
+        lambda: tr("The window in five steps"),
+        lambda studio, _on: studio.begin_tour(),
+        shortcut="F1",
+    ),
+    ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),
@@ -363,6 +438,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "save",
             "save_as",
             "export",
+            "print_outline",
             SEPARATOR,
             "quit",
         ),
@@ -386,6 +462,10 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "wireframe",
             SEPARATOR,
             "dark",
+            "touch",
+            "language_system",
+            "language_en",
+            "language_sv",
         ),
     ),
     (
@@ -401,15 +481,22 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_heel_lift",
             "add_heel_cup",
             "add_arch_raise",
+            SEPARATOR,
+            "confirm_landmarks",
+            "find_landmarks",
+            SEPARATOR,
+            "apply_template",
+            "save_template",
+            "repeat_design",
         ),
     ),
-    (lambda: tr("&Help"), ("about",)),
+    (lambda: tr("&Help"), ("tour", "about")),
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (
     ("open_session", "open_archive", "save", "export"),
     TOOL_KEYS,
-    ("fit", "linked"),
+    ("fit", "linked", MAPS),
     ("undo", "redo"),
 )
 """Parts of the toolbar; the last stands at the right."""

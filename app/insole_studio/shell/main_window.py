@@ -5,10 +5,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QToolButton, QWidget
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QResizeEvent
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QMainWindow,
+    QMenu,
+    QSizePolicy,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
 
-from insole_studio.shell.actions import ACTIONS, MENUS, RECENT, SEPARATOR, TOOLBAR, ActionRecord
+from insole_studio.shell.actions import (
+    ACTIONS,
+    MAP_KEYS,
+    MAPS,
+    MENUS,
+    RECENT,
+    SEPARATOR,
+    TOOLBAR,
+    ActionRecord,
+)
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -16,7 +33,7 @@ from insole_studio.widgets.icons import icon
 
 PATIENT_PX = 248
 PARAMETERS_PX = 152
-SECTION_SHARE = 0.36
+SECTION_SHARE = 0.34
 
 
 class MainWindow(QMainWindow):
@@ -25,14 +42,18 @@ class MainWindow(QMainWindow):
     action_triggered = Signal(str, bool)
     close_requested = Signal()
     recent_chosen = Signal(str)
+    pad_chosen = Signal(int)
+    layout_changed = Signal()
 
-    def __init__(self, stage: DesignStage, status: StatusBar) -> None:
+    def __init__(self, stage: DesignStage, status: StatusBar, pads: Sequence[str]) -> None:
         super().__init__()
         self._may_close = False
         self.setStatusBar(status)
         self.actions_by_key = {record.key: self._make_action(record) for record in ACTIONS}
         self._group_actions()
         self._make_menus()
+        self._pads = pads
+        self._make_strip(stage)
         self._make_toolbar()
         self.setCentralWidget(stage.insole)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
@@ -68,6 +89,7 @@ class MainWindow(QMainWindow):
         for record in ACTIONS:
             if record.icon:
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
+        self._maps.setIcon(icon("map"))
 
     def show_recent(self, names: Sequence[str]) -> None:
         """List what was open lately."""
@@ -156,6 +178,13 @@ class MainWindow(QMainWindow):
                 else:
                     menu.addAction(self.actions_by_key[key])
 
+    def _make_strip(self, stage: DesignStage) -> None:
+        bar = self.addToolBar(tr("Steps"))
+        bar.setObjectName("steps")
+        bar.setMovable(False)
+        bar.addWidget(stage.steps)
+        self.addToolBarBreak()
+
     def _make_toolbar(self) -> None:
         bar = self.addToolBar(tr("Tools"))
         bar.setObjectName("toolbar")
@@ -166,19 +195,63 @@ class MainWindow(QMainWindow):
             elif number:
                 bar.addSeparator()
             for key in part:
-                bar.addAction(self.actions_by_key[key])
-                self._style_button(bar, key)
+                if key == MAPS:
+                    bar.addWidget(self._maps_button())
+                else:
+                    bar.addAction(self.actions_by_key[key])
+                    self._style_button(bar, key)
 
     def _style_button(self, bar: QToolBar, key: str) -> None:
         button = bar.widgetForAction(self.actions_by_key[key])
         if key.startswith("tool_") and isinstance(button, QToolButton):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        if key == "tool_pelott" and isinstance(button, QToolButton):
+            button.setMenu(self._pad_menu(button))
+            button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+
+    def _pad_menu(self, parent: QWidget) -> QMenu:
+        menu = QMenu(parent)
+        for number, text in enumerate(self._pads):
+            action = menu.addAction(text)
+            action.setData(number)
+            action.triggered.connect(self._choose_pad)
+        return menu
+
+    def _maps_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setText(tr("Maps"))
+        button.setIcon(icon("map"))
+        button.setToolTip(tr("Colour maps, contour lines and wireframe"))
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(button)
+        for key in (*MAP_KEYS, "contours", "wireframe"):
+            menu.addAction(self.actions_by_key[key])
+        button.setMenu(menu)
+        self._maps = button
+        return button
+
+    def _choose_pad(self) -> None:
+        action = self.sender()
+        assert isinstance(action, QAction)
+        self.pad_chosen.emit(action.data())
 
     def _dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
         dock.setObjectName(f"dock-{name}")
         dock.setWidget(panel)
+        dock.visibilityChanged.connect(self._note_layout)
+        dock.dockLocationChanged.connect(self._note_layout)
         return dock
+
+    def _note_layout(self) -> None:
+        if self.isVisible():
+            self.layout_changed.emit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Tell that the layout is another one."""
+        super().resizeEvent(event)
+        self._note_layout()
 
     def _place_docks(self) -> None:
         area = Qt.DockWidgetArea

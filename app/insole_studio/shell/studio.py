@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from insole_core.cases.case_file import read_case, write_case
@@ -18,23 +18,26 @@ from insole_core.export.three_mf import Part
 from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import Correction
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
 from insole_core.solids.solid import make_solid
 from insole_studio.jobs import Jobs
 from insole_studio.scene.camera import Preset
-from insole_studio.settings import Settings
+from insole_studio.settings import Language, Settings
 from insole_studio.shell.actions import ACTIONS, EXAMPLE
 from insole_studio.shell.main_window import MainWindow
+from insole_studio.shell.outline_print import print_outline
+from insole_studio.shell.prescribing import Prescribing, case_kinds
 from insole_studio.shell.questions import Answer, Questions
-from insole_studio.shell.theme import apply_theme
+from insole_studio.shell.steps import steps_of, whose
+from insole_studio.shell.theme import apply_theme, is_dark
+from insole_studio.shell.tour_stops import tour_stops
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
-from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import Hand
 from insole_studio.widgets.error_dialog import ErrorDialog
+from insole_studio.widgets.tour import Tour
 from insole_studio.workbench.autosave import Autosave, Recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.opening import (
@@ -45,8 +48,11 @@ from insole_studio.workbench.opening import (
     open_mesh,
     open_session,
 )
+from insole_studio.workbench.pad_library import LibraryPad
 
 OPENING, SAVING, EXPORTING = "open", "save", "export"
+LAYOUT_REST_MS = 600
+_STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
 SOLID_KINDS = "STL (*.stl);;3MF (*.3mf);;OBJ (*.obj);;PLY (*.ply)"
 
 
@@ -54,6 +60,7 @@ class Studio(QObject):
     """The controller of the window. Constructed by the composition root."""
 
     closed = Signal()
+    prescribing: Prescribing
 
     def __init__(
         self,
@@ -66,6 +73,8 @@ class Studio(QObject):
         autosave: Autosave,
         settings: Settings,
         questions: Questions,
+        pads: Sequence[LibraryPad] = (),
+        remember: Callable[[], None] = lambda: None,
     ) -> None:
         super().__init__()
         self.window = window
@@ -76,12 +85,22 @@ class Studio(QObject):
         self._jobs = jobs
         self._autosave = autosave
         self._settings = settings
+        self.prescribing = Prescribing(case, hand, pads, self)
+        self._remember_settings = remember
+        self._exported: CaseRecord | None = None
         self._actions = {record.key: record for record in ACTIONS}
         self.dialogs: list[ErrorDialog] = []
         window.action_triggered.connect(self.run_action)
         window.close_requested.connect(self.quit)
         window.recent_chosen.connect(self._open_recent)
+        window.pad_chosen.connect(self.prescribing.take_pad)
         stage.offer_chosen.connect(self._take_offer)
+        stage.steps.chosen.connect(self._go_to_step)
+        self._layout_rest = QTimer(window)
+        self._layout_rest.setSingleShot(True)
+        self._layout_rest.setInterval(LAYOUT_REST_MS)
+        self._layout_rest.timeout.connect(self._remember_layout)
+        window.layout_changed.connect(self._layout_rest.start)
         case.opened.connect(self._show_state)
         case.changed.connect(self._show_state)
         case.saved_changed.connect(self._show_state)
@@ -117,7 +136,7 @@ class Studio(QObject):
 
     def ask_open_case(self) -> None:
         """Let the user choose a case."""
-        self._open_chosen(self.questions.file_to_open(_case_kinds()))
+        self._open_chosen(self.questions.file_to_open(case_kinds()))
 
     def ask_open_session(self) -> None:
         """Let the user choose the folder of a session."""
@@ -142,7 +161,7 @@ class Studio(QObject):
     def ask_save(self, then: Callable[[], None] = lambda: None) -> None:
         """Let the user choose where to save."""
         suggestion = f"{self._file_stem()}{CASE_SUFFIX}"
-        path = self.questions.file_to_write(suggestion, _case_kinds())
+        path = self.questions.file_to_write(suggestion, case_kinds())
         if path is not None:
             self.save_to(path.with_suffix(CASE_SUFFIX), then)
 
@@ -169,7 +188,8 @@ class Studio(QObject):
 
     def export_to(self, path: Path) -> None:
         """Build the insole anew and write it, beside the window."""
-        foot, design = self.case.record.foot, self.case.record.design
+        record = self.case.record
+        foot, design = record.foot, record.design
         if foot is None or design is None:
             self.show_sentence(tr("There is no insole to export yet; open a session or a mesh."))
             return
@@ -181,8 +201,33 @@ class Studio(QObject):
             write_solids([Part(solid, f"{design.side} insole")], path)
 
         def done(_nothing: None) -> None:
-            message = tr("Exported {name}").format(name=path.name)
-            self.window.statusBar().showMessage(message, 5000)
+            self._exported = record
+            self._show_state()
+            self.say(tr("Exported {name}").format(name=path.name))
+
+        self._jobs.start(EXPORTING, write, done, self.show_error)
+
+    def ask_print_outline(self) -> None:
+        """Let the user choose where the PDF goes."""
+        path = self.questions.file_to_write(f"{self._file_stem()}-outline.pdf", "PDF (*.pdf)")
+        if path is not None:
+            self.print_outline_to(path.with_suffix(".pdf"))
+
+    def print_outline_to(self, path: Path) -> None:
+        """Write the outline in true size."""
+        record = self.case.record
+        foot, design = record.foot, record.design
+        if foot is None or design is None:
+            return
+        text = "   ".join(part for part in (whose(record), record.patient.visit) if part)
+
+        def write(progress: Progress) -> None:
+            insole = build_insole(foot, design, progress.part(0.0, 0.9))
+            progress.step(0.9, tr("Writing the file"))
+            print_outline(insole, text, path)
+
+        def done(_nothing: None) -> None:
+            self.say(tr("Written: {name}").format(name=path.name))
 
         self._jobs.start(EXPORTING, write, done, self.show_error)
 
@@ -201,15 +246,6 @@ class Studio(QObject):
         design, selected = self.case.record.design, self.case.selection
         if design is not None and selected is not None:
             self.case.apply(design.with_removed(selected), tr("Remove a correction"))
-
-    def prescribe(self, correction: Correction) -> None:
-        """Add a correction and show its values."""
-        design = self.case.record.design
-        if design is None:
-            return
-        new = self.case.stamped(correction)
-        self.case.apply(design.with_added(new), tr("Add: {name}").format(name=name_of(new)))
-        self.case.select(new.id)
 
     def take_tool(self, key: str) -> None:
         """Take a tool into the hand."""
@@ -243,15 +279,38 @@ class Studio(QObject):
         """Let the views move together or not."""
         self._settings.linked_views = linked
         self.stage.set_linked(linked)
+        self._remember_settings()
 
     def set_dark(self, dark: bool) -> None:
         """Change the theme."""
         self._settings.theme = "dark" if dark else "light"
         application = QApplication.instance()
         assert isinstance(application, QApplication)
-        apply_theme(application, dark)
+        apply_theme(application, dark, self._settings.touch)
         self.window.renew_icons()
         self.stage.set_dark(dark)
+        self._remember_settings()
+
+    def set_touch(self, touch: bool) -> None:
+        """Make the targets large enough for fingers, or small again."""
+        self._settings.touch = touch
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        apply_theme(application, is_dark(self._settings.theme), touch)
+        self.stage.set_touch(touch)
+        self._remember_settings()
+
+    def set_language(self, language: Language) -> None:
+        """Speak another language from the next start on."""
+        self._settings.language = language
+        self._remember_settings()
+        self.say(tr("The window speaks this language from the next start on."))
+
+    def begin_tour(self) -> None:
+        """Show the window in five steps."""
+        tour = Tour(tour_stops(self.stage), self.window)
+        tour.ended.connect(self._end_tour)
+        tour.begin()
 
     def show_about(self) -> None:
         """Say what this program is."""
@@ -286,11 +345,32 @@ class Studio(QObject):
         """Close, once nothing can be lost."""
         self._after_unsaved(self._close)
 
+    def say(self, text: str) -> None:
+        """Say something in the status line."""
+        self.window.statusBar().showMessage(text, 5000)
+
+    def _end_tour(self) -> None:
+        self._settings.tour_seen = True
+        self._remember_settings()
+
+    def _remember_layout(self) -> None:
+        layout = self.window.layout_state()
+        self._settings.window_geometry, self._settings.window_docks = layout
+        self._remember_settings()
+
+    def _go_to_step(self, key: str) -> None:
+        if key == "patient":
+            self.stage.patient.setFocus()
+        elif key == "capture":
+            self.ask_open_session()
+        elif self.case.foot is not None:
+            self.run_action(_STEP_ACTIONS[key], True)
+
     def _close(self) -> None:
         self._hand.cancel()
         self._autosave.forget()
-        layout = self.window.layout_state()
-        self._settings.window_geometry, self._settings.window_docks = layout
+        self._remember_layout()
+        self._layout_rest.stop()
         self.window.close_for_good()
         self.closed.emit()
 
@@ -381,6 +461,8 @@ class Studio(QObject):
             if record.needs_foot:
                 window.show_action(record.key, case.foot is not None)
         window.show_action("remove", case.selection is not None)
+        self.stage.steps.show_steps(steps_of(case.record, case.record is self._exported))
+        self.stage.steps.show_whose(whose(case.record))
 
     def _show_tool(self) -> None:
         self.window.check_action(f"tool_{self._hand.tool.key}", True)
@@ -406,10 +488,6 @@ class Studio(QObject):
         name = self._name() if self.case.record.patient.name or self.case.path else "insole"
         side = self.case.side
         return f"{name}-{side.value}" if side is not None and side.value not in name else name
-
-
-def _case_kinds() -> str:
-    return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
 
 
 def _cause(error: Exception) -> str:

@@ -60,12 +60,12 @@ def is_dark(theme: Theme) -> bool:
     return theme == "dark"
 
 
-def apply_theme(application: QApplication, dark: bool) -> None:
-    """Give the whole application its palette, style and icon colours."""
+def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> None:
+    """Give the whole application its palette, style and icon colours; `touch` for fingers."""
     colors = DARK if dark else LIGHT
     application.setStyle("Fusion")
     application.setPalette(_palette(colors))
-    application.setStyleSheet(_style_sheet(colors))
+    application.setStyleSheet(_style_sheet(colors) + (_TOUCH if touch else ""))
 
 
 def _palette(colors: Colors) -> QPalette:
@@ -107,8 +107,24 @@ def _style_sheet(colors: Colors) -> str:
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
     QToolButton#row {{ text-align: left; padding: 3px 6px; }}
+    QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}
+    QToolButton#step[state="current"] {{ color: {colors.text}; font-weight: 600; }}
+    QToolButton#step[state="done"] {{ color: {colors.text}; }}
+    QToolButton#warning-row {{ background: {colors.warning}; color: {colors.on_warning};
+                               border-radius: 4px; padding: 3px 8px; text-align: left; }}
+    QFrame#tour {{ background: {colors.base}; border: 2px solid {colors.accent};
+                   border-radius: 8px; }}
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}
     QStatusBar::item {{ border: none; }}
     """
+
+
+_TOUCH = """
+    QToolButton, QPushButton, QComboBox, QLineEdit, QDoubleSpinBox { min-height: 40px; }
+    QToolButton { min-width: 40px; }
+    QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 36px; }
+    QMenu::item, QMenuBar::item { padding: 12px 20px; }
+    """
+"""Targets that a finger meets."""

@@ -16,6 +16,7 @@ from insole_core.insole.design import (
     Posting,
 )
 from insole_studio.texts import tr
+from insole_studio.workbench.pad_library import LibraryPad
 
 PAD_NAMES: dict[str, Callable[[], str]] = {
     "egg": lambda: tr("Pelott"),
@@ -53,6 +54,19 @@ WORDS: dict[str, Callable[[], str]] = {
     "three_quarter": lambda: tr("Three-quarter"),
 }
 """The words that a prescription may hold where it offers a choice."""
+
+
+KIND_NAMES: dict[str, Callable[[], str]] = {
+    "pelott": PAD_NAMES["egg"],
+    "first_ray_cut_out": lambda: tr("1st-ray cut-out"),
+    **PAD_NAMES,
+}
+
+
+def pad_text(pad: LibraryPad) -> str:
+    """Name a pad of the library with its size."""
+    name = KIND_NAMES[pad.kind]() if pad.kind in KIND_NAMES else pad.kind
+    return f"{name} {pad.size}   {_size(pad.template)}"
 
 
 def name_of(correction: Correction) -> str:

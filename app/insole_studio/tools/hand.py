@@ -20,7 +20,7 @@ class Hand(QObject):
     def __init__(self, case: Case, tools: Sequence[Tool], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._case = case
-        self._tools = {tool.key: tool for tool in tools}
+        self.tools = {tool.key: tool for tool in tools}
         self._gesture: Gesture | None = None
         self.tool = tools[0]
         case.opened.connect(self.cancel)
@@ -28,7 +28,7 @@ class Hand(QObject):
     def take(self, key: str) -> None:
         """Take another tool."""
         self.cancel()
-        self.tool = self._tools[key]
+        self.tool = self.tools[key]
         self.tool_changed.emit()
 
     @property

@@ -1,11 +1,11 @@
-"""The sizes of pads that a clinic keeps: data, not code."""
+"""The pads that a clinic keeps: data, not code."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from insole_core.insole.design import Pelott
-from insole_core.insole.limits import CORRECTION_RANGES
+from insole_core.insole.limits import CORRECTION_RANGES, PELOTT_SHAPES
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -13,22 +13,25 @@ SIZES = ("length_mm", "width_mm", "height_mm")
 
 
 @dataclass(frozen=True)
-class PadSize:
-    """A named size."""
+class LibraryPad:
+    """A pad of the library.
 
-    name: str
-    length_mm: float
-    width_mm: float
-    height_mm: float
+    Parameters
+    ----------
+    kind
+        Its group: "pelott", "bar", …
+    size
+        Its size within the group: "S", "M", "L".
+    template
+        The pad, without a place.
+    """
 
-    def of(self, pad: Pelott) -> Pelott:
-        """Give a pad this size."""
-        return replace(
-            pad, length_mm=self.length_mm, width_mm=self.width_mm, height_mm=self.height_mm
-        )
+    kind: str
+    size: str
+    template: Pelott
 
 
-def load_pelott_sizes() -> tuple[PadSize, ...]:
+def load_pads() -> tuple[LibraryPad, ...]:
     """Read the library.
 
     Raises
@@ -40,12 +43,19 @@ def load_pelott_sizes() -> tuple[PadSize, ...]:
     library = JsonObject.parse(path.name, path.read_bytes())
     library.choice("format", ["insole-pad-library"])
     library.integer("version", 1, 1)
-    return tuple(_size(pad) for pad in library.objects("pelotts"))
+    return tuple(_pad(pad) for pad in library.objects("pads"))
 
 
-def _size(pad: JsonObject) -> PadSize:
+def _pad(pad: JsonObject) -> LibraryPad:
     allowed = CORRECTION_RANGES[Pelott]
-    numbers = {
-        name: pad.number(name, allowed[name].least, allowed[name].greatest) for name in SIZES
-    }
-    return PadSize(pad.text("name"), **numbers)
+    length, width, height = (
+        pad.number(name, allowed[name].least, allowed[name].greatest) for name in SIZES
+    )
+    template = Pelott(
+        centre_mm=(0.0, 0.0),
+        shape=pad.choice("shape", list(PELOTT_SHAPES)),
+        length_mm=length,
+        width_mm=width,
+        height_mm=height,
+    )
+    return LibraryPad(pad.text("kind"), pad.text("size"), template)

@@ -24,7 +24,7 @@ from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.pad_library import load_pelott_sizes
+from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section, SectionPlane
 
 
@@ -167,7 +167,7 @@ class TestPatient:
 class TestParameters:
     @pytest.fixture
     def presenter(self, view: Any, case: Case, hand: Hand) -> ParametersPresenter:
-        return ParametersPresenter(view, case, hand, load_pelott_sizes())
+        return ParametersPresenter(view, case, hand, load_pads())
 
     def test_numbers_of_the_selected_pelott(
         self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
@@ -199,7 +199,7 @@ class TestParameters:
     ) -> None:
         open_foot()
         case.select(add_pelott(case).id)
-        view.offer_chosen.emit("size.M")
+        view.offer_chosen.emit("size.1")
         assert case.record.design is not None
         (pad,) = case.record.design.corrections
         assert isinstance(pad, Pelott)
@@ -210,7 +210,7 @@ class TestParameters:
     ) -> None:
         open_foot()
         hand.take("pelott")
-        view.offer_chosen.emit("size.L")
+        view.offer_chosen.emit("size.2")
         view.field_edited.emit("template.height_mm", 5.0)
         assert isinstance(hand.tool, PelottTool)
         assert (hand.tool.template.width_mm, hand.tool.template.height_mm) == (60, 5)

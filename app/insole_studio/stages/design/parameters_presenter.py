@@ -24,7 +24,7 @@ from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
 from insole_studio.tools.tool import with_number
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.pad_library import PadSize
+from insole_studio.workbench.pad_library import LibraryPad
 
 ANGLE = Range(-90, 90, "degrees")
 PLACE = Range(-400, 400)
@@ -44,12 +44,12 @@ class ParametersPresenter:
     """Shows the values of the selected correction and of the insole, and takes new ones."""
 
     def __init__(
-        self, panel: ParametersPanel, case: Case, hand: Hand, sizes: Sequence[PadSize]
+        self, panel: ParametersPanel, case: Case, hand: Hand, pads: Sequence[LibraryPad]
     ) -> None:
         self._panel = panel
         self._case = case
         self._hand = hand
-        self._sizes = sizes
+        self._pads = pads
         panel.field_edited.connect(self.edit)
         panel.offer_chosen.connect(self.choose)
         case.opened.connect(self.show)
@@ -78,7 +78,7 @@ class ParametersPresenter:
         """Do what a button offers."""
         kind, name = key.split(".", 1)
         if kind == "size":
-            self._take_size(next(size for size in self._sizes if size.name == name))
+            self._take_size(self._pads[int(name)].template)
         elif kind == "remove":
             self._remove(name)
 
@@ -114,23 +114,22 @@ class ParametersPresenter:
         return FieldGroup(title, fields, self._size_offers(template))
 
     def _size_offers(self, correction: Correction) -> tuple[Offer, ...]:
-        if not isinstance(correction, Pelott) or correction.shape != "egg":
+        """Give the sizes that the library has of the same shape."""
+        if not isinstance(correction, Pelott):
             return ()
         return tuple(
-            Offer(
-                f"size.{size.name}",
-                f"{size.name}   {size.length_mm:g} × {size.width_mm:g} × {size.height_mm:g}",
-            )
-            for size in self._sizes
+            Offer(f"size.{number}", pad.size)
+            for number, pad in enumerate(self._pads)
+            if pad.template.shape == correction.shape
         )
 
-    def _take_size(self, size: PadSize) -> None:
+    def _take_size(self, size: Pelott) -> None:
         pad, design = selected_pelott(self._case), self._case.record.design
         if pad is not None and design is not None:
-            changed = design.with_changed(size.of(pad))
-            self._case.apply(changed, tr("Take a pelott size"))
+            changed = design.with_changed(_sized(pad, size))
+            self._case.apply(changed, tr("Take a size of the library"))
         elif isinstance(self._hand.tool, PelottTool):
-            self._hand.tool.template = size.of(self._hand.tool.template)
+            self._hand.tool.template = _sized(self._hand.tool.template, size)
             self.show()
 
     def _remove(self, name: str) -> None:
@@ -192,6 +191,10 @@ class ParametersPresenter:
         )
         changed = replace(annotations, plane=turned)
         self._case.apply(changed, tr("Turn the reference plane"), f"plane:{name}")
+
+
+def _sized(pad: Pelott, size: Pelott) -> Pelott:
+    return replace(pad, length_mm=size.length_mm, width_mm=size.width_mm, height_mm=size.height_mm)
 
 
 def _posting_group(posting: Posting) -> FieldGroup:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_studio.scene.camera import Camera, Preset, Subject
 from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.stages.design.model_presenter import (
     FootPresenter,
     InsolePresenter,
@@ -23,9 +24,10 @@ from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.widgets.section_chart import SectionChart
+from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.pad_library import PadSize
+from insole_studio.workbench.pad_library import LibraryPad
 from insole_studio.workbench.section import Section
 
 
@@ -43,7 +45,7 @@ class DesignStage(QObject):
         surface: InsoleSurface,
         section: Section,
         hand: Hand,
-        sizes: Sequence[PadSize],
+        pads: Sequence[LibraryPad],
         dark: bool,
         parent: QObject | None = None,
     ) -> None:
@@ -51,6 +53,7 @@ class DesignStage(QObject):
         self._case = case
         self._hand = hand
         self.linked = True
+        self.steps = StepStrip()
         self.patient = PatientView()
         self.parameters = ParametersView()
         self.section = SectionChart()
@@ -63,7 +66,7 @@ class DesignStage(QObject):
             Subject.INSOLE: (self.insole, self.insole_presenter),
         }
         self._patient_presenter = PatientPresenter(self.patient, case)
-        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, sizes)
+        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, pads)
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
@@ -93,6 +96,11 @@ class DesignStage(QObject):
         self.linked = linked
         if linked:
             self.insole.scene.set_camera(self.foot.scene.camera)
+
+    def set_touch(self, touch: bool) -> None:
+        """Let handles be met by a finger, or by a mouse."""
+        for view, _ in self._presenters.values():
+            view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
 
     def set_dark(self, dark: bool) -> None:
         """Change the scheme of the scenes."""

@@ -1,0 +1,173 @@
+"""What the Prescribe menu does beyond single corrections: templates, repetition, landmarks."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Protocol
+
+from insole_core.cases.case_file import read_case
+from insole_core.errors import InputError
+from insole_core.export.atomic import replacing_file
+from insole_core.insole.corrections import CorrectionBase
+from insole_core.insole.design import Correction, InsoleDesign
+from insole_core.insole.design_json import design_to_json, read_design
+from insole_core.insole.mirroring import mirrored, with_places
+from insole_studio.shell.questions import Questions
+from insole_studio.texts import tr
+from insole_studio.tools.correction_names import name_of
+from insole_studio.tools.hand import Hand
+from insole_studio.tools.pelott import PelottTool
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.landmarks import confirmed, found_anew
+from insole_studio.workbench.opening import CASE_SUFFIX
+from insole_studio.workbench.pad_library import LibraryPad
+
+TEMPLATE_SUFFIX = ".insole-template"
+_AS_TEMPLATE_MM = 250.0
+"""The length of foot that the places of a template are given for."""
+
+
+class Asking(Protocol):
+    """Who asks the user, and tells what was done."""
+
+    questions: Questions
+
+    def say(self, text: str) -> None:
+        """Say something in the status line."""
+        ...
+
+
+class Prescribing:
+    """The actions of the Prescribe menu."""
+
+    def __init__(self, case: Case, hand: Hand, pads: Sequence[LibraryPad], asking: Asking) -> None:
+        self._case = case
+        self._hand = hand
+        self._pads = pads
+        self._asking = asking
+
+    def prescribe(self, correction: Correction) -> None:
+        """Add a correction and show its values."""
+        design = self._case.record.design
+        if design is None:
+            return
+        new = self._case.stamped(correction)
+        self._case.apply(design.with_added(new), tr("Add: {name}").format(name=name_of(new)))
+        self._case.select(new.id)
+
+    def take_pad(self, number: int) -> None:
+        """Take the pad tool with a pad of the library."""
+        tool = self._hand.tools["pelott"]
+        assert isinstance(tool, PelottTool)
+        tool.template = self._pads[number].template
+        self._case.select(None)
+        self._hand.take("pelott")
+
+    def ask_save_template(self) -> None:
+        """Let the user choose where the template goes."""
+        path = self._asking.questions.file_to_write(f"template{TEMPLATE_SUFFIX}", template_kinds())
+        if path is not None and self._case.record.design is not None:
+            save_template(self._case, path.with_suffix(TEMPLATE_SUFFIX))
+            self._asking.say(tr("Written: {name}").format(name=path.name))
+
+    def ask_apply_template(self) -> None:
+        """Let the user choose a template."""
+        path = self._asking.questions.file_to_open(template_kinds())
+        if path is not None and self._case.record.design is not None:
+            self._case.apply(template_for(self._case, path), tr("Apply a template"))
+
+    def ask_repeat_design(self) -> None:
+        """Let the user choose an earlier case."""
+        path = self._asking.questions.file_to_open(case_kinds())
+        if path is not None and self._case.record.design is not None:
+            design = design_of_case(self._case, path)
+            self._case.apply(design, tr("Repeat the design of an earlier case"))
+
+    def confirm_landmarks(self) -> None:
+        """Take all landmarks as they are shown."""
+        self._case.apply(confirmed(self._case.record), tr("Confirm the landmarks"))
+
+    def find_landmarks(self) -> None:
+        """Forget the landmarks that were set by hand."""
+        anew = found_anew(self._case.record.annotations)
+        self._case.apply(anew, tr("Find the landmarks anew"))
+
+
+def case_kinds() -> str:
+    """Name the files of cases, for a dialog."""
+    return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
+
+
+def template_kinds() -> str:
+    """Name the files of templates, for a dialog."""
+    return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"
+
+
+def save_template(case: Case, path: Path) -> None:
+    """Write the prescription, scaled along to a foot of 250 mm, without author and date.
+
+    Raises
+    ------
+    OutputError
+    """
+    design, foot = case.record.design, case.record.foot
+    assert design is not None
+    assert foot is not None
+    plain = tuple(replace(c, author="", created_at="") for c in design.corrections)
+    template = _moved(replace(design, corrections=plain), _AS_TEMPLATE_MM / foot.length_mm)
+    with replacing_file(path) as beside:
+        beside.write_text(json.dumps(design_to_json(template), indent=1), encoding="utf-8")
+
+
+def template_for(case: Case, path: Path) -> InsoleDesign:
+    """Read a template for the open foot: mirrored where it is of the other side.
+
+    Raises
+    ------
+    InputError
+        When it is no design, or one of a newer version.
+    """
+    foot = case.record.foot
+    assert foot is not None
+    return _fitted(case, read_design(path), foot.length_mm / _AS_TEMPLATE_MM)
+
+
+def design_of_case(case: Case, path: Path) -> InsoleDesign:
+    """Read the prescription of another case for the open foot.
+
+    Raises
+    ------
+    InputError
+        When the file is no case, or holds no prescription.
+    """
+    foot, earlier = case.record.foot, read_case(path)
+    assert foot is not None
+    if earlier.design is None or earlier.foot is None:
+        raise InputError(f"{path} holds no prescription yet; choose a case with a design.")
+    return _fitted(case, earlier.design, foot.length_mm / earlier.foot.length_mm)
+
+
+def _fitted(case: Case, design: InsoleDesign, share: float) -> InsoleDesign:
+    """Bring a prescription to the open foot; sizes and heights of pads stay as they are."""
+    if design.side is not case.side:
+        design = mirrored(design)
+    fresh = tuple(
+        case.stamped(replace(c, id=CorrectionBase().id)) for c in _moved(design, share).corrections
+    )
+    return replace(design, corrections=fresh, outline=_moved(design, share).outline)
+
+
+def _moved(design: InsoleDesign, share: float) -> InsoleDesign:
+    """Put all places where they belong on a foot `share` times as long."""
+
+    def move(place: tuple[float, float]) -> tuple[float, float]:
+        return round(place[0] * share, 2), round(place[1] * share, 2)
+
+    return replace(
+        design,
+        corrections=tuple(with_places(c, move) for c in design.corrections),
+        outline=with_places(design.outline, move),
+    )

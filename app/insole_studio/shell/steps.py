@@ -1,0 +1,47 @@
+"""How far the open case has come on the path from patient to insole."""
+
+from __future__ import annotations
+
+from insole_core.cases.record import CaseRecord
+from insole_core.foot.landmarks import NAMES
+from insole_core.geometry.side import Side
+from insole_studio.texts import tr
+from insole_studio.widgets.step_strip import Step, StepState
+
+
+def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
+    """Give the five steps; the first that is not done is the current one."""
+    done = {
+        "patient": bool(record.patient.name),
+        "capture": record.foot is not None,
+        "foot": any(point.name in NAMES for point in record.annotations.key_points),
+        "design": record.design is not None and bool(record.design.corrections),
+        "export": exported,
+    }
+    current = next((key for key, is_done in done.items() if not is_done), "")
+    return [
+        Step(key, _texts()[key], _state(is_done, key == current)) for key, is_done in done.items()
+    ]
+
+
+def whose(record: CaseRecord) -> str:
+    """Say whose case it is, and which foot."""
+    side = {Side.LEFT: tr("LEFT foot"), Side.RIGHT: tr("RIGHT foot")}
+    words = (record.patient.name, side[record.side] if record.side is not None else "")
+    return "  ·  ".join(word for word in words if word)
+
+
+def _state(done: bool, current: bool) -> StepState:
+    if done:
+        return StepState.DONE
+    return StepState.CURRENT if current else StepState.OPEN
+
+
+def _texts() -> dict[str, str]:
+    return {
+        "patient": tr("Patient"),
+        "capture": tr("Capture"),
+        "foot": tr("Foot"),
+        "design": tr("Design"),
+        "export": tr("Check & export").replace("&", "&&"),
+    }

@@ -1,0 +1,80 @@
+"""The path from patient to insole, always visible: what is done, what is next, what is open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+
+class StepState(StrEnum):
+    """How far a step has come."""
+
+    DONE = "done"
+    CURRENT = "current"
+    OPEN = "open"
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step: its key, its text, and how far it is."""
+
+    key: str
+    text: str
+    state: StepState
+
+
+_MARKS = {StepState.DONE: "●", StepState.CURRENT: "◉", StepState.OPEN: "○"}
+
+
+class StepStrip(QWidget):
+    """A row of steps that can be clicked, and whose case it is at the right."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._buttons: dict[str, QToolButton] = {}
+        self._whose = QLabel()
+        self._steps = QHBoxLayout()
+        self._steps.setSpacing(0)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 0, 8, 0)
+        row.addLayout(self._steps)
+        row.addStretch(1)
+        row.addWidget(self._whose)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def show_steps(self, steps: Sequence[Step]) -> None:
+        """Show the steps as they are."""
+        for step in steps:
+            if step.key not in self._buttons:
+                self._add(step)
+            button = self._buttons[step.key]
+            button.setText(f"{_MARKS[step.state]}  {step.text}")
+            button.setProperty("state", step.state.value)
+            button.style().polish(button)  # the look depends on the state
+
+    def show_whose(self, text: str) -> None:
+        """Say whose case is open, and which foot."""
+        self._whose.setText(text)
+
+    def _add(self, step: Step) -> None:
+        if self._buttons:
+            line = QLabel("───")
+            line.setObjectName("quiet")
+            self._steps.addWidget(line)
+        button = QToolButton()
+        button.setObjectName("step")
+        button.setAutoRaise(True)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.setProperty("key", step.key)
+        button.clicked.connect(self._choose)
+        self._buttons[step.key] = button
+        self._steps.addWidget(button)
+
+    def _choose(self) -> None:
+        self.chosen.emit(self.sender().property("key"))

@@ -1,0 +1,62 @@
+"""Every text of the window can be read in Swedish."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from PySide6.QtCore import QTranslator
+from PySide6.QtWidgets import QApplication
+
+import insole_studio
+from insole_core.resources import resource_path
+from insole_studio.texts import CONTEXT, load_language, tr
+
+DESIGN_PARTS = ("shell", "stages/design", "tools", "widgets", "scene")
+
+
+def texts_of_the_code() -> Iterator[str]:
+    root = Path(insole_studio.__file__).parent
+    for part in DESIGN_PARTS:
+        for path in (root / part).rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tr":
+                    (text,) = node.args
+                    assert isinstance(text, ast.Constant), f"{path}:{node.lineno}"
+                    yield str(text.value)
+
+
+def catalogue() -> dict[str, str]:
+    tree = ElementTree.parse(resource_path("translations/insole_studio_sv.ts"))
+    return {
+        message.findtext("source", ""): message.findtext("translation", "")
+        for message in tree.iter("message")
+    }
+
+
+def test_every_text_has_a_swedish_one() -> None:
+    translated = catalogue()
+    assert [text for text in set(texts_of_the_code()) if not translated.get(text)] == []
+
+
+def test_names_in_braces_stay_what_they_are() -> None:
+    for source, translation in catalogue().items():
+        for part in source.split("{")[1:]:
+            assert "{" + part.split("}")[0] + "}" in translation
+
+
+def test_the_compiled_catalogue_is_that_of_the_texts() -> None:
+    translator = QTranslator()
+    assert translator.load(str(resource_path("translations/insole_studio_sv.qm")))
+    for source, translation in catalogue().items():
+        assert translator.translate(CONTEXT, source) == translation
+
+
+@pytest.mark.parametrize(("language", "text"), [("sv", "Häl"), ("en", "Heel")])
+def test_the_window_speaks_the_language(qapp: QApplication, language: str, text: str) -> None:
+    load_language(qapp, language)
+    assert tr("Heel") == text
+    load_language(qapp, "en")
