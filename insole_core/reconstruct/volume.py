@@ -17,7 +17,7 @@ def volume_of_interest(manifest: Manifest) -> Box:
     """Give the manifest's volume, or else the space that the reference system encloses."""
     if manifest.volume_of_interest is not None:
         return manifest.volume_of_interest
-    return _enclosed(manifest.reference_system)
+    return enclosed_volume(manifest.reference_system)
 
 
 def is_inside(points: FloatArray, box: Box) -> BoolArray:
@@ -41,7 +41,8 @@ def check_any_inside(found: BoolArray) -> None:
         )
 
 
-def _enclosed(system: ReferenceSystem) -> Box:
+def enclosed_volume(system: ReferenceSystem) -> Box:
+    """Give the space between the markers."""
     positions = np.array([marker.position_mm for marker in system.markers])
     low, high = positions.min(0), positions.max(0)
     return Box(

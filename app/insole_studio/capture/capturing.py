@@ -230,7 +230,8 @@ class Capturing:
         calibrated = self._calibrated[view]
         warnings = (*calibrated.warnings, *series.check())
         settled_after_s = series.settling.settled_after_s or 0.0
-        facts = ViewFacts(settled_after_s, series.discarded, warnings)
+        warm_s = time.monotonic() - series.sensor.opened_s
+        facts = ViewFacts(settled_after_s, series.discarded, warm_s, warnings)
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)
 

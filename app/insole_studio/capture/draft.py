@@ -45,11 +45,14 @@ class ViewFacts:
         From the switching of the emitters to the first frame.
     discarded
         Frames that arrived damaged meanwhile, and were left out.
+    warm_s
+        How long the sensor had been in use.
     warnings
     """
 
     settled_after_s: float
     discarded: int
+    warm_s: float
     warnings: tuple[str, ...] = ()
 
 
@@ -162,6 +165,7 @@ class Draft:
             "calibration": calibrated.origin,
             "settled_after_s": round(facts.settled_after_s, 3),
             "discarded_frames": facts.discarded,
+            "warm_s": round(facts.warm_s),
             "warnings": list(facts.warnings),
         }
         self._write_manifest()

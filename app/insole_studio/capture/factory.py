@@ -41,10 +41,12 @@ def factory_sensor(
 def usual_sensor(serial: str, faces: tuple[str, ...], color_size: tuple[int, int]) -> Sensor:
     """Give a sensor of which nothing was measured."""
     sensor = nominal_kinect(serial)
-    return replace(sensor, faces=faces, color_camera=_resized(sensor.color_camera, color_size))
+    return replace(
+        sensor, faces=faces, color_camera=resized_camera(sensor.color_camera, color_size)
+    )
 
 
-def _resized(camera: Camera, size: tuple[int, int]) -> Camera:
+def resized_camera(camera: Camera, size: tuple[int, int]) -> Camera:
     """Give the same camera for smaller pictures, which are scaled and cut at top and bottom."""
     width, height = size
     scale = width / camera.width

@@ -40,8 +40,7 @@ class LiveSensors:
     @property
     def summary(self) -> Sensors:
         """The sensors now."""
-        states = (replace(state, fps=self._fps(serial)) for serial, state in self._states.items())
-        return Sensors(tuple(states), self._problem)
+        return Sensors(tuple(self._state(serial) for serial in self._states), self._problem)
 
     def find(self) -> None:
         """Take every sensor into use that is there and is not in use yet."""
@@ -113,6 +112,11 @@ class LiveSensors:
         if color is not None:
             self._show(self._states[serial].slot, preview(color.image))
         return depth is not None or color is not None
+
+    def _state(self, serial: str) -> SensorState:
+        opened = self.opened.get(serial)
+        warm_s = time.monotonic() - opened.opened_s if opened is not None else 0.0
+        return replace(self._states[serial], fps=self._fps(serial), warm_s=warm_s)
 
     def _fps(self, serial: str) -> float:
         times = self._times[serial]

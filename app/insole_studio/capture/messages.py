@@ -7,7 +7,10 @@ from pathlib import Path
 
 from insole_core.recording.session import Manifest
 from insole_studio.capture.plan import CapturePlan
-from insole_studio.capture.status import CaptureStatus
+from insole_studio.capture.status import CaptureStatus, Phase
+
+WARM_UP_S = 15 * 60.0
+"""So long depth drifts after a sensor was switched on (docs/calibration.md); captures may begin."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,8 @@ class SensorState:
         Depth frames a second, lately.
     discarded
         Depth frames that arrived damaged since it was started.
+    warm_s
+        How long it has been in use.
     problem
         Why it sends nothing, in one sentence; None where it sends.
     """
@@ -95,7 +100,15 @@ class SensorState:
     slot: int
     fps: float = 0.0
     discarded: int = 0
+    warm_s: float = 0.0
     problem: str | None = None
+
+    @property
+    def phase(self) -> Phase:
+        """Whether it was found, warms up, or is live."""
+        if self.fps == 0:
+            return Phase.FOUND
+        return Phase.WARMING_UP if self.warm_s < WARM_UP_S else Phase.LIVE
 
 
 @dataclass(frozen=True)

@@ -90,12 +90,15 @@ class OpenSensor:
     serial, model
     bus
         Number of its USB controller.
+    opened_s
+        Since when it is in use, `time.monotonic()`.
     """
 
     def __init__(self, camera: Camera) -> None:
         self.serial = camera.serial
         self.model = camera.model.value
         self.bus = camera.bus
+        self.opened_s = time.monotonic()
         self._camera = camera
         self._depth: Stream | None = None
         self._color: Stream | None = None

@@ -30,8 +30,9 @@ class FoundSensor:
 
 
 class Phase(Enum):
-    """Where a capture stands."""
+    """Where a sensor stands, then where a capture does."""
 
+    FOUND = "found"
     WARMING_UP = "warming up"
     LIVE = "live"
     MOVING = "moving"

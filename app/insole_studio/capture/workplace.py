@@ -76,16 +76,27 @@ class Workplace:
             When the stored one cannot be used.
         """
         faces = view_faces(view, self.system)
-        stored = self.stored.load(opened.serial)
-        if stored is not None:
-            return _checked(replace(stored, faces=faces))
-        if opened.serial in self.recorded:
-            return Calibrated(self.recorded[opened.serial], "recording")
+        known = self.known(opened.serial, faces)
+        if known is not None:
+            return known
         sentence = (
             f"Sensor {opened.serial} is not calibrated; the numbers of its factory are used, which "
             "are several millimetres less exact."
         )
         return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
+
+    def known(self, serial: str, faces: tuple[str, ...]) -> Calibrated | None:
+        """Give the calibration of a serial number, as far as this room knows it.
+
+        Raises
+        ------
+        InputError, CalibrationError
+        """
+        stored = self.stored.load(serial)
+        if stored is not None:
+            return _checked(replace(stored, faces=faces))
+        recorded = self.recorded.get(serial)
+        return None if recorded is None else Calibrated(recorded, "recording")
 
 
 def _checked(sensor: Sensor) -> Calibrated:

@@ -1,0 +1,180 @@
+"""What the live pictures of a sensor say to the person who sets it up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.transforms import transform
+from insole_core.reconstruct.blobs import find_blobs
+from insole_core.reconstruct.registration import register
+from insole_core.reconstruct.sighting import locate_blobs
+from insole_core.reconstruct.volume import is_inside
+from insole_core.recording.session import Box, ReferenceSystem
+from insole_core.sensing.disparity import NO_READING, DisparityModel
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.factory import resized_camera
+from insole_studio.capture.light import Light, judge_light
+
+NEAREST_MM, FARTHEST_MM = 550.0, 1000.0
+"""Nearer the sensor measures little; farther its depth steps exceed 3 mm."""
+DEPTH_RANGE_MM = (500.0, 1200.0)
+"""What the colours of a depth picture show."""
+_CENTRE_PX = 12
+_MOVING_RAW = 8.0
+_MOVING_SHARE = 0.05
+_LEAST_VALID_SHARE = 0.01
+_FOOT_POINTS = 1500
+"""Pixels on a foot at 1 m, at the least."""
+
+
+@dataclass(frozen=True)
+class Guidance:
+    """What one sensor sees.
+
+    Parameters
+    ----------
+    valid_share
+        Of the pixels that measure.
+    markers_seen, markers_wanted
+    hints
+        What to change, the most urgent first; empty when all is well.
+    """
+
+    valid_share: float
+    markers_seen: int
+    markers_wanted: int
+    hints: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Glimpse:
+    """The newest pictures of one sensor.
+
+    Parameters
+    ----------
+    depth, depth_before : (480, 640) uint16, raw
+        The newest, and one from a moment ago.
+    color : (height, width, 3) uint8, RGB
+        Of any size.
+    """
+
+    depth: RawArray
+    depth_before: RawArray
+    color: ByteArray
+
+
+def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: Glimpse) -> Guidance:
+    """Judge the pictures of one sensor.
+
+    Parameters
+    ----------
+    sensor
+    system
+    volume
+        Where the foot should be, reference frame.
+    glimpse
+    """
+    depth, color = glimpse.depth, glimpse.color
+    depth_mm = sensor.depth_mm(np.where(depth == NO_READING, np.nan, depth.astype(float)))
+    valid_share = float(np.isfinite(depth_mm).mean())
+    seen, foot_points = _locate(_for_picture(sensor, color), system, volume, depth_mm, color)
+    wanted = len(system.facing(sensor.faces))
+    hints = [
+        *_distance_hints(depth_mm, valid_share),
+        *_marker_hints(seen, wanted, foot_points),
+        *_light_hints(color),
+    ]
+    if _is_moving(depth, glimpse.depth_before):
+        hints.append("Something moves; hold the foot still")
+    return Guidance(valid_share, seen, wanted, tuple(hints))
+
+
+def depth_colors(disparity: DisparityModel) -> ByteArray:
+    """Give the colour of every raw number by its mm: (2048, 3) uint8, RGB; no reading is grey."""
+    near, far = DEPTH_RANGE_MM
+    raw = np.arange(NO_READING + 1.0)
+    raw[NO_READING] = np.nan
+    share = (disparity.depth_mm(raw) - near) / (far - near)
+    measured = np.isfinite(share)
+    level = np.clip(np.where(measured, share, 0) * 255, 0, 255).astype(np.uint8)
+    colored = cv2.applyColorMap(level[:, None], cv2.COLORMAP_VIRIDIS)[:, 0, ::-1]
+    return np.where(measured[:, None], colored, np.uint8(48))
+
+
+def centre_depth_mm(disparity: DisparityModel, depth: RawArray) -> float | None:
+    """Give the depth in the middle of a raw image; None where nothing is measured."""
+    middle = _middle(depth)
+    measured = middle[middle != NO_READING]
+    if not measured.size:
+        return None
+    mm = float(disparity.depth_mm(np.array(np.median(measured))))
+    return mm if np.isfinite(mm) else None
+
+
+def _middle(image: RawArray) -> RawArray:
+    row, column = image.shape[0] // 2, image.shape[1] // 2
+    rows, columns = (slice(middle - _CENTRE_PX, middle + _CENTRE_PX) for middle in (row, column))
+    return image[rows, columns]
+
+
+def _for_picture(sensor: Sensor, color: ByteArray) -> Sensor:
+    """Give the sensor with the colour camera of a picture that was made smaller."""
+    height, width = color.shape[:2]
+    return replace(sensor, color_camera=resized_camera(sensor.color_camera, (width, height)))
+
+
+def _locate(
+    sensor: Sensor, system: ReferenceSystem, volume: Box, depth_mm: FloatArray, color: ByteArray
+) -> tuple[int, int | None]:
+    """Count the markers that are recognised and the points inside the volume; None = unknown."""
+    points = sensor.points(depth_mm)
+    sightings = locate_blobs(find_blobs(color), points, sensor)
+    try:
+        found = register(sightings, system, sensor.faces)
+    except ReconstructionError:
+        return 0, None
+    inside = is_inside(transform(found.sensor2reference, points), volume)
+    return len(found.fixes), int(np.count_nonzero(inside))
+
+
+def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[str]:
+    if valid_share < _LEAST_VALID_SHARE:
+        return ["Almost nothing is measured; check distance and light"]
+    middle_mm = float(np.nanmedian(depth_mm))
+    if middle_mm < NEAREST_MM:
+        return [f"Too near: {middle_mm:.0f} mm, at least {NEAREST_MM:.0f} mm is good"]
+    if middle_mm > FARTHEST_MM:
+        return [f"Too far: {middle_mm:.0f} mm, at most {FARTHEST_MM:.0f} mm is good"]
+    return []
+
+
+def _marker_hints(seen: int, wanted: int, foot_points: int | None) -> list[str]:
+    if foot_points is None:
+        return ["The markers are not recognised; bring the reference system into the picture"]
+    hints = []
+    if seen < wanted:
+        hints.append(f"{wanted - seen} of {wanted} markers are hidden")
+    if foot_points < _FOOT_POINTS:
+        hints.append("No foot between the markers")
+    return hints
+
+
+def _light_hints(color: ByteArray) -> list[str]:
+    return {
+        Light.DARK: ["Too dark; add light"],
+        Light.BRIGHT: ["Too bright; turn strong lights away"],
+        Light.GOOD: [],
+    }[judge_light(color)]
+
+
+def _is_moving(depth: RawArray, before: RawArray) -> bool:
+    measured = (depth != NO_READING) & (before != NO_READING)
+    if not measured.any():
+        return False
+    change = np.abs(depth[measured].astype(float) - before[measured])
+    return float(np.mean(change > _MOVING_RAW)) > _MOVING_SHARE

@@ -1,0 +1,94 @@
+"""The capture stage as a window of its own: service, view and presenter while it is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from insole_studio.capture.client import CaptureService
+from insole_studio.capture.place import Place
+from insole_studio.jobs import Jobs
+from insole_studio.stages.capture.presenter import TILT_STEP_DEG, CapturePresenter
+from insole_studio.stages.capture.view import CaptureView
+from insole_studio.texts import tr
+
+_TICK_MS = 50
+_SIZE = (1200, 720)
+
+
+class CaptureStage(QWidget):
+    """Sensors are in use, and their emitters on, from construction to closing.
+
+    Parameters
+    ----------
+    place
+        Where the sensors are.
+    assignment
+        View and serial number as they were last time.
+    folder
+        For drafts and finished sessions.
+    remember
+        Is told a new assignment.
+
+    Raises
+    ------
+    InputError
+        When the reference system or the emulated session cannot be read.
+    """
+
+    captured = Signal(object)
+    """The path of a session that is to be opened."""
+    closed = Signal()
+
+    def __init__(
+        self,
+        *,
+        place: Place,
+        assignment: Sequence[tuple[str, str]],
+        folder: Path,
+        remember: Callable[[Sequence[tuple[str, str]]], None],
+    ) -> None:
+        super().__init__()
+        workplace = place.workplace()
+        self.setWindowTitle(tr("Capture") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = CaptureView(TILT_STEP_DEG)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self._jobs = Jobs(self)
+        self._service = CaptureService(place)
+        self.presenter = CapturePresenter(
+            panel=self.view,
+            service=self._service,
+            workplace=workplace,
+            jobs=self._jobs,
+            assignment=assignment or place.usual_views(),
+            folder=folder,
+            remember=remember,
+            captured=self._hand_over,
+        )
+        self._timer = QTimer(self)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self.presenter.tick)
+        self._timer.start()
+
+    def end(self) -> None:
+        """Switch the sensors off; a capture that runs keeps its finished views."""
+        self._timer.stop()
+        self._jobs.close()
+        self._service.close()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Switch the sensors off."""
+        self.end()
+        event.accept()
+        self.closed.emit()
+
+    def _hand_over(self, path: Path) -> None:
+        self.captured.emit(path)
+        self.close()

@@ -1,0 +1,230 @@
+"""The capture stage: a card for each sensor, the choices, and one large button."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QProgressBar,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.side import Side
+from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow, depth_coloring
+from insole_studio.stages.capture.sensor_card import SensorCard
+from insole_studio.texts import tr
+from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.empty_page import EmptyPage
+from insole_studio.widgets.legend import Legend
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.side_badge import SideBadge
+
+_FIND = "find"
+
+
+class CaptureView(QWidget):
+    """Lays out the stage."""
+
+    capture_requested = Signal()
+    cancel_requested = Signal()
+    placed_requested = Signal()
+    retake_requested = Signal(str)
+    use_requested = Signal()
+    other_foot_requested = Signal()
+    find_requested = Signal()
+    view_chosen = Signal(str, str)
+    views_swapped = Signal(str, str)
+    tilt_requested = Signal(str, float)
+    level_requested = Signal(str)
+    identify_requested = Signal(str, bool)
+    options_edited = Signal(object)
+
+    def __init__(self, tilt_step_deg: float, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tilt_step_deg = tilt_step_deg
+        self._options = CaptureOptions()
+        self._cards: dict[str, SensorCard] = {}
+        self._empty = EmptyPage()
+        self._empty.chosen.connect(self.find_requested)
+        self._card_row = QHBoxLayout()
+        self._card_row.setSpacing(8)
+        cards = QWidget()
+        cards.setLayout(self._card_row)
+        self._legend = Legend()
+        self._legend.show_coloring(depth_coloring())
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(cards)
+        self._make_options()
+        self._make_buttons()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(8)
+        layout.addWidget(self._legend)
+        layout.addWidget(self._pages, 1)
+        layout.addLayout(self._option_row())
+        layout.addWidget(self._sentence)
+        layout.addLayout(self._button_row())
+
+    def show_sensors(self, rows: Sequence[SensorRow]) -> None:
+        """Show a card for each sensor, in this order."""
+        for serial in set(self._cards) - {row.serial for row in rows}:
+            card = self._cards.pop(serial)
+            card.hide()
+            card.deleteLater()
+        for place, row in enumerate(rows):
+            card = self._cards.get(row.serial) or self._new_card(row.serial)
+            self._card_row.insertWidget(place, card, 1)
+            card.show_row(row)
+        self._pages.setCurrentIndex(1)
+
+    def show_pictures(self, serial: str, depth: ByteArray | None, color: ByteArray | None) -> None:
+        """Show new pictures of a sensor."""
+        if serial in self._cards:
+            self._cards[serial].show_pictures(depth, color)
+
+    def show_capture(self, row: CaptureRow) -> None:
+        """Show how far the capture is, and what can be done."""
+        self._capture.setText(row.button)
+        self._capture.setEnabled(row.can_capture)
+        self._cancel.setVisible(row.running)
+        self._placed.setVisible(row.waits_for_hand)
+        self._use.setEnabled(row.can_use)
+        self._other.setEnabled(row.can_use)
+        self._progress.setValue(round(100 * row.fraction))
+        self._progress.setVisible(row.running)
+        self._sentence.setText(row.sentence)
+        for field in (self._side, self._weight, self._held, self._mode, self._frames, self._bursts):
+            field.setEnabled(not row.running)
+
+    def show_options(self, options: CaptureOptions) -> None:
+        """Show other choices."""
+        self._options = options
+        self._badge.show_side(options.side)
+        self._side.show_value(options.side.value)
+        self._weight.show_value(options.weight_bearing)
+        self._mode.show_value(options.mode)
+        self._frames.show_value(options.frames)
+        self._bursts.show_value(options.bursts)
+        with QSignalBlocker(self._held):
+            self._held.setChecked(options.held)
+        self._notes.setText(options.notes)
+
+    def show_empty(self, sentence: str) -> None:
+        """Say why no sensor is there."""
+        self.show_sensors([])
+        self._empty.show_offers(sentence, {_FIND: tr("Look again")})
+        self._pages.setCurrentIndex(0)
+
+    def show_sentence(self, sentence: str) -> None:
+        """Show a sentence that has to be read."""
+        self._warning.setText(sentence)
+        self._warning.setVisible(bool(sentence))
+
+    def _new_card(self, serial: str) -> SensorCard:
+        card = SensorCard(serial, self._tilt_step_deg)
+        card.view_chosen.connect(self.view_chosen)
+        card.dropped.connect(self.views_swapped)
+        card.tilt_requested.connect(self.tilt_requested)
+        card.level_requested.connect(self.level_requested)
+        card.identify_requested.connect(self.identify_requested)
+        card.retake_requested.connect(self.retake_requested)
+        self._cards[serial] = card
+        return card
+
+    def _make_options(self) -> None:
+        self._badge = SideBadge()
+        self._side = Choice([(side.value, tr(side.value)) for side in Side])
+        self._side.edited.connect(lambda word: self._edit(side=Side(word)))
+        self._weight = Choice(
+            [
+                ("none", tr("Not weight-bearing")),
+                ("semi", tr("Semi weight-bearing")),
+                ("full", tr("Weight-bearing")),
+            ]
+        )
+        self._weight.edited.connect(lambda word: self._edit(weight_bearing=word))
+        self._held = QCheckBox(tr("Held"))
+        self._held.setToolTip(tr("Somebody holds the foot"))
+        self._held.toggled.connect(lambda on: self._edit(held=on))
+        self._notes = QLineEdit()
+        self._notes.setPlaceholderText(tr("Notes"))
+        self._notes.editingFinished.connect(lambda: self._edit(notes=self._notes.text()))
+        self._mode = Choice([("turns", tr("One after the other")), ("together", tr("All at once"))])
+        self._mode.edited.connect(lambda word: self._edit(mode=word))
+        self._frames = NumberField(tr("frames"), least=1, greatest=200, step=1, decimals=0)
+        self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
+        self._bursts = NumberField(tr("bursts"), least=1, greatest=9, step=1, decimals=0)
+        self._bursts.setToolTip(tr("Series a view, between which the sensor tilts by a degree"))
+        self._bursts.edited.connect(lambda number: self._edit(bursts=round(number)))
+
+    def _option_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for field in (self._badge, self._side, self._weight, self._held):
+            row.addWidget(field)
+        row.addWidget(self._notes, 1)
+        for number in (self._mode, self._frames, self._bursts):
+            row.addWidget(number)
+        return row
+
+    def _make_buttons(self) -> None:
+        self._sentence, self._warning = QLabel(), QLabel()
+        self._sentence.setWordWrap(True)
+        self._warning.setWordWrap(True)
+        self._warning.setObjectName("warning")
+        self._warning.hide()
+        self._capture = QPushButton(tr("Capture"))
+        self._capture.setMinimumHeight(48)
+        self._capture.setDefault(True)
+        self._capture.setShortcut(Qt.Key.Key_F5)
+        self._capture.setToolTip(tr("Capture all views (F5)"))
+        self._cancel = QPushButton(tr("Cancel"))
+        self._placed = QPushButton(tr("The sensor stands"))
+        self._use = QPushButton(tr("Use this scan"))
+        self._other = QPushButton(tr("Keep, and capture the other foot"))
+        self._progress = QProgressBar()
+        for button, signal in (
+            (self._capture, self.capture_requested),
+            (self._cancel, self.cancel_requested),
+            (self._placed, self.placed_requested),
+            (self._use, self.use_requested),
+            (self._other, self.other_foot_requested),
+        ):
+            button.clicked.connect(lambda _on=False, s=signal: self._order(s))
+
+    def _button_row(self) -> QVBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self._capture, 1)
+        for button in (self._placed, self._cancel, self._use, self._other):
+            row.addWidget(button)
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addWidget(self._warning)
+        column.addWidget(self._progress)
+        column.addLayout(row)
+        return column
+
+    def _order(self, signal: Any) -> None:
+        """Take the last warning away; what follows may bring another one."""
+        self.show_sentence("")
+        signal.emit()
+
+    def _edit(self, **changes: Any) -> None:
+        options = replace(self._options, **changes)
+        if options != self._options:
+            self._options = options
+            self._badge.show_side(options.side)
+            self.options_edited.emit(options)

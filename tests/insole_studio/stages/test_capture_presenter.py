@@ -1,0 +1,283 @@
+"""The capture stage without a window: a panel and a service that only take notes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.geometry.side import Side
+from insole_core.recording.reader import read_session
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.draft import Draft, ViewFacts
+from insole_studio.capture.frame_board import Kind, Picture
+from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Tilt
+from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
+from insole_studio.capture.workplace import Calibrated, recorded_workplace
+from insole_studio.jobs import Jobs
+from insole_studio.stages.capture.presenter import CapturePresenter
+from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
+
+SERIALS = ("A1", "B2")
+
+
+class Intent:
+    def __init__(self) -> None:
+        self._listeners: list[Callable[..., None]] = []
+
+    def connect(self, listener: Callable[..., None]) -> None:
+        self._listeners.append(listener)
+
+    def emit(self, *values: object) -> None:
+        for listener in self._listeners:
+            listener(*values)
+
+
+class NotedPanel:
+    def __init__(self) -> None:
+        for name in (
+            "capture_requested", "cancel_requested", "placed_requested", "retake_requested",
+            "use_requested", "other_foot_requested", "find_requested", "view_chosen",
+            "views_swapped", "tilt_requested", "level_requested", "identify_requested",
+            "options_edited",
+        ):  # fmt: skip
+            setattr(self, name, Intent())
+        self.rows: list[SensorRow] = []
+        self.pictures: dict[str, tuple[object, object]] = {}
+        self.capture = CaptureRow()
+        self.options = CaptureOptions()
+        self.empty = ""
+        self.sentence = ""
+
+    def show_sensors(self, rows: Sequence[SensorRow]) -> None:
+        self.rows = list(rows)
+
+    def show_pictures(self, serial: str, depth: object, color: object) -> None:
+        self.pictures[serial] = (depth, color)
+
+    def show_capture(self, row: CaptureRow) -> None:
+        self.capture = row
+
+    def show_options(self, options: CaptureOptions) -> None:
+        self.options = options
+
+    def show_empty(self, sentence: str) -> None:
+        self.empty = sentence
+
+    def show_sentence(self, sentence: str) -> None:
+        self.sentence = sentence
+
+
+class NotedService:
+    def __init__(self) -> None:
+        self.sent: list[Command] = []
+        self.coming: list[Event] = []
+        self.number = 1
+
+    def send(self, command: Command) -> None:
+        self.sent.append(command)
+
+    def news(self) -> list[Event]:
+        coming, self.coming = self.coming, []
+        return coming
+
+    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
+        if after >= self.number:
+            return None
+        if kind == "depth":
+            return Picture(np.full((480, 640), 600 + slot, np.uint16), self.number)
+        return Picture(np.full((512, 640, 3), 90, np.uint8), self.number)
+
+
+class Bench:
+    def __init__(self, jobs: Jobs, folder: Path, session: Path) -> None:
+        self.panel, self.service = NotedPanel(), NotedService()
+        self.remembered: list[Sequence[tuple[str, str]]] = []
+        self.captured: list[Path] = []
+        self.folder = folder
+        self.workplace = recorded_workplace(NothingStored(), read_session(session))
+        self.presenter = CapturePresenter(
+            panel=self.panel,
+            service=self.service,
+            workplace=self.workplace,
+            jobs=jobs,
+            assignment=[("right", "A1")],
+            folder=folder,
+            remember=self.remembered.append,
+            captured=self.captured.append,
+        )
+
+    def tell(self, *events: Event) -> None:
+        self.service.coming += events
+        self.presenter.tick()
+
+    def plug_in(self) -> None:
+        self.tell(Sensors(tuple(SensorState(s, "1414", 1, i, 30.0) for i, s in enumerate(SERIALS))))
+
+    def started(self) -> Start:
+        start = self.service.sent[-1]
+        assert isinstance(start, Start)
+        return start
+
+    def finish(self, *views: str, phase: Phase = Phase.DONE, sentence: str = "") -> None:
+        self.tell(
+            CaptureStatus(phase, tuple(ViewStatus(v, "A1", 4, 4, True) for v in views), sentence)
+        )
+
+
+class NothingStored:
+    def load(self, _serial: str) -> Sensor | None:
+        return None
+
+
+@pytest.fixture
+def bench(qapp: QApplication, tmp_path: Path, small_session: Path) -> Iterator[Bench]:
+    jobs = Jobs()
+    yield Bench(jobs, tmp_path, small_session)
+    jobs.close()
+
+
+def test_without_sensors_it_says_why(bench: Bench) -> None:
+    assert bench.panel.empty == "Looking for sensors"
+    bench.tell(Sensors((), "No Kinect is plugged in."))
+    assert bench.panel.empty == "No Kinect is plugged in."
+    assert not bench.panel.capture.can_capture
+
+
+def test_a_new_sensor_gets_a_view_that_is_free(bench: Bench) -> None:
+    bench.plug_in()
+    assert [(row.serial, row.view) for row in bench.panel.rows] == [("B2", "left"), ("A1", "right")]
+    assert bench.panel.capture.can_capture
+
+
+def test_pictures_are_shown_once_with_the_depth_in_the_title(bench: Bench) -> None:
+    bench.plug_in()
+    depth, color = bench.panel.pictures["A1"]
+    assert depth.shape == (240, 320, 3)  # type: ignore[attr-defined]
+    assert color.shape == (512, 640, 3)  # type: ignore[attr-defined]
+    bench.panel.pictures.clear()
+    bench.plug_in()
+    assert bench.panel.pictures == {}
+    assert bench.panel.rows[1].title == "right · 672 mm"
+    assert bench.panel.rows[0].facts == "30 frames/s, 0 lost · warm in 15 min"
+
+
+def test_dragging_exchanges_views_and_is_remembered(bench: Bench) -> None:
+    bench.plug_in()
+    bench.panel.views_swapped.emit("A1", "B2")  # type: ignore[attr-defined]
+    assert [(row.serial, row.view) for row in bench.panel.rows] == [("A1", "left"), ("B2", "right")]
+    assert sorted(bench.remembered[-1]) == [("left", "A1"), ("right", "B2")]
+
+
+def test_choosing_a_view_exchanges_with_who_had_it(bench: Bench) -> None:
+    bench.plug_in()
+    bench.panel.view_chosen.emit("B2", "right")  # type: ignore[attr-defined]
+    assert sorted(bench.remembered[-1]) == [("left", "A1"), ("right", "B2")]
+
+
+def test_capture_carries_the_choices(bench: Bench) -> None:
+    bench.plug_in()
+    options = CaptureOptions(Side.RIGHT, "full", True, "barefoot", "together", 5)
+    bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
+    bench.panel.capture_requested.emit()  # type: ignore[attr-defined]
+    start = bench.started()
+    assert start.manifest.side is Side.RIGHT
+    assert start.manifest.capture_condition is not None
+    assert start.manifest.capture_condition.notes == "barefoot"
+    assert start.plan.views == start.order == ("left", "right")
+    assert len(start.plan.steps) == 1
+    assert start.plan.frames == 5
+    assert start.folder.name.endswith("-right")
+    assert bench.panel.capture.running
+    assert not bench.panel.capture.can_capture
+
+
+def test_a_failure_keeps_what_it_has_and_asks_for_the_rest(bench: Bench) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    folder = bench.started().folder
+    bench.finish("left", phase=Phase.FAILED, sentence="A sensor was unplugged.")
+    assert bench.panel.sentence == "A sensor was unplugged."
+    assert bench.panel.capture.button == "Capture missing views"
+    bench.presenter.capture()
+    assert bench.started().plan.views == ("right",)
+    assert bench.started().folder == folder
+
+
+def test_one_view_is_captured_again(bench: Bench) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    bench.finish("left", "right")
+    assert [row.can_retake for row in bench.panel.rows] == [True, True]
+    bench.panel.retake_requested.emit("left")  # type: ignore[attr-defined]
+    assert bench.started().plan.views == ("left",)
+    assert bench.started().order == ("left", "right")
+
+
+def test_a_finished_capture_begins_anew(bench: Bench) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    bench.finish("left", "right")
+    assert bench.panel.capture.button == "Capture anew"
+    assert bench.panel.capture.sentence == "All views are captured."
+    bench.presenter.capture()
+    assert bench.started().plan.views == ("left", "right")
+
+
+def test_moving_by_hand_offers_to_go_on(bench: Bench) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    bench.tell(CaptureStatus(Phase.MOVING, (), "Put the sensor in its place for view top"))
+    assert bench.panel.capture.waits_for_hand
+
+
+def write_draft(bench: Bench) -> None:
+    """Write what the service would have written."""
+    start = bench.started()
+    draft = Draft(start.folder, start.manifest, start.order)
+    sensor = next(iter(bench.workplace.recorded.values()))
+    width, height = sensor.color_camera.width, sensor.color_camera.height
+    for view in start.order:
+        draft.begin_view(view)
+        draft.add_depth(view, 0, np.full((480, 640), 700, np.uint16))
+        draft.add_color(view, 0, np.full((height, width, 3), 90, np.uint8))
+        draft.finish_view(view, Calibrated(sensor, "recording"), ViewFacts(0.1, 0, 10.0))
+    draft.close()
+
+
+def test_a_session_is_kept_and_handed_over(bench: Bench, qtbot: QtBot) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    write_draft(bench)
+    bench.finish("left", "right")
+    bench.panel.use_requested.emit()  # type: ignore[attr-defined]
+    qtbot.waitUntil(lambda: bool(bench.captured))
+    assert bench.captured[0].parent == bench.folder / "sessions"
+    assert read_session(bench.captured[0]).manifest.views == ("left", "right")
+    assert not list((bench.folder / "captures").iterdir())
+    assert bench.panel.capture.button == "Capture"
+
+
+def test_the_other_foot_follows(bench: Bench, qtbot: QtBot) -> None:
+    bench.plug_in()
+    bench.presenter.capture()
+    write_draft(bench)
+    bench.finish("left", "right")
+    bench.panel.other_foot_requested.emit()  # type: ignore[attr-defined]
+    qtbot.waitUntil(lambda: bench.panel.options.side is Side.RIGHT)
+    assert bench.captured == []
+    (kept,) = (bench.folder / "sessions").iterdir()
+    assert read_session(kept).manifest.side is Side.LEFT
+    bench.presenter.capture()
+    assert bench.started().manifest.side is Side.RIGHT
+
+
+def test_orders_go_to_the_sensor(bench: Bench) -> None:
+    bench.plug_in()
+    bench.panel.tilt_requested.emit("A1", 2.0)  # type: ignore[attr-defined]
+    bench.panel.level_requested.emit("B2")  # type: ignore[attr-defined]
+    assert bench.service.sent == [Tilt("A1", 2.0), Tilt("B2", None)]

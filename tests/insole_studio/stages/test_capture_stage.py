@@ -1,0 +1,96 @@
+"""The capture stage with its window, its process, and emulated sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPointF, Qt
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
+from pytestqt.qtbot import QtBot
+
+from insole_core.recording.reader import read_session
+from insole_studio.capture.place import Place
+from insole_studio.stages.capture.sensor_card import MIME, SensorCard
+from insole_studio.stages.capture.stage import CaptureStage
+from insole_studio.workbench.sensor_store import SensorStore
+
+PATIENCE_MS = 30_000
+
+
+@pytest.fixture
+def remembered() -> list[object]:
+    return []
+
+
+@pytest.fixture
+def stage(
+    qtbot: QtBot, tmp_path: Path, small_session: Path, remembered: list[object]
+) -> Iterator[CaptureStage]:
+    place = Place(SensorStore(tmp_path / "sensors"), small_session)
+    opened = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=remembered.append)
+    opened.show()
+    yield opened
+    opened.end()
+    opened.deleteLater()
+
+
+def cards(stage: CaptureStage) -> list[SensorCard]:
+    found = stage.findChildren(SensorCard)
+    return sorted(found, key=lambda card: card.x())
+
+
+def button(stage: CaptureStage, text: str) -> QPushButton:
+    return next(b for b in stage.findChildren(QPushButton) if b.text() == text)
+
+
+def test_from_sensors_to_a_session(stage: CaptureStage, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    qtbot.waitUntil(
+        lambda: all(
+            any("markers" in label.text() for label in card.findChildren(QLabel))
+            for card in cards(stage)
+        ),
+        timeout=PATIENCE_MS,
+    )
+    button(stage, "Capture").click()
+    qtbot.waitUntil(lambda: button(stage, "Use this scan").isEnabled(), timeout=PATIENCE_MS)
+    again = next(
+        b for b in cards(stage)[1].findChildren(QToolButton) if b.text() == "Capture again"
+    )
+    assert again.isEnabled()
+    with qtbot.waitSignal(stage.captured, timeout=PATIENCE_MS) as signal:
+        button(stage, "Use this scan").click()
+    session = read_session(signal.args[0])
+    assert session.manifest.views == ("left", "right", "top")
+    assert all(view.depth_count == 10 for view in session.views)
+
+
+def test_a_card_is_dropped_on_another(
+    stage: CaptureStage, qtbot: QtBot, remembered: list[object]
+) -> None:
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    first, second, third = cards(stage)
+    data = QMimeData()
+    data.setData(MIME, third.serial.encode())
+    event = QDropEvent(
+        QPointF(5, 5), Qt.DropAction.MoveAction, data, Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )  # fmt: skip
+    first.dropEvent(event)
+    assert dict(remembered[-1]) == {  # type: ignore[call-overload]
+        "left": third.serial, "right": second.serial, "top": first.serial,
+    }  # fmt: skip
+
+
+def test_closing_in_mid_capture_keeps_finished_views(
+    stage: CaptureStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
+    button(stage, "Capture").click()
+    qtbot.waitUntil(lambda: bool(stage.presenter._finished), timeout=PATIENCE_MS)
+    stage.close()
+    (draft,) = (tmp_path / "captures").iterdir()
+    assert read_session(draft).manifest.views[0] == "left"
