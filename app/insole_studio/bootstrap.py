@@ -15,16 +15,20 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from insole_core.errors import OutputError
+from insole_core.errors import OutputError, UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
+from insole_studio.capture.place import Place
+from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
+from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.questions import Questions
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
+from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import load_language, tr
 from insole_studio.tools.brush import BrushTool
@@ -43,6 +47,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section
+from insole_studio.workbench.sensor_store import SensorStore
 
 log = logging.getLogger(__name__)
 
@@ -56,6 +61,11 @@ class Places:
 
     settings_file: Path
     autosave_folder: Path
+
+    @property
+    def data_folder(self) -> Path:
+        """Holds calibrated sensors, drafts of captures, and captured sessions."""
+        return self.autosave_folder.parent
 
     @classmethod
     def of_user(cls) -> Places:
@@ -82,6 +92,7 @@ class Application:
 
     def close(self) -> None:
         """Stop the threads, free the renderers, remember the settings."""
+        self.studio.capture.close()
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
@@ -90,8 +101,18 @@ class Application:
         self.window.deleteLater()
 
 
-def build_application(application: QApplication, places: Places) -> Application:
-    """Construct the window and everything behind it; nothing is shown yet."""
+def build_application(
+    application: QApplication, places: Places, emulate: Path | None = None
+) -> Application:
+    """Construct the window and everything behind it; nothing is shown yet.
+
+    Parameters
+    ----------
+    application
+    places
+    emulate
+        A recorded session that plays as live sensors; None for the real ones.
+    """
     settings = load_settings(places.settings_file)
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
@@ -124,6 +145,9 @@ def build_application(application: QApplication, places: Places) -> Application:
         autosave=autosave,
         settings=settings,
         questions=Questions(window),
+        capture=CaptureWindow(
+            partial(_make_capture, settings, places, Place(_sensor_store(places), emulate))
+        ),
         pads=pads,
         remember=partial(_remember, settings, places.settings_file),
     )
@@ -135,6 +159,33 @@ def build_application(application: QApplication, places: Places) -> Application:
     window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
     return Application(studio, window, stage, case, surface, hand, jobs, autosave, settings, places)
+
+
+def _sensor_store(places: Places) -> SensorStore:
+    return SensorStore(places.data_folder / "sensors")
+
+
+def _make_capture(settings: Settings, places: Places, place: Place) -> CaptureStage:
+    """Take the sensors into use, with the views they had last time."""
+
+    def remember(assignment: Sequence[tuple[str, str]]) -> None:
+        settings.capture_views = [f"{view}={serial}" for view, serial in assignment]
+
+    return CaptureStage(
+        place=place,
+        # Emulated sensors have the views of their recording.
+        assignment=() if place.emulate else _remembered_views(settings),
+        folder=places.data_folder,
+        remember=(lambda _assignment: None) if place.emulate else remember,
+    )
+
+
+def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:
+    try:
+        return parse_assignment(settings.capture_views)
+    except UsageError as error:
+        log.warning("the views of the sensors are forgotten: %s", error)
+        return ()
 
 
 def make_tools(section: Section) -> tuple[Tool, ...]:
@@ -160,7 +211,10 @@ def _remember(settings: Settings, path: Path) -> None:
 
 
 def run_application(
-    paths: Sequence[Path], places: Places | None = None, side: Side | None = None
+    paths: Sequence[Path],
+    places: Places | None = None,
+    side: Side | None = None,
+    emulate: Path | None = None,
 ) -> int:
     """Open the window, then the paths, and stay until the user closes.
 
@@ -172,6 +226,8 @@ def run_application(
         By default those of the user.
     side
         Of a mesh; asked for where it is not given.
+    emulate
+        A recorded session that plays as live sensors.
 
     Returns
     -------
@@ -180,7 +236,7 @@ def run_application(
     """
     qt = _qt_application()
     qt.setQuitOnLastWindowClosed(False)  # the studio says when: saving may take a moment
-    app = build_application(qt, places or Places.of_user())
+    app = build_application(qt, places or Places.of_user(), emulate)
     sys.excepthook = _show_unexpected(app.studio)
     app.studio.closed.connect(qt.quit)
     app.window.show()

@@ -139,6 +139,14 @@ ACTIONS: tuple[ActionRecord, ...] = (
         shortcut="Ctrl+N",
     ),
     ActionRecord(
+        "capture",
+        lambda: tr("Capture…"),
+        lambda: tr("Capture a foot with the sensors"),
+        lambda studio, _on: studio.capture.open(),
+        icon="capture",
+        shortcut="Ctrl+Shift+C",
+    ),
+    ActionRecord(
         "open",
         lambda: tr("Open case…"),
         lambda: tr("Open a case that was saved"),
@@ -429,6 +437,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
         lambda: tr("&Case"),
         (
             "new_case",
+            "capture",
             "open",
             "open_session",
             "open_archive",
@@ -494,7 +503,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (
-    ("open_session", "open_archive", "save", "export"),
+    ("capture", "open_session", "open_archive", "save", "export"),
     TOOL_KEYS,
     ("fit", "linked", MAPS),
     ("undo", "redo"),

@@ -25,6 +25,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.scene.camera import Preset
 from insole_studio.settings import Language, Settings
 from insole_studio.shell.actions import ACTIONS, EXAMPLE
+from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.prescribing import Prescribing, case_kinds
@@ -73,6 +74,7 @@ class Studio(QObject):
         autosave: Autosave,
         settings: Settings,
         questions: Questions,
+        capture: CaptureWindow,
         pads: Sequence[LibraryPad] = (),
         remember: Callable[[], None] = lambda: None,
     ) -> None:
@@ -81,6 +83,7 @@ class Studio(QObject):
         self.stage = stage
         self.case = case
         self.questions = questions
+        self.capture: CaptureWindow = capture
         self._hand = hand
         self._jobs = jobs
         self._autosave = autosave
@@ -95,6 +98,7 @@ class Studio(QObject):
         window.recent_chosen.connect(self._open_recent)
         window.pad_chosen.connect(self.prescribing.take_pad)
         stage.offer_chosen.connect(self._take_offer)
+        capture.captured.connect(self.open_path)
         stage.steps.chosen.connect(self._go_to_step)
         self._layout_rest = QTimer(window)
         self._layout_rest.setSingleShot(True)
@@ -362,12 +366,13 @@ class Studio(QObject):
         if key == "patient":
             self.stage.patient.setFocus()
         elif key == "capture":
-            self.ask_open_session()
+            self.run_action("capture", False)
         elif self.case.foot is not None:
             self.run_action(_STEP_ACTIONS[key], True)
 
     def _close(self) -> None:
         self._hand.cancel()
+        self.capture.close()
         self._autosave.forget()
         self._remember_layout()
         self._layout_rest.stop()

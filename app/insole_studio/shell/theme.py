@@ -106,7 +106,8 @@ def _style_sheet(colors: Colors) -> str:
     QToolBar QToolButton {{ padding: 4px 8px; border-radius: 4px; }}
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
-    QToolButton#row {{ text-align: left; padding: 3px 6px; }}
+    QPushButton#row {{ text-align: left; padding: 4px 6px; border: none; border-radius: 4px; }}
+    QPushButton#row:checked {{ background: {colors.accent}; color: {colors.on_accent}; }}
     QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}
     QToolButton#step[state="current"] {{ color: {colors.text}; font-weight: 600; }}
     QToolButton#step[state="done"] {{ color: {colors.text}; }}

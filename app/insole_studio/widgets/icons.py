@@ -7,6 +7,7 @@ from PySide6.QtGui import QGuiApplication, QIcon, QPalette
 
 _NAMES = {
     "open": "mdi6.folder-open-outline",
+    "capture": "mdi6.camera-outline",
     "session": "mdi6.folder-image",
     "mesh": "mdi6.cube-outline",
     "save": "mdi6.content-save-outline",

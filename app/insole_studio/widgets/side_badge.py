@@ -37,6 +37,7 @@ class SideBadge(QLabel):
 def side_letter(side: Side) -> QLabel:
     """Give the badge of a list row: one letter."""
     letter = QLabel(tr("L") if side is Side.LEFT else tr("R"))
+    letter.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
     letter.setToolTip(tr("LEFT") if side is Side.LEFT else tr("RIGHT"))
     letter.setStyleSheet(
         f"background: {COLORS[side]}; color: white; border-radius: 3px; padding: 0 4px;"

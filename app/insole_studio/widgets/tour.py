@@ -25,12 +25,15 @@ class Stop:
 
 
 class Tour(QFrame):
-    """Lies over the window; ends with its last stop, Escape, or its cross."""
+    """Stands before the window; ends with its last stop, Escape, or its button.
+
+    It is a window of its own: a native 3-D view would hide what lies over it in the same window.
+    """
 
     ended = Signal()
 
     def __init__(self, stops: Sequence[Stop], window: QWidget) -> None:
-        super().__init__(window)
+        super().__init__(window, Qt.WindowType.Tool | Qt.WindowType.FramelessWindowHint)
         self.setObjectName("tour")
         self.setFixedWidth(WIDTH_PX)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -96,8 +99,9 @@ class Tour(QFrame):
     def _beside(self, widget: QWidget) -> QPoint:
         """Below, above or beside a widget, wherever there is room in the window."""
         window = self._window
-        there = QRect(widget.mapTo(window, QPoint(0, 0)), widget.size())
-        room = window.rect().adjusted(GAP_PX, GAP_PX, -GAP_PX, -GAP_PX)
+        there = QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size())
+        whole = QRect(window.mapToGlobal(QPoint(0, 0)), window.size())
+        room = whole.adjusted(GAP_PX, GAP_PX, -GAP_PX, -GAP_PX)
         left = min(max(there.center().x() - WIDTH_PX // 2, room.left()), room.right() - WIDTH_PX)
         if there.bottom() + GAP_PX + self.height() < room.bottom():
             return QPoint(left, there.bottom() + GAP_PX)

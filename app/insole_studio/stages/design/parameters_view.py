@@ -23,6 +23,7 @@ from insole_studio.widgets.number_field import NumberField
 ROWS = 2
 ROW_HEIGHT_PX = 26
 FIELD_PX = 96
+SHORT_TEXT, SHORT_PX = 3, 44
 CHOICE_PX = 132
 
 
@@ -110,6 +111,8 @@ class ParametersView(QScrollArea):
         for number, offer in enumerate(group.offers):
             button = QPushButton(offer.text)
             button.setProperty("offer", offer.key)
+            if len(offer.text) <= SHORT_TEXT:
+                button.setFixedWidth(SHORT_PX)
             button.clicked.connect(self._choose)
             grid.addWidget(button, number % ROWS, number // ROWS)
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPlainTextEdit,
+    QPushButton,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -123,12 +124,11 @@ class PatientView(QScrollArea):
     def _correction_line(self, row: CorrectionRow) -> QWidget:
         eye = _button(row, "eye" if row.enabled else "eye-off", tr("Switch on or off"))
         eye.clicked.connect(self._toggle)
-        name = QToolButton()
-        name.setText(row.text)
+        name = QPushButton(row.text)
         name.setProperty("correction", row.id)
         name.setCheckable(True)
         name.setChecked(row.selected)
-        name.setAutoRaise(True)
+        name.setFlat(True)
         name.setObjectName("row")
         name.setToolTip(row.text)
         name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
@@ -138,7 +138,8 @@ class PatientView(QScrollArea):
         down = _button(row, "down", tr("Move down"))
         down.clicked.connect(self._move_down)
         for button in (up, down):
-            button.setVisible(row.selected)
+            if not row.selected:
+                button.hide()
         remove = _button(row, "remove", tr("Remove"))
         remove.clicked.connect(self._remove)
         line = QWidget()
@@ -146,8 +147,9 @@ class PatientView(QScrollArea):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
         layout.addWidget(eye)
+        layout.addWidget(side_letter(row.side))
         layout.addWidget(name, 1)
-        for widget in (side_letter(row.side), up, down, remove):
+        for widget in (up, down, remove):
             layout.addWidget(widget)
         return line
 

@@ -1,0 +1,274 @@
+"""Each further tool once, by real mouse and key events in the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QToolButton
+
+from insole_core.geometry.side import Side
+from insole_core.insole.design import BrushStroke, HeelCup, HeelSkive, Pelott
+from insole_studio.bootstrap import Application
+from insole_studio.scene.view import SceneView
+from insole_studio.stages.design.maps import MapKind
+from insole_studio.tools.key_point import confidence, shown_points
+from insole_studio.tools.metatarsal import USUAL_MM, clearance
+from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.tour import Tour
+from insole_studio.workbench.landmarks import metatarsal_line
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def pixel(view: SceneView, x_mm: float, y_mm: float, z_mm: float = 0.0) -> QPoint:
+    x, y = view.look.pixels_of(np.array([x_mm, y_mm, z_mm]))[0]
+    return QPoint(round(x), round(y))
+
+
+def drag(view: SceneView, way: list[QPoint]) -> None:
+    QTest.mousePress(view.surface, LEFT, pos=way[0])
+    for place in way[1:]:
+        QTest.mouseMove(view.surface, place)
+        QApplication.processEvents()
+    QTest.mouseRelease(view.surface, LEFT, pos=way[-1])
+
+
+def ring(view: SceneView, centre: tuple[float, float], radius_mm: float) -> list[QPoint]:
+    angles = np.linspace(0, 1.9 * np.pi, 24)
+    return [
+        pixel(view, centre[0] + radius_mm * np.cos(a), centre[1] + radius_mm * np.sin(a))
+        for a in angles
+    ]
+
+
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
+def last(app: Application) -> object:
+    assert app.case.record.design is not None
+    return app.case.record.design.corrections[-1]
+
+
+@pytest.fixture
+def foot(opened: Application) -> SceneView:
+    return opened.stage.foot.scene
+
+
+def test_a_pad_is_drawn_by_free_hand_and_its_corner_dragged(
+    opened: Application, foot: SceneView
+) -> None:
+    act(opened, "tool_free_hand")
+    drag(foot, ring(foot, (0.0, 120.0), 18.0))
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    assert pad.shape == "outline"
+    assert pad.centre_mm == pytest.approx((0.0, 120.0), abs=2.0)
+    low, high = np.array(pad.outline_mm).min(axis=0), np.array(pad.outline_mm).max(axis=0)
+    assert high - low == pytest.approx((36.0, 36.0), abs=3.0)
+    act(opened, "tool_pelott")
+    corner = next(h for h in foot.handles if h.name == "corner:0")
+    start = pixel(foot, *corner.position_mm)
+    drag(foot, [start, start + QPoint(10, 0)])
+    assert last(opened) != pad
+    assert len(opened.case.history) == 2
+
+
+def test_a_drawing_that_crosses_itself_makes_no_pad(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_free_hand")
+    eight = [(-20, 100), (20, 140), (20, 100), (-20, 140)]
+    drag(foot, [pixel(foot, *place) for place in eight])
+    assert opened.case.record.design is not None
+    assert opened.case.record.design.corrections == ()
+    assert "crosses itself" in opened.hand.tool.hint(opened.case)
+
+
+def test_a_stroke_raises_the_surface_where_it_went_and_nowhere_else(
+    opened: Application, foot: SceneView
+) -> None:
+    before, far = opened.surface.height_mm(0.0, 100.0), opened.surface.height_mm(0.0, 200.0)
+    act(opened, "tool_brush")
+    drag(foot, [pixel(foot, -10, 100), pixel(foot, 0, 100), pixel(foot, 10, 100)])
+    stroke = last(opened)
+    assert isinstance(stroke, BrushStroke)
+    assert opened.surface.height_mm(0.0, 100.0) == pytest.approx(before + 1.0, abs=0.1)
+    assert opened.surface.height_mm(0.0, 200.0) == far
+    act(opened, "undo")
+    assert opened.surface.height_mm(0.0, 100.0) == before
+
+
+def test_a_landmark_is_dragged(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_key_point")
+    name = "metatarsal_head_1"
+    start = pixel(foot, *shown_points(opened.case)[name])
+    drag(foot, [start, start + QPoint(4, -4), start + QPoint(8, -8)])
+    assert confidence(opened.case, name) == 1.0
+    assert len(opened.case.history) == 1
+
+
+def test_landmarks_are_confirmed_and_found_anew(opened: Application) -> None:
+    act(opened, "confirm_landmarks")
+    assert confidence(opened.case, "heel_centre") == 1.0
+    act(opened, "find_landmarks")
+    assert confidence(opened.case, "heel_centre") < 1.0
+    assert len(opened.case.history) == 2
+
+
+def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -> None:
+    line = metatarsal_line(opened.case.record)
+    assert line is not None
+    act(opened, "tool_pelott")
+    x, y = line[1, :2]
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, x, y - 45.0))
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    found = clearance(opened.case.record, pad)
+    assert found is not None
+    # Carried to within a millimetre of the usual distance, it takes exactly that one.
+    short = found.distance_mm - USUAL_MM - 1.0
+    start, end = (
+        pixel(foot, *pad.centre_mm),
+        pixel(foot, pad.centre_mm[0], pad.centre_mm[1] + short),
+    )
+    drag(foot, [start, start + (end - start) * 0.5, end])
+    settled = last(opened)
+    assert isinstance(settled, Pelott)
+    exact = clearance(opened.case.record, settled)
+    assert exact is not None
+    assert exact.distance_mm == pytest.approx(USUAL_MM, abs=0.05)
+    assert f"{USUAL_MM:.1f} mm" in opened.hand.tool.hint(opened.case)
+
+
+def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_section")
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))
+    assert opened.stage.section.thickness_mm(0.0) == pytest.approx(
+        opened.surface.height_mm(0.0, 110.0), abs=0.1
+    )
+
+
+def test_a_heel_skive_is_prescribed_and_its_values_edited(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    act(opened, "add_heel_skive")
+    settle()
+    panel = opened.stage.parameters
+    fields = {field.property("key"): field for field in panel.findChildren(NumberField)}
+    fields["correction.depth_mm"].setValue(4.0)
+    border = next(c for c in panel.findChildren(Choice) if c.property("key") == "correction.border")
+    border.setCurrentIndex(border.findData("lateral"))
+    border.activated.emit(border.currentIndex())
+    skive = last(opened)
+    assert isinstance(skive, HeelSkive)
+    assert (skive.depth_mm, skive.border) == (4.0, "lateral")
+    assert skive.created_at != ""
+
+
+def test_corrections_change_their_order_in_the_list(opened: Application) -> None:
+    act(opened, "add_heel_skive")
+    act(opened, "add_heel_cup")
+    up = next(
+        b
+        for b in opened.stage.patient.findChildren(QToolButton)
+        if b.toolTip() == "Move up" and b.isVisible()
+    )
+    up.click()
+    assert opened.case.record.design is not None
+    assert isinstance(opened.case.record.design.corrections[0], HeelCup)
+
+
+@pytest.mark.parametrize("kind", ["height", "thickness", "fit"])
+def test_maps_follow_a_drag_without_a_new_actor(
+    opened: Application, foot: SceneView, kind: str
+) -> None:
+    act(opened, f"map_{kind}")
+    actor = opened.stage.insole.scene.painter._plotter.actors["surface"]
+    act(opened, "tool_pelott")
+    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140)])
+    assert opened.stage.insole.scene.painter._plotter.actors["surface"] is actor
+    act(opened, f"map_{MapKind.NONE.value}")
+
+
+def test_contours_and_wireframe_come_and_go(opened: Application) -> None:
+    painter = opened.stage.insole.scene.painter
+    act(opened, "contours")
+    assert "contours" in painter._plotter.actors
+    act(opened, "wireframe")
+    assert painter._plotter.actors["surface"].prop.style == "Wireframe"
+    act(opened, "contours")
+    act(opened, "wireframe")
+    assert "contours" not in painter._plotter.actors
+    assert painter._plotter.actors["surface"].prop.style == "Surface"
+
+
+def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
+    opened: Application, settle: Callable[[], None], tmp_path: Path, make_foot: object
+) -> None:
+    act(opened, "tool_pelott")
+    foot = opened.stage.foot.scene
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 150.0))
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    opened.studio.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
+    act(opened, "save_template")
+    assert opened.case.record.source is not None
+    opened.case.open_foot(make_foot(Side.RIGHT), opened.case.record.source)  # type: ignore[operator]
+    settle()
+    act(opened, "apply_template")
+    copied = last(opened)
+    assert isinstance(copied, Pelott)
+    assert copied.centre_mm == pytest.approx((-pad.centre_mm[0], pad.centre_mm[1]), abs=0.02)
+    assert copied.id != pad.id
+    assert opened.case.history.undo_sentence == "Apply a template"
+
+
+def test_a_template_that_is_none_is_one_sentence(opened: Application, tmp_path: Path) -> None:
+    (tmp_path / "odd.insole-template").write_text("{}")
+    opened.studio.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
+    act(opened, "apply_template")
+    (dialog,) = opened.studio.dialogs
+    assert "no design" in dialog.text()
+
+
+def test_the_outline_is_printed_in_true_size(
+    opened: Application, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    opened.studio.print_outline_to(tmp_path / "outline.pdf")
+    settle()
+    content = (tmp_path / "outline.pdf").read_bytes()
+    assert content.startswith(b"%PDF")
+    # 80 × 250 mm and its margin fit on A4: 595 × 842 points.
+    assert b"/MediaBox [0 0 595" in content
+
+
+def test_the_tour_has_five_stops_and_is_not_shown_again(opened: Application) -> None:
+    act(opened, "tour")
+    tour = opened.window.findChild(Tour)
+    assert tour is not None
+    for _ in range(5):
+        assert tour.isVisible()
+        tour.go_on()
+    assert opened.settings.tour_seen
+
+
+def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneView) -> None:
+    narrow = foot.grab_px
+    act(opened, "touch")
+    assert foot.grab_px >= 2 * narrow
+    assert "min-height: 40px" in QApplication.instance().styleSheet()  # type: ignore[union-attr]
+    act(opened, "touch")
+
+
+def test_the_steps_show_how_far_the_case_is(opened: Application) -> None:
+    texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
+    assert texts[1].startswith("●")
+    assert texts[0].startswith("◉")
+    act(opened, "confirm_landmarks")
+    texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
+    assert texts[2].startswith("●")
