@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
 from insole_core.export.atomic import replacing_file
+from insole_core.geometry.arrays import Float32Array
 from insole_core.geometry.mesh import TriangleMesh
 
 _HEADER = b"Insole Studio, unit mm"  # must not begin with "solid", which would mark ASCII
@@ -16,6 +18,8 @@ _ASCII_FACET = (
     + 3 * "   vertex %.9g %.9g %.9g\n"
     + "  endloop\n endfacet\n"
 )
+
+_Columns: TypeAlias = list[Float32Array]
 
 
 def write_stl(mesh: TriangleMesh, path: Path) -> None:
@@ -54,15 +58,25 @@ def _facets(mesh: TriangleMesh) -> np.ndarray[tuple[int], np.dtype[np.void]]:
     The normals are those of the rounded corners, so that a reader finds them consistent.
     """
     facets = np.zeros(len(mesh.triangles), _FACET)
-    vertices = mesh.vertices.astype(np.float32)
-    a, b, c = (vertices[mesh.triangles[:, corner]] for corner in range(3))
-    facets["corners"][:, 0], facets["corners"][:, 1], facets["corners"][:, 2] = a, b, c
-    b -= a
-    c -= a
-    normal = facets["normal"]
+    # One contiguous array a coordinate and corner: more than twice as fast as rows of three.
+    coordinates = np.ascontiguousarray(mesh.vertices.T, dtype=np.float32)
+    corners = np.ascontiguousarray(mesh.triangles.T)
+    a, b, c = ([axis[corner] for axis in coordinates] for corner in corners)
     for axis in range(3):
-        y, z = (axis + 1) % 3, (axis + 2) % 3
-        normal[:, axis] = b[:, y] * c[:, z] - b[:, z] * c[:, y]
-    length = np.sqrt(np.einsum("ij,ij->i", normal, normal))
-    normal /= np.where(length > 0, length, 1)[:, None]
+        for number, corner in enumerate((a, b, c)):
+            facets["corners"][:, number, axis] = corner[axis]
+    for axis, component in enumerate(_unit_cross(a, b, c)):
+        facets["normal"][:, axis] = component
     return facets
+
+
+def _unit_cross(a: _Columns, b: _Columns, c: _Columns) -> _Columns:
+    """Components of the normals of triangles; zero for a triangle without area."""
+    ab, ac = ([end - start for start, end in zip(a, other, strict=True)] for other in (b, c))
+    cross = [
+        ab[(axis + 1) % 3] * ac[(axis + 2) % 3] - ab[(axis + 2) % 3] * ac[(axis + 1) % 3]
+        for axis in range(3)
+    ]
+    length = np.sqrt(cross[0] ** 2 + cross[1] ** 2 + cross[2] ** 2)
+    length[length == 0] = 1
+    return [component / length for component in cross]

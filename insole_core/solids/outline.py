@@ -19,10 +19,11 @@ from insole_core.insole.outline_curve import inside_curve
 _ALLOWANCE_MM = 2.0  # of the outline beyond the foot
 _GAP_MM = 12.0  # gaps between toes and under a high arch are bridged up to twice this
 _SMOOTHING_MM = 2.5
+_VERTEX_PITCH_MM = 1.5
 _LEAST_AREA_MM2 = 400.0
 _PITCH_MM = 0.5  # of the points along an outline that find the nearest part of it
 _SUBPIXEL_BITS = 8
-_DOUBTFUL = 2.0  # steps from the outline, where a painted mask may err
+_DOUBTFUL = 1.0  # steps from the outline, where a painted mask may err
 _ON_OUTLINE_MM = 1e-6  # nearer, the way from the outline has no direction
 
 
@@ -68,7 +69,7 @@ def automatic_outline(insole: Insole) -> FloatArray:
     lines = contourpy.contour_generator(z=smooth).lines(0.0)
     polygons = [np.asarray(line)[:-1] * step + first for line in lines]
     largest = max(polygons, key=lambda p: abs(_area(p)), default=np.zeros((0, 2)))
-    return checked_outline(largest)
+    return checked_outline(largest[:: max(1, int(_VERTEX_PITCH_MM / step))])
 
 
 def checked_outline(polygon: FloatArray) -> FloatArray:

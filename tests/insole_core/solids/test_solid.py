@@ -117,7 +117,7 @@ def test_following_bottom_keeps_the_thickness_everywhere(insole):
     below = mesh.vertices[len(mesh.vertices) // 2 :]
     some = below[:: len(below) // 200]
     gaps = np.linalg.norm(top[None] - some[:, None], axis=2).min(axis=1)
-    assert gaps.min() >= 4.0 - 0.03
+    assert gaps.min() >= 4.0 - 0.1  # on a grid of 1 mm
     assert np.median(gaps) < 4.3
 
 

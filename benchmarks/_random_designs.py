@@ -1,0 +1,70 @@
+"""Designs by chance, on simulated feet by chance: for benchmarks and tests of solids."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.placing import place_foot
+from insole_core.geometry.side import Side
+from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.design import (
+    ArchRaise,
+    Correction,
+    HeelCup,
+    HeelSkive,
+    InsoleDesign,
+    Pelott,
+    Posting,
+)
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import vary_shape
+from insole_core.solids.solid import KINDS, Kind, SolidOptions
+
+DESIGNS_PER_FOOT = 5
+
+
+def random_foot(seed: int) -> Foot:
+    rng = np.random.default_rng(seed)
+    side = Side.LEFT if rng.random() < 0.5 else Side.RIGHT
+    mesh = build_foot(vary_shape(rng, side), rng, cell_mm=3.0).mesh
+    return place_foot(mesh, side, frame="reference", force=True)
+
+
+def random_design(foot: Foot, rng: np.random.Generator) -> InsoleDesign:
+    pad = Pelott(
+        centre_mm=(float(rng.uniform(-20, 20)), float(rng.uniform(0.5, 0.75) * foot.length_mm)),
+        length_mm=float(rng.uniform(30, 80)),
+        width_mm=float(rng.uniform(20, 60)),
+        height_mm=float(rng.uniform(-1.5, 10)),
+        turn_deg=float(rng.uniform(-40, 40)),
+    )
+    posting = Posting(
+        rearfoot_deg=float(rng.uniform(-6, 6)), forefoot_deg=float(rng.uniform(-4, 4))
+    )
+    possible: list[Correction] = [
+        pad, posting, HeelSkive(depth_mm=float(rng.uniform(1, 5))),
+        ArchRaise(height_mm=float(rng.uniform(1, 6))), HeelCup(depth_mm=float(rng.uniform(8, 20))),
+    ]  # fmt: skip
+    return InsoleDesign(
+        foot.side,
+        tuple(c for c in possible if rng.random() < 0.6),
+        thickness_mm=float(rng.uniform(2, 8)),
+        grid_mm=float(rng.choice([1.0, 1.5, 2.0])),
+        max_height_mm=float(rng.uniform(15, 35)),
+        bottom=str(rng.choice(["flat", "following"])),
+    )
+
+
+def random_solids(count: int, seed: int = 0) -> Iterator[tuple[Insole, Kind, SolidOptions]]:
+    """Insoles with the kind and the options of the solid to make of each."""
+    rng = np.random.default_rng(seed)
+    for number in range(count):
+        if number % DESIGNS_PER_FOOT == 0:
+            foot = random_foot(seed + number)
+        options = SolidOptions(
+            draft_deg=float(rng.uniform(-8, 15)), chamfer_mm=float(rng.choice([0.0, 1.0, 2.5]))
+        )
+        yield build_insole(foot, random_design(foot, rng)), KINDS[number % len(KINDS)], options

@@ -1,0 +1,117 @@
+"""What other programs read from the files: the same solid, in mm, with names and colours."""
+
+from __future__ import annotations
+
+import errno
+import zipfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import trimesh
+
+from insole_core.errors import OutputError, UsageError
+from insole_core.export.solid_file import SUFFIXES, merged, write_solids
+from insole_core.export.stl import write_ascii_stl
+from insole_core.export.three_mf import CORE, OWN, Part, write_3mf
+from insole_core.geometry.mesh import TriangleMesh
+
+CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
+COLORS = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 8, 7]], np.uint8)
+TETRA = TriangleMesh(CORNERS, FACES, COLORS)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("name", ["insole", "Fuß – 足 'x' & y"])
+def test_every_format_keeps_size_and_volume(suffix, name, tmp_path: Path):
+    path = tmp_path / f"{name}{suffix}"
+    write_solids([Part(TETRA, "left")], path)
+    read = trimesh.load_mesh(path)
+    assert read.bounds[1] == pytest.approx([10, 20, 30.125])
+    assert read.volume == pytest.approx(TETRA.volume_mm3)
+    assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+
+
+def test_obj_and_ply_keep_colours(tmp_path: Path):
+    for suffix in (".obj", ".ply"):
+        path = tmp_path / f"foot{suffix}"
+        write_solids([Part(TETRA, "foot")], path)
+        read = trimesh.load_mesh(path, process=False)
+        assert np.array_equal(read.visual.vertex_colors[:, :3], COLORS)
+
+
+def test_ascii_stl_is_text_with_the_same_numbers(tmp_path: Path):
+    path = tmp_path / "a.stl"
+    write_ascii_stl(TETRA, path)
+    assert path.read_text().startswith("solid ")
+    read = trimesh.load_mesh(path)
+    assert read.volume == pytest.approx(TETRA.volume_mm3)
+    assert read.is_watertight
+
+
+def test_3mf_keeps_zones_apart(tmp_path: Path):
+    path = tmp_path / "zones.3mf"
+    parts = [
+        Part(TETRA, 'heel "soft" <1>', (255, 128, 0), 15.0),
+        Part(TETRA.transformed(np.diag([1.0, 1, 1, 1])), "Längsgewölbe 足"),
+    ]
+    write_3mf(parts, path, "Åsa & Co")
+    with zipfile.ZipFile(path) as archive:
+        model = ElementTree.fromstring(archive.read("3D/3dmodel.model"))
+    assert model.get("unit") == "millimeter"
+    objects = model.findall(f".//{{{CORE}}}object")
+    assert [o.get("name") for o in objects] == [part.name for part in parts]
+    bases = model.findall(f".//{{{CORE}}}base")
+    assert bases[0].get("displaycolor") == "#FF8000"
+    density = objects[0].find(f".//{{{CORE}}}metadata")
+    assert density is not None
+    assert density.get("name") == "insole:density_percent"
+    assert density.text == "15"
+    assert OWN.encode() in zipfile.ZipFile(path).read("3D/3dmodel.model")
+    assert objects[1].find(f".//{{{CORE}}}metadata") is None
+    assert len(trimesh.load(path).geometry) == 2
+
+
+def test_other_formats_put_the_parts_side_by_side(tmp_path: Path):
+    path = tmp_path / "pair.stl"
+    away = np.eye(4)
+    away[0, 3] = 50
+    write_solids([Part(TETRA, "left"), Part(TETRA.transformed(away), "right")], path)
+    read = trimesh.load_mesh(path)
+    assert read.body_count == 2
+    assert read.volume == pytest.approx(2 * TETRA.volume_mm3)
+    assert merged([TETRA]) is TETRA
+
+
+def test_unknown_format(tmp_path: Path):
+    with pytest.raises(UsageError, match=r"choose \.stl, \.3mf, \.ply, \.obj"):
+        write_solids([Part(TETRA, "left")], tmp_path / "insole.step")
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_full_disk_leaves_the_old_file(suffix, tmp_path: Path, monkeypatch):
+    path = tmp_path / f"insole{suffix}"
+    path.write_text("of yesterday")
+
+    def full(*_arguments, **_options):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "open", full)
+    monkeypatch.setattr(zipfile.ZipFile, "writestr", full)
+    with pytest.raises(OutputError, match="the disk is full"):
+        write_solids([Part(TETRA, "left")], path)
+    monkeypatch.undo()
+    assert path.read_text() == "of yesterday"
+    assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_places_that_cannot_be_written(suffix, tmp_path: Path):
+    with pytest.raises(OutputError, match="its folder does not exist"):
+        write_solids([Part(TETRA, "left")], tmp_path / "no" / f"insole{suffix}")
+    taken = tmp_path / f"folder{suffix}"
+    taken.mkdir()
+    with pytest.raises(OutputError, match="a folder of that name"):
+        write_solids([Part(TETRA, "left")], taken)
