@@ -15,49 +15,27 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture, capture_from_frames, read_captures
+from insole_core.calibration.captures import capture_from_frames, read_captures
 from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.thesis_maps import cubic_map, mean_map
-from insole_core.calibration.wall_plane import expected_raw, fit_wall, plane_rows
-from insole_core.evaluation.wall import Correction, NoCorrection, wall_errors
+from insole_core.calibration.wall_plane import expected_raw, plane_rows
+from insole_core.evaluation.leave_one_out import leave_one_out
+from insole_core.evaluation.wall import WallError
 from insole_core.geometry.arrays import RawArray
-from insole_core.sensing.camera import Camera
-from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.nominal import BURRUS
+from insole_core.sensing.nominal import DEPTH_CAMERA as CAMERA
 
-CAMERA = Camera(640, 480, 585, 585, 319.5, 239.5)
-BURRUS = LinearInverseDisparity(3.3309495, -0.0030711016)
 FRAMES = 100
 DISTANCES_MM = np.arange(800, 1001, 10)
 
 
-def leave_one_out(captures: list[WallCapture]) -> dict[str, list[float]]:
-    """Mean absolute error in mm of every capture, corrected from the others."""
-    rows = plane_rows(CAMERA)
-    walls = [fit_wall(capture, rows, BURRUS) for capture in captures]
-    table: dict[str, list[float]] = {}
-    for i, capture in enumerate(captures):
-        others = [j for j in range(len(captures)) if j != i]
-        corrections: dict[str, Correction] = {
-            "raw": NoCorrection(),
-            "algorithm 1": mean_map([walls[j] for j in others]),
-            "algorithm 2": cubic_map([walls[j] for j in others], BURRUS),
-            "default": calibrate_distortion(
-                [captures[j] for j in others], CAMERA, BURRUS
-            ).correction,
-        }
-        for name, (error,) in wall_errors([capture], corrections, CAMERA, BURRUS).items():
-            table.setdefault("distance", [])
-            table.setdefault(name, []).append(error.mean_abs_mm)
-        table["distance"].append(error.distance_mm)
-    return table
-
-
-def print_table(name: str, table: dict[str, list[float]]) -> None:
+def print_table(name: str, errors: dict[str, list[WallError]]) -> None:
     print(f"\n{name}: mean absolute error, mm, leave-one-out")
-    for row, values in table.items():
-        form = "8.0f" if row == "distance" else "8.2f"
-        print(f"{row:12}" + "".join(f"{value:{form}}" for value in values)
-              + ("" if row == "distance" else f"   mean {np.mean(values):.2f}"))  # fmt: skip
+    distances = [error.distance_mm for error in errors["raw"]]
+    print(f"{'distance':12}" + "".join(f"{distance:8.0f}" for distance in distances))
+    for row, listed in errors.items():
+        values = [error.mean_abs_mm for error in listed]
+        cells = "".join(f"{value:8.2f}" for value in values)
+        print(f"{row:12}{cells}   mean {np.mean(values):.2f}")
 
 
 def simulated_frames(distance_mm: float, patterns: list[np.ndarray]) -> Iterator[RawArray]:
@@ -91,7 +69,7 @@ def main() -> None:
     measure_speed()
     if len(sys.argv) > 1:
         for folder in sorted(Path(sys.argv[1]).glob("walls_*")):
-            print_table(folder.name, leave_one_out(read_captures(folder)))
+            print_table(folder.name, leave_one_out(read_captures(folder), CAMERA, BURRUS))
 
 
 if __name__ == "__main__":

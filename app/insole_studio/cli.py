@@ -17,9 +17,11 @@ from typing import NoReturn, Protocol
 from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
 from insole_studio.commands import (
+    calibrate,
     capture,
     compare,
     design,
+    evaluate,
     import_fakenect,
     reconstruct,
     sensors,
@@ -48,6 +50,8 @@ COMMANDS: tuple[Command, ...] = (
     sensors,
     capture,
     import_fakenect,
+    calibrate,
+    evaluate,
     reconstruct,
     design,
     compare,

@@ -13,6 +13,7 @@ import numpy as np
 
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray, RawArray
+from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import mean_raw
@@ -81,7 +82,7 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     """Read the wall captures of a folder of raw 16-bit PNG images.
 
     Every sub-folder is one capture and its images are the frames; in a folder without sub-folders
-    every image is a capture of one frame.
+    every image is a capture of one frame. A ``sensor.json`` beside the images tells the device.
 
     Raises
     ------
@@ -92,7 +93,8 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     captures = []
     for done, (name, paths) in enumerate(groups):
         progress.step(done / len(groups), f"Reading {name}")
-        captures.append(capture_from_frames(name, read_frames(paths)))
+        serial = _serial_beside(paths[0])
+        captures.append(capture_from_frames(name, read_frames(paths), serial=serial))
     return captures
 
 
@@ -152,6 +154,11 @@ def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     if not groups:
         raise InputError(f"{folder} holds no PNG images; name the folder with the wall captures.")
     return groups
+
+
+def _serial_beside(image: Path) -> str:
+    path = image.with_name("sensor.json")
+    return JsonObject.parse(path.name, path.read_bytes()).text("serial") if path.exists() else ""
 
 
 def _peek(frames: Iterable[RawArray]) -> tuple[RawArray, Iterator[RawArray]]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from insole_core.calibration.adjustment import Adjustment, adjust
+from insole_core.calibration.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
     LinearInverseDisparity,
@@ -20,6 +23,7 @@ _TANGENT_START = (123.6, 2842.5, 1.1863)
 _ROBUST_RAW = 2.0
 _LEAST_DEPTH_RATIO = 1.1
 _DEPTH_MM = (300.0, 12000.0)
+_CENTRE = (slice(230, 250), slice(310, 330))
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +91,37 @@ def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
     )
     k1, k2, k3 = found.values.tolist()
     return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), found, raw, depth_mm)
+
+
+def centre_pairs(
+    captures: Sequence[WallCapture], correction: DisparityCorrection | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Give the raw number at the image centre, (n,), and the measured distance, (n,) mm.
+
+    Parameters
+    ----------
+    captures
+        With their distances at the image centre.
+    correction
+        Of the distortion, where it is known.
+
+    Raises
+    ------
+    CalibrationError
+        When a capture has no distance, or no reading at the centre.
+    """
+    raw, depth_mm = [], []
+    for capture in captures:
+        image = correction.corrected(capture.raw) if correction else capture.raw
+        centre = image[_CENTRE]
+        if capture.distance_mm is None or not np.isfinite(centre).any():
+            raise CalibrationError(
+                f"{capture.name} needs a reading at the image centre and its measured distance; "
+                "measure it, or take the capture out."
+            )
+        raw.append(float(np.nanmedian(centre)))
+        depth_mm.append(capture.distance_mm)
+    return np.array(raw), np.array(depth_mm)
 
 
 def linear_inverse_near(model: DisparityModel, raw: FloatArray) -> LinearInverseDisparity:

@@ -69,6 +69,15 @@ class MarkerSurvey:
     largest_change_mm: float
     unseen: tuple[str, ...]
 
+    @property
+    def measured_mm(self) -> dict[str, FloatArray]:
+        """The surveyed markers' own positions, (3,) mm, in the frame of the plan."""
+        return {
+            marker.id: np.array(marker.position_mm)
+            for marker in self.system.markers
+            if marker.id not in self.unseen
+        }
+
 
 def survey_markers(
     plan: ReferenceSystem, views: Sequence[MarkerView], camera: Camera, length: KnownLength

@@ -106,6 +106,8 @@ def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
         noise = _noise(remaining, blocks.weight)
         cut = _CUT * max(noise, _LEAST_NOISE_RAW)
         weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
+    if blocks.free_plane.all():
+        offset, slope = (_without_plane(part, blocks) for part in (offset, slope))
     unit = _unit_deviation(factor, blocks.shape, 2 * count)
     deviation = _deviation(remaining, weight, unit)
     return BlockMap(offset, slope, deviation, reference, noise, decay, remaining)
@@ -183,6 +185,13 @@ def _solve_map_alone(
     """Solve for the map's unknowns with the planes as they are."""
     pulled = weight * residual
     return factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
+
+
+def _without_plane(values: FloatArray, blocks: Blocks) -> FloatArray:
+    """Leave out what walls of unknown position cannot tell: the gauge holds it only weakly."""
+    weight = np.sqrt(blocks.weight.sum(0))
+    plane = np.linalg.lstsq(blocks.rows * weight[:, None], values * weight, rcond=None)[0]
+    return np.asarray(values - blocks.rows @ plane)
 
 
 def _noise(remaining: FloatArray, weight: FloatArray) -> float:

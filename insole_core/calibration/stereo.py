@@ -76,7 +76,7 @@ def calibrate_stereo(
     CalibrationError
         With fewer than three pairs.
     """
-    pairs = [_common(a, b) for a, b in zip(depth, color, strict=True)]
+    pairs = [common_corners(a, b) for a, b in zip(depth, color, strict=True)]
     pairs = [(a, b) for a, b in pairs if len(a.pixels) >= _LEAST_COMMON]
     if len(pairs) < _LEAST_PAIRS:
         raise CalibrationError(
@@ -120,17 +120,17 @@ def as_stereo(
     )
 
 
+def common_corners(a: Sighting, b: Sighting) -> tuple[Sighting, Sighting]:
+    """Keep the corners that both pictures show, in the same order."""
+    same = (np.abs(a.points_mm[:, None] - b.points_mm[None]).max(-1) < 1e-6).nonzero()
+    return _taking(a, same[0]), _taking(b, same[1])
+
+
 def board_pose(sighting: Sighting, camera: Camera) -> FloatArray:
     """Give the pose (4, 4) ``board2camera`` of a board in one picture."""
     rays = camera.normalised(sighting.pixels)
     _, turn, shift = cv2.solvePnP(sighting.points_mm, rays, np.eye(3), None)
     return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
-
-
-def _common(a: Sighting, b: Sighting) -> tuple[Sighting, Sighting]:
-    """Keep the corners that both pictures show, in the same order."""
-    same = (np.abs(a.points_mm[:, None] - b.points_mm[None]).max(-1) < 1e-6).nonzero()
-    return _taking(a, same[0]), _taking(b, same[1])
 
 
 def _taking(sighting: Sighting, which: IntArray) -> Sighting:

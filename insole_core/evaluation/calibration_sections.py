@@ -16,7 +16,8 @@ from insole_core.calibration.intrinsics import (
     CameraCalibration,
     parameters_of,
 )
-from insole_core.calibration.reference_file import FaceCheck, positions
+from insole_core.calibration.marker_survey import MarkerSurvey
+from insole_core.calibration.reference_file import BumpCheck, FaceCheck, positions
 from insole_core.calibration.stereo import StereoCalibration
 from insole_core.evaluation.report import Number, Plot, Section, Table
 from insole_core.geometry.arrays import FloatArray
@@ -141,6 +142,30 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
             Table("Faces", ("face", "markers", "asymmetry mm", "relief mm", "nearest mm"), rows),
         ),
         plots=(Plot("Markers, mm", lambda figure: draw_reference(figure, system)),),
+    )
+
+
+def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
+    """Report where the markers of a built system really are, and which were bumped."""
+    rows = tuple(
+        (m.id, *(f"{value:.2f}" for value in m.position_mm),
+         f"{np.linalg.norm(survey.deviation_mm[m.id]):.2f}",
+         "not seen" if m.id in survey.unseen else "moved" if m.id in bump.moved else "")
+        for m in survey.system.markers
+    )  # fmt: skip
+    moved = tuple(
+        f"Marker {name} is {mm:.1f} mm from its place." for name, mm in bump.moved.items()
+    )
+    return Section(
+        key="survey",
+        title=f"Reference system {survey.system.name}, measured",
+        numbers=(
+            Number("rms_px", "Residual in the pictures (rms)", survey.rms_px, "px"),
+            Number("rms_mm", "Distance from the plan (rms)", bump.rms_mm, "mm"),
+            Number("largest_change_mm", "Farthest from the plan", survey.largest_change_mm, "mm"),
+        ),
+        sentences=moved or ("No marker was bumped.",),
+        tables=(Table("Markers, mm", ("marker", "x", "y", "z", "standard deviation", ""), rows),),
     )
 
 

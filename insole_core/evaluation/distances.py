@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -73,7 +74,7 @@ def evaluate_object(
     seen = np.flatnonzero(np.isfinite(measured_mm).all(axis=1))
     if len(seen) < 2:
         raise InputError("Fewer than two points of the object were measured; mark them again.")
-    distances = tuple(
+    return summarise(
         DistanceError(
             names[i],
             names[j],
@@ -83,17 +84,30 @@ def evaluate_object(
         )
         for i, j in combinations(seen.tolist(), 2)
     )
-    size = np.array([abs(d.error_mm) for d in distances])
+
+
+def summarise(distances: Iterable[DistanceError]) -> ObjectEvaluation:
+    """Summarise distances, of one object or of several positions of it.
+
+    Raises
+    ------
+    InputError
+        Without any.
+    """
+    listed = tuple(distances)
+    if not listed:
+        raise InputError("No distance of the object was measured; mark its points again.")
+    size = np.array([abs(d.error_mm) for d in listed])
     return ObjectEvaluation(
-        distances=distances,
+        distances=listed,
         mean_abs_mm=float(size.mean()),
         sd_abs_mm=float(size.std()),
         max_abs_mm=float(size.max()),
-        mean_relative=float(np.mean([d.relative for d in distances])),
+        mean_relative=float(np.mean([d.relative for d in listed])),
         mean_abs_by_axis_mm={
-            axis: float(np.mean([abs(d.error_mm) for d in distances if d.axis == axis]))
+            axis: float(np.mean([abs(d.error_mm) for d in listed if d.axis == axis]))
             for axis in AXES
-            if any(d.axis == axis for d in distances)
+            if any(d.axis == axis for d in listed)
         },
     )
 

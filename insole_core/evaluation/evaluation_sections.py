@@ -15,6 +15,9 @@ from insole_core.evaluation.report import Number, Plot, Section, Table
 from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
+_LISTED = 105
+"""Rows of a table of distances: all those between 15 points."""
+
 
 def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
     """Report wall errors by correction: figure 11."""
@@ -88,7 +91,7 @@ def object_section(result: ObjectEvaluation) -> Section:
     rows = tuple(
         (f"{d.first}-{d.second}", d.axis, f"{d.true_mm:.2f}", f"{d.measured_mm:.2f}",
          f"{d.error_mm:+.2f}", f"{d.relative:.2%}")
-        for d in result.distances
+        for d in sorted(result.distances, key=lambda d: -abs(d.error_mm))[:_LISTED]
     )  # fmt: skip
     by_axis = tuple(
         Number(f"mean_abs_mm_{axis}", f"Mean absolute error, {axis}", value, "mm")
@@ -97,6 +100,10 @@ def object_section(result: ObjectEvaluation) -> Section:
     return Section(
         key="object",
         title="Known object",
+        sentences=(
+            f"{len(result.distances)} distances were measured; those with the {len(rows)} largest "
+            "errors are listed.",
+        ),
         numbers=(
             Number("mean_abs_mm", "Mean absolute error", result.mean_abs_mm, "mm"),
             Number("sd_abs_mm", "Standard deviation of it", result.sd_abs_mm, "mm"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -72,7 +72,7 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
     return Noise(total, float(sd.mean()), float(np.nanmean(sd_mm)), float(1 - count.mean() / total))
 
 
-def measure_warm_up(moments: Sequence[tuple[float, RawArray]], disparity: DisparityModel) -> WarmUp:
+def measure_warm_up(moments: Iterable[tuple[float, RawArray]], disparity: DisparityModel) -> WarmUp:
     """Follow the depth at the image centre over (seconds, frame) pairs in order of time.
 
     Raises

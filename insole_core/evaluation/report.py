@@ -198,9 +198,17 @@ def write_pdf(report: Report, path: Path) -> None:
     with replacing_file(path) as beside, PdfPages(beside) as pages:
         _text_pages(pages, [report.title, _head(report), ""])
         for section in report.sections:
-            _text_pages(pages, _lines(section))
+            _text_pages(pages, section_lines(section))
             for plot in section.plots:
                 pages.savefig(_drawn(plot))
+
+
+WRITERS: dict[str, Callable[[Report, Path], None]] = {
+    ".html": write_html,
+    ".pdf": write_pdf,
+    ".json": write_json,
+}
+"""How a report is written, by the suffix of its file."""
 
 
 def _head(report: Report) -> str:
@@ -258,7 +266,8 @@ def _drawn(plot: Plot) -> Figure:
     return figure
 
 
-def _lines(section: Section) -> list[str]:
+def section_lines(section: Section) -> list[str]:
+    """Give what a section says as lines of text, for paper and terminal."""
     lines = [section.title, *section.sentences]
     lines += [f"{n.label}: {n.text}   {n.verdict}".rstrip() for n in section.numbers]
     for table in section.tables:

@@ -93,6 +93,21 @@ def wall_error(
     )
 
 
+def wall_deviation_mm(
+    capture: WallCapture, correction: Correction, camera: Camera, disparity: DisparityModel
+) -> FloatArray:
+    """(480, 640) mm a corrected capture lies behind its best plane; NaN off the wall (figure 10).
+
+    Raises
+    ------
+    CalibrationError
+        When too few pixels are left.
+    """
+    depth = correction.depth_mm(capture.raw, disparity)
+    plane_depth, valid = _fitted_depth(depth, plane_rows(camera), capture.name)
+    return np.where(valid, depth - plane_depth, np.nan)
+
+
 def wall_errors(
     captures: Iterable[WallCapture],
     corrections: Mapping[str, Correction],

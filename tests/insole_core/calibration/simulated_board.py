@@ -46,6 +46,13 @@ def sight(
     return Sighting(name, (camera.width, camera.height), board.points_mm, pixels + noise)
 
 
+def chequer_print(columns: int, rows: int, square_px: int) -> ByteArray:
+    """A chequerboard; its first inner corner is 1.5 squares from the print's corner."""
+    dark = np.indices((rows + 1, columns + 1)).sum(0) % 2
+    squares = np.kron(255 * dark, np.ones((square_px, square_px))).astype(np.uint8)
+    return np.pad(squares, square_px // 2, constant_values=255)
+
+
 def photograph(
     texture: ByteArray, px_per_mm: float, board2camera: FloatArray, camera: Camera
 ) -> ByteArray:

@@ -6,7 +6,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from simulated_board import COLOR_CAMERA, board_poses, photograph, sight
+from simulated_board import COLOR_CAMERA, board_poses, chequer_print, photograph, sight
 
 from insole_core.calibration.board import (
     Charuco,
@@ -75,13 +75,6 @@ def test_coverage_names_what_is_missing() -> None:
     result = calibrate_camera(upper_left)
     assert result.coverage.sum() == 70 * len(result.pictures)
     assert "lower right" in result.advice[-1]
-
-
-def chequer_print(columns: int, rows: int, square_px: int) -> ByteArray:
-    """A chequerboard; its first inner corner is 1.5 squares from the print's corner."""
-    dark = np.indices((rows + 1, columns + 1)).sum(0) % 2
-    squares = np.kron(255 * dark, np.ones((square_px, square_px))).astype(np.uint8)
-    return np.pad(squares, square_px // 2, constant_values=255)
 
 
 @pytest.mark.parametrize("turn", [0, 1, 2, 3])

@@ -1,0 +1,53 @@
+"""The board that pictures show, as arguments of a command."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+
+if TYPE_CHECKING:
+    from insole_core.calibration.board import Board
+
+_SIZE = re.compile(r"(\d{1,3})[x×](\d{1,3})")
+
+
+def add_board_arguments(parser: argparse.ArgumentParser, required: bool = True) -> None:
+    """Declare the board."""
+    parser.add_argument(
+        "--board", required=required, metavar="10x7",
+        help="inner corners of the chequerboard, a row has one less than squares; "
+        "squares of a ChArUco board",
+    )  # fmt: skip
+    parser.add_argument(
+        "--square", type=float, required=required, metavar="MM", help="side of one square"
+    )
+    parser.add_argument(
+        "--marker", type=float, metavar="MM", help="side of a marker: it is a ChArUco board"
+    )
+    parser.add_argument(
+        "--dictionary", default="DICT_5X5_250", help="of the ChArUco markers (DICT_5X5_250)"
+    )
+
+
+def board_of(arguments: argparse.Namespace) -> Board:
+    """Give the board of a call.
+
+    Raises
+    ------
+    UsageError
+        When its size cannot be read, or cannot be.
+    """
+    from insole_core.calibration.board import Charuco, Chequerboard
+
+    size = _SIZE.fullmatch(arguments.board)
+    if size is None:
+        raise UsageError(f'--board is "{arguments.board}"; give columns x rows, for example 10x7.')
+    if arguments.square is None:
+        raise UsageError("--board needs --square, the side of one square in mm.")
+    columns, rows = int(size[1]), int(size[2])
+    if arguments.marker is None:
+        return Chequerboard(columns, rows, arguments.square)
+    return Charuco(columns, rows, arguments.square, arguments.marker, arguments.dictionary)

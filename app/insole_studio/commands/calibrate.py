@@ -1,0 +1,31 @@
+"""``insole-studio calibrate``: turn a sensor from the box into a measuring device."""
+
+from __future__ import annotations
+
+import argparse
+
+from insole_core.progress import Progress
+from insole_studio.commands.calibration import (
+    color,
+    depth,
+    disparity,
+    distortion,
+    reference,
+    session,
+    stereo,
+)
+from insole_studio.commands.subcommands import Step, add_steps
+
+NAME = "calibrate"
+HELP = "calibrate a sensor, or measure a reference system, from folders of images"
+STEPS: tuple[Step, ...] = (color, distortion, depth, stereo, disparity, reference, session)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the steps, in the order in which a technician does them."""
+    add_steps(parser, STEPS, "STEP")
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Run the chosen step."""
+    arguments.step.run(arguments, progress)

@@ -1,0 +1,33 @@
+"""``insole-studio calibrate disparity``: raw number to mm, from walls at known distances."""
+
+from __future__ import annotations
+
+import argparse
+
+from insole_core.progress import Progress
+from insole_studio.commands.calibration.step import add_step_arguments, run_step
+
+NAME = "disparity"
+HELP = "raw number to mm, from captures of a wall at measured distances"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_step_arguments(parser, "a sub-folder of raw depth images for each wall, or one image each")
+    parser.add_argument(
+        "--distances", type=float, nargs="+", required=True, metavar="MM",
+        help="to the wall at the image centre, one for each capture in the order of their names",
+    )  # fmt: skip
+    parser.add_argument("--model", choices=["linear-inverse", "tangent"], default="linear-inverse")
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read the walls, fit the model, keep it."""
+    from insole_studio.workbench.calibration_steps import calibrate_disparity_step, read_walls
+
+    captures = read_walls(arguments.folder, arguments.distances, progress.part(0, 0.5))
+    run_step(
+        arguments,
+        progress.part(0.5, 1),
+        lambda sensor, part: calibrate_disparity_step(captures, sensor, arguments.model, part),
+    )

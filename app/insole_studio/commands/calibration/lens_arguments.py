@@ -1,0 +1,22 @@
+"""Which parameters of a camera are fitted, as arguments of a command."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from insole_core.calibration.intrinsics import IntrinsicsOptions
+
+
+def add_lens_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the parameters that are held by default."""
+    parser.add_argument("--fit-k3", action="store_true", help="free the sixth order of the lens")
+    parser.add_argument("--fit-skew", action="store_true", help="free the skew of the axes")
+
+
+def options_of(arguments: argparse.Namespace) -> IntrinsicsOptions:
+    """Give the options of a call."""
+    from insole_core.calibration.intrinsics import IntrinsicsOptions
+
+    return IntrinsicsOptions(fit_k3=arguments.fit_k3, fit_skew=arguments.fit_skew)

@@ -1,0 +1,116 @@
+"""``insole-studio calibrate reference``: check a reference system, and measure a built one."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import CalibrationError, UsageError
+from insole_core.progress import Progress
+from insole_studio.commands.report_arguments import add_report_argument, check_reports
+
+if TYPE_CHECKING:
+    from insole_core.calibration.marker_survey import MarkerSurvey
+    from insole_core.recording.session import ReferenceSystem
+
+NAME = "reference"
+HELP = "check a reference system; with sessions, measure where its markers really are"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument(
+        "system", type=Path, nargs="?", metavar="SYSTEM.json",
+        help="by default the 20-marker system of the product",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sessions", type=Path, nargs="+", default=[], metavar="SESSION",
+        help="recordings of the built system by one sensor, from many sides",
+    )  # fmt: skip
+    parser.add_argument(
+        "--length", nargs=3, metavar=("ID", "ID", "MM"), help="a distance measured by hand"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="built.json", help="write the system as it was measured"
+    )
+    parser.add_argument(
+        "--moved", type=float, default=1.0, metavar="MM",
+        help="a marker that is farther from its place was bumped (default 1 mm)",
+    )  # fmt: skip
+    add_report_argument(parser)
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Check the system; survey it where there are sessions."""
+    check_reports(arguments)
+    if bool(arguments.sessions) != bool(arguments.length):
+        raise UsageError("Measuring a built system needs both --sessions and --length.")
+    if arguments.out and not arguments.sessions:
+        raise UsageError("--out writes what --sessions have measured; name them too.")
+    from insole_core.calibration.reference_file import load_reference_system
+    from insole_core.resources import resource_path
+
+    path = arguments.system or resource_path("reference_systems/lego-20.json")
+    system = load_reference_system(path)
+    if arguments.sessions:
+        _survey(system, arguments, progress)
+    else:
+        _check(system, arguments)
+    progress.step(1.0, "Done")
+
+
+def _check(system: ReferenceSystem, arguments: argparse.Namespace) -> None:
+    from insole_core.calibration.reference_file import check_reference_system
+    from insole_core.evaluation.calibration_sections import reference_section
+    from insole_core.evaluation.report import section_lines
+    from insole_studio.workbench.calibration_report import make_report, write_reports
+
+    checks = check_reference_system(system)
+    section = reference_section(system, checks)
+    write_reports(make_report(section.title, "", [section]), arguments.report)
+    print("\n".join(section_lines(section)))
+    problems = [f"face {check.face}: {text}" for check in checks for text in check.problems]
+    if problems:
+        raise CalibrationError(
+            f"The reference system {system.name} is not fit to tell where a sensor stands; "
+            f"{'; '.join(problems)}."
+        )
+
+
+def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Progress) -> None:
+    from insole_core.calibration.marker_survey import KnownLength, survey_markers
+    from insole_core.calibration.reference_file import check_for_bump, save_reference_system
+    from insole_core.evaluation.calibration_sections import survey_section
+    from insole_core.evaluation.report import section_lines
+    from insole_studio.workbench.calibration_report import make_report, write_reports
+    from insole_studio.workbench.marker_views import read_marker_views
+
+    first, second, length = arguments.length
+    known = KnownLength(first, second, _length_mm(length))
+    seen = read_marker_views(arguments.sessions, system, progress.part(0, 0.7))
+    for sentence in seen.left_out:
+        print(f"Warning: {sentence}", file=sys.stderr)
+    progress.step(0.7, f"Measuring the markers in {len(seen.views)} views")
+    survey: MarkerSurvey = survey_markers(system, seen.views, seen.camera, known)
+    bump = check_for_bump(system, survey.measured_mm, arguments.moved)
+    section = survey_section(survey, bump)
+    write_reports(make_report(section.title, seen.serial, [section]), arguments.report)
+    if arguments.out:
+        save_reference_system(survey.system, arguments.out)
+    print("\n".join(section_lines(section)))
+    if bump.bumped and not arguments.out:
+        raise CalibrationError(
+            f"The reference system was bumped: {', '.join(bump.moved)} moved; put them back, or "
+            "keep the measured places with --out."
+        )
+
+
+def _length_mm(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise UsageError(
+            f'--length ends with "{text}"; give two marker names and their distance in mm.'
+        ) from None

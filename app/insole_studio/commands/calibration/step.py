@@ -1,0 +1,52 @@
+"""What every step of a calibration has in common: its sensor, its report, and keeping both."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.progress import Progress
+from insole_studio.commands.report_arguments import add_report_argument, check_reports
+from insole_studio.commands.sensor_arguments import add_store_argument, store_of
+
+if TYPE_CHECKING:
+    from insole_core.sensing.sensor import Sensor
+    from insole_studio.workbench.calibration_steps import StepResult
+
+
+def add_step_arguments(parser: argparse.ArgumentParser, holds: str) -> None:
+    """Declare the folder of images, the sensor and the reports."""
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
+    parser.add_argument("--serial", required=True, help="of the sensor, from its label")
+    add_store_argument(parser)
+    add_report_argument(parser)
+
+
+def run_step(
+    arguments: argparse.Namespace,
+    progress: Progress,
+    work: Callable[[Sensor, Progress], StepResult],
+) -> None:
+    """Take the sensor as it is known so far, make it better, and keep it with its reports.
+
+    Raises
+    ------
+    InsoleError
+    """
+    from insole_core.sensing.nominal import nominal_kinect
+    from insole_studio.workbench.calibration_keeping import keep_step
+
+    check_reports(arguments)
+    store = store_of(arguments)
+    known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
+    result = work(known, progress.part(0, 0.9))
+    progress.step(0.9, "Writing the calibration and its reports")
+    folder = keep_step(result, store, arguments.report)
+    for sentence in result.sentences:
+        print(sentence)
+    for sentence in result.advice:
+        print(f"Advice: {sentence}", file=sys.stderr)
+    progress.step(1.0, f"Done: {folder}")

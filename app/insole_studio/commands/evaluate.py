@@ -1,0 +1,30 @@
+"""``insole-studio evaluate``: prove what a sensor measures, and judge it by limits."""
+
+from __future__ import annotations
+
+import argparse
+
+from insole_core.progress import Progress
+from insole_studio.commands.evaluation import (
+    alignment,
+    artefact,
+    known_object,
+    noise,
+    resolution,
+    wall,
+)
+from insole_studio.commands.subcommands import Step, add_steps
+
+NAME = "evaluate"
+HELP = "evaluate a sensor from folders of images; a limit that is not kept is exit code 1"
+KINDS: tuple[Step, ...] = (wall, resolution, alignment, known_object, artefact, noise)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the kinds of evaluation."""
+    add_steps(parser, KINDS, "KIND")
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Run the chosen evaluation."""
+    arguments.step.run(arguments, progress)

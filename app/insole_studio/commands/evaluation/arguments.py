@@ -1,0 +1,19 @@
+"""What every evaluation has in common: its sensor, its limits and its reports."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from insole_studio.commands.report_arguments import add_limit_arguments, add_report_argument
+from insole_studio.commands.sensor_arguments import add_evaluated_sensor
+
+
+def add_evaluation_arguments(
+    parser: argparse.ArgumentParser, holds: str, judged_by_default: bool = False
+) -> None:
+    """Declare the folder of images, the sensor, the limits and the reports."""
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
+    add_evaluated_sensor(parser)
+    add_limit_arguments(parser, judged_by_default)
+    add_report_argument(parser)

@@ -1,0 +1,58 @@
+"""``insole-studio evaluate artefact``: acceptance with two spheres and a plate."""
+
+from __future__ import annotations
+
+import argparse
+
+from insole_core.errors import InputError
+from insole_core.progress import Progress
+from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
+from insole_studio.commands.report_arguments import check_reports, conclude
+from insole_studio.commands.sensor_arguments import evaluated_sensor
+
+NAME = "artefact"
+HELP = "acceptance with a bar of two spheres and a plate, in the manner of VDI/VDE 2634"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_evaluation_arguments(
+        parser,
+        "bar_000 … and plate_000 …, each a sub-folder of raw depth images or one image",
+        judged_by_default=True,
+    )
+    parser.add_argument(
+        "--diameter", type=float, required=True, metavar="MM", help="true diameter of the spheres"
+    )
+    parser.add_argument(
+        "--spacing", type=float, required=True, metavar="MM", help="true distance of their centres"
+    )
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Find spheres and plates, measure them, judge."""
+    check_reports(arguments)
+    from insole_core.calibration.captures import read_captures
+    from insole_core.evaluation.artefact import evaluate_artefact
+    from insole_core.evaluation.artefact_points import plate_points, sphere_points
+    from insole_core.evaluation.evaluation_sections import artefact_section
+
+    sensor = evaluated_sensor(arguments)
+    captures = read_captures(arguments.folder, progress.part(0, 0.6))
+    unknown = [c.name for c in captures if not c.name.startswith(("bar", "plate"))]
+    if unknown:
+        raise InputError(
+            f"{unknown[0]} in {arguments.folder} is neither a bar nor a plate; name the captures "
+            "bar_000 … and plate_000 …."
+        )
+    progress.step(0.6, "Measuring spheres and plates")
+    pairs = [
+        sphere_points(one, sensor, arguments.diameter)
+        for one in captures
+        if one.name.startswith("bar")
+    ]
+    plates = [plate_points(one, sensor) for one in captures if one.name.startswith("plate")]
+    section = artefact_section(
+        evaluate_artefact(pairs, plates, arguments.diameter, arguments.spacing)
+    )
+    conclude(section, "Acceptance with an artefact", sensor.serial, arguments)

@@ -1,0 +1,88 @@
+"""``insole-studio evaluate object``: distances between points of a known object."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import UsageError
+from insole_core.progress import Progress
+from insole_studio.commands.board_arguments import add_board_arguments, board_of
+from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
+from insole_studio.commands.report_arguments import check_reports, conclude
+from insole_studio.commands.sensor_arguments import evaluated_sensor
+
+if TYPE_CHECKING:
+    from insole_core.evaluation.distances import ObjectEvaluation
+    from insole_core.sensing.sensor import Sensor
+
+NAME = "object"
+HELP = "distances between points of a known object against their true values (thesis 5.5)"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_evaluation_arguments(
+        parser, "color_000 … and depth_000.png … of a board, whose corners are found; or, with "
+        "--points, the raw depth images of the object",
+    )  # fmt: skip
+    add_board_arguments(parser, required=False)
+    parser.add_argument(
+        "--points", type=Path, metavar="points.json",
+        help="the true positions of the points, and where they are marked in the image",
+    )  # fmt: skip
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Find or read the points, measure their distances, judge."""
+    check_reports(arguments)
+    if (arguments.board is None) == (arguments.points is None):
+        raise UsageError(
+            "Name the known object: --board and --square for a board, or --points for a file of "
+            "marked points."
+        )
+    from insole_core.evaluation.evaluation_sections import object_section
+
+    sensor = evaluated_sensor(arguments)
+    measure = _measure_points if arguments.board is None else _measure_boards
+    section = object_section(measure(arguments, sensor, progress.part(0, 0.9)))
+    progress.step(0.9, "Writing the report")
+    conclude(section, "Evaluation of a known object", sensor.serial, arguments)
+
+
+def _measure_boards(
+    arguments: argparse.Namespace, sensor: Sensor, progress: Progress
+) -> ObjectEvaluation:
+    from insole_core.calibration.board_depth import read_boards_in_depth
+    from insole_core.calibration.intrinsics import find_boards
+    from insole_core.evaluation.board_points import evaluate_boards
+    from insole_studio.workbench.calibration_steps import (
+        COLOR,
+        board_pictures,
+        check_color_camera,
+    )
+
+    board = board_of(arguments)
+    pictures = board_pictures(arguments.folder, COLOR)
+    sightings, _ = find_boards(pictures, board, progress.part(0, 0.7))
+    check_color_camera(sensor, sightings)
+    boards = read_boards_in_depth(arguments.folder, sightings, sensor.correction)
+    progress.step(0.7, "Measuring the corners")
+    return evaluate_boards(sensor, boards)
+
+
+def _measure_points(
+    arguments: argparse.Namespace, sensor: Sensor, progress: Progress
+) -> ObjectEvaluation:
+    from insole_core.calibration.captures import capture_from_frames, read_frames
+    from insole_core.evaluation.distances import evaluate_object
+    from insole_core.evaluation.marked_points import load_object_points
+    from insole_studio.workbench.calibration_steps import depth_images
+
+    points = load_object_points(arguments.points)
+    progress.step(0.1, "Reading the depth images")
+    paths = depth_images(arguments.folder)
+    raw = capture_from_frames(arguments.folder.name, read_frames(paths)).raw
+    measured = points.measured_mm(sensor, sensor.depth_mm(raw))
+    return evaluate_object(points.names, points.true_mm, measured)

@@ -1,0 +1,72 @@
+"""``insole-studio evaluate wall``: how far a flat wall is from flat."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from insole_core.progress import Progress
+from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
+from insole_studio.commands.report_arguments import check_reports, conclude
+from insole_studio.commands.sensor_arguments import evaluated_sensor
+
+if TYPE_CHECKING:
+    from insole_core.calibration.captures import WallCapture
+    from insole_core.evaluation.report import Section
+    from insole_core.evaluation.wall import Correction
+    from insole_core.sensing.sensor import Sensor
+
+NAME = "wall"
+HELP = "error of a flat wall over distance, before and after correction (thesis figure 11)"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_evaluation_arguments(
+        parser, "a sub-folder of raw depth images for each wall, or one image each"
+    )
+    parser.add_argument(
+        "--leave-one-out", action="store_true",
+        help="correct each wall by a map made from the other walls of the folder: raw, the two "
+        "algorithms of the thesis, and the default",
+    )  # fmt: skip
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read the walls, measure them, judge."""
+    check_reports(arguments)
+    from insole_studio.workbench.calibration_steps import check_recorded_with, read_walls
+
+    sensor = evaluated_sensor(arguments)
+    captures = read_walls(arguments.folder, progress=progress.part(0, 0.4))
+    check_recorded_with(sensor.serial, captures)
+    measure = _leave_one_out if arguments.leave_one_out else _before_and_after
+    section = measure(captures, sensor, progress.part(0.4, 0.9))
+    progress.step(0.9, "Writing the report")
+    conclude(section, "Evaluation of a flat wall", sensor.serial, arguments)
+
+
+def _leave_one_out(captures: list[WallCapture], sensor: Sensor, progress: Progress) -> Section:
+    from insole_core.calibration.captures import check_same_device
+    from insole_core.evaluation.evaluation_sections import wall_section
+    from insole_core.evaluation.leave_one_out import leave_one_out
+
+    check_same_device(captures)
+    section = wall_section(leave_one_out(captures, sensor.depth_camera, sensor.disparity, progress))
+    return replace(section, title="Error of a flat wall, each corrected from the others")
+
+
+def _before_and_after(captures: list[WallCapture], sensor: Sensor, progress: Progress) -> Section:
+    from insole_core.evaluation.evaluation_sections import wall_section
+    from insole_core.evaluation.wall import NoCorrection, wall_errors
+    from insole_core.evaluation.wall_pictures import wall_pictures
+
+    progress.step(0.0, "Measuring the walls")
+    corrections: dict[str, Correction] = {"raw": NoCorrection()}
+    if sensor.correction is not None:
+        corrections["corrected"] = sensor.correction
+    camera, disparity = sensor.depth_camera, sensor.disparity
+    section = wall_section(wall_errors(captures, corrections, camera, disparity))
+    pictures = wall_pictures(captures, corrections, camera, disparity)
+    return replace(section, plots=section.plots + pictures)

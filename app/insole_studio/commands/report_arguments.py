@@ -1,0 +1,93 @@
+"""Where the reports of a command go, and the limits that judge them."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from insole_core.errors import CalibrationError, UsageError
+
+if TYPE_CHECKING:
+    from insole_core.evaluation.limits import Limits
+    from insole_core.evaluation.report import Section
+
+BUNDLED = Path()
+"""Stands for the limits that come with the product."""
+
+
+def add_report_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare the reports."""
+    parser.add_argument(
+        "--report", type=Path, nargs="+", default=[], metavar="report.html",
+        help="write a report, as .html, .pdf or .json by its name; several may be named",
+    )  # fmt: skip
+
+
+def add_limit_arguments(parser: argparse.ArgumentParser, judged_by_default: bool) -> None:
+    """Declare the limits; an acceptance test is judged even when none are named."""
+    parser.add_argument(
+        "--limits", type=Path, nargs="?", const=BUNDLED, metavar="limits.json",
+        default=BUNDLED if judged_by_default else None,
+        help="judge by the limits of a file; without its name by those that come with the product",
+    )  # fmt: skip
+    parser.add_argument(
+        "--limit", action="append", default=[], metavar="KEY=NUMBER",
+        help="judge one number of the report by its key, for example mean_abs_mm_raw=2.5",
+    )  # fmt: skip
+
+
+def check_reports(arguments: argparse.Namespace) -> None:
+    """Refuse names in which no report is written, before any work is done.
+
+    Raises
+    ------
+    UsageError
+    """
+    from insole_studio.workbench.calibration_report import check_report_paths
+
+    check_report_paths(arguments.report)
+
+
+def conclude(section: Section, title: str, serial: str, arguments: argparse.Namespace) -> None:
+    """Print an evaluation, write its reports, and judge it.
+
+    Raises
+    ------
+    CalibrationError
+        When a limit is not kept; the reports are written all the same.
+    InsoleError
+    """
+    from insole_core.evaluation.limits import judged
+    from insole_core.evaluation.report import section_lines
+    from insole_studio.workbench.calibration_report import make_report, write_reports
+
+    section = judged(section, _limits_of(arguments, section.key))
+    report = make_report(title, serial, [section])
+    write_reports(report, arguments.report)
+    print("\n".join(section_lines(section)))
+    if not report.passed:
+        failed = "; ".join(f"{n.label} {n.text}, limit {n.limit:g}" for n in report.failed)
+        raise CalibrationError(
+            f"The acceptance failed: {failed}; calibrate the sensor again, or have it checked."
+        )
+
+
+def _limits_of(arguments: argparse.Namespace, section: str) -> Limits:
+    from insole_core.evaluation.limits import bundled_limits_path, load_limits
+
+    path: Path | None = arguments.limits
+    limits = {} if path is None else load_limits(bundled_limits_path() if path == BUNDLED else path)
+    named = dict(_limit(text) for text in arguments.limit)
+    return {**limits, section: {**limits.get(section, {}), **named}}
+
+
+def _limit(text: str) -> tuple[str, float]:
+    key, _, number = text.partition("=")
+    try:
+        return key, float(number)
+    except ValueError:
+        raise UsageError(
+            f'--limit is "{text}"; give the key of a number of the report and its limit, for '
+            "example mean_abs_mm_raw=2.5."
+        ) from None

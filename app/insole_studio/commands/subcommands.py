@@ -1,0 +1,33 @@
+"""A command whose work is divided into steps, each a module of its own."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import Protocol
+
+from insole_core.progress import Progress
+
+
+class Step(Protocol):
+    """What the module of a step offers: the same as that of a command."""
+
+    NAME: str
+    HELP: str
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        """Declare the arguments."""
+        ...
+
+    def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
+        """Do the work; errors are raised."""
+        ...
+
+
+def add_steps(parser: argparse.ArgumentParser, steps: Sequence[Step], metavar: str) -> None:
+    """Declare the steps of a command; the chosen one becomes ``arguments.step``."""
+    chosen = parser.add_subparsers(required=True, metavar=metavar)
+    for step in steps:
+        sub = chosen.add_parser(step.NAME, help=step.HELP, description=step.HELP)
+        step.add_arguments(sub)
+        sub.set_defaults(step=step)

@@ -1,0 +1,71 @@
+"""A recorded session with the calibrations that are kept of its sensors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import UTC, datetime
+
+from insole_core.calibration.applying import apply_correction
+from insole_core.errors import CalibrationError
+from insole_core.recording.session import Session, View
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.sensor import Sensor
+from insole_studio.workbench.sensor_store import SensorStore
+
+
+def calibrated_session(
+    session: Session,
+    store: SensorStore,
+    correction: DisparityCorrection | None = None,
+    insist: bool = False,
+) -> tuple[Session, tuple[str, ...]]:
+    """Give every view its sensor as it is kept, or a correction that was named.
+
+    Parameters
+    ----------
+    session
+    store
+    correction
+        For all views instead of what is kept.
+    insist
+        Use a correction of another sensor all the same.
+
+    Returns
+    -------
+    Session, tuple of str
+        And what the user must be told.
+
+    Raises
+    ------
+    CalibrationError
+        When a sensor was never calibrated, or the correction is that of another sensor.
+    """
+    now = datetime.now(UTC)
+    views: list[View] = []
+    warnings: list[str] = []
+    for view in session.views:
+        sensor = view.sensor if correction is not None else _kept(view, store)
+        chosen = correction or sensor.correction
+        if chosen is not None:
+            applied = apply_correction(sensor, chosen, now, insist)
+            sensor = applied.sensor
+            warnings += [f"View {view.name}: {warning}" for warning in applied.warnings]
+        views.append(replace(view, sensor=sensor))
+    return replace(session, views=tuple(views)), tuple(warnings)
+
+
+def _kept(view: View, store: SensorStore) -> Sensor:
+    kept = store.load(view.sensor.serial)
+    if kept is None:
+        raise CalibrationError(
+            f"View {view.name} was recorded with sensor {view.sensor.serial}, which was never "
+            "calibrated here; calibrate it first."
+        )
+    recorded, known = view.sensor.color_camera, kept.color_camera
+    if (recorded.width, recorded.height) != (known.width, known.height):
+        raise CalibrationError(
+            f"View {view.name} has colour images of {recorded.width}×{recorded.height}, but the "
+            f"sensor was calibrated at {known.width}×{known.height}; calibrate its colour camera "
+            "with pictures of that size."
+        )
+    return replace(kept, faces=view.sensor.faces)

@@ -1,0 +1,37 @@
+"""Keeping the result of a calibration step: the sensor, and the report of the step beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from insole_studio.workbench.calibration_report import make_report, report_paths, write_reports
+from insole_studio.workbench.calibration_steps import StepResult
+from insole_studio.workbench.sensor_store import SensorStore
+
+
+def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = ()) -> Path:
+    """Save the sensor and its reports, named after the step, as a whole or not at all.
+
+    Parameters
+    ----------
+    result
+    store
+    further
+        Where the report is to be written beside that.
+
+    Returns
+    -------
+    Path
+        The folder of the sensor.
+
+    Raises
+    ------
+    OutputError
+    """
+    report = make_report(result.section.title, result.sensor.serial, [result.section])
+
+    def attach(folder: Path) -> None:
+        write_reports(report, [*report_paths(folder, result.section.key), *further])
+
+    return store.save(result.sensor, attach)

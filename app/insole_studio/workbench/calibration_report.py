@@ -1,0 +1,47 @@
+"""Reports of calibrations and evaluations as files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from datetime import UTC, datetime
+from pathlib import Path
+
+from insole_core.errors import UsageError
+from insole_core.evaluation.report import WRITERS, Report, Section
+from insole_core.export.atomic import replacing_file
+
+
+def make_report(title: str, serial: str, sections: Sequence[Section]) -> Report:
+    """Give a report of now."""
+    return Report(title, serial, datetime.now(UTC).isoformat(timespec="seconds"), tuple(sections))
+
+
+def check_report_paths(paths: Sequence[Path]) -> None:
+    """Refuse suffixes in which no report is written.
+
+    Raises
+    ------
+    UsageError
+    """
+    for path in paths:
+        if path.suffix.lower() not in WRITERS:
+            raise UsageError(f"{path} is no name of a report; let it end in {', '.join(WRITERS)}.")
+
+
+def write_reports(report: Report, paths: Sequence[Path]) -> None:
+    """Write a report in the form that each name ends in: all of them or none.
+
+    Raises
+    ------
+    OutputError
+    """
+    with ExitStack() as outputs:
+        for path in paths:
+            beside = outputs.enter_context(replacing_file(path))
+            WRITERS[path.suffix.lower()](report, beside)
+
+
+def report_paths(folder: Path, stem: str) -> list[Path]:
+    """Name a report in every form."""
+    return [folder / f"{stem}{suffix}" for suffix in WRITERS]

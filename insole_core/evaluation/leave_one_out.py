@@ -1,0 +1,70 @@
+"""What a distortion correction is worth: each wall is judged by what the other walls taught."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.distortion import calibrate_distortion
+from insole_core.calibration.thesis_maps import cubic_map, mean_map
+from insole_core.calibration.wall_plane import fit_wall, plane_rows
+from insole_core.errors import CalibrationError
+from insole_core.evaluation.wall import Correction, NoCorrection, WallError, wall_error
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import DisparityModel
+
+_LEAST_WALLS = 5
+"""Algorithm 2 fits a cubic, which needs four other walls."""
+
+
+def leave_one_out(
+    captures: Sequence[WallCapture],
+    camera: Camera,
+    disparity: DisparityModel,
+    progress: Progress = SILENT,
+) -> dict[str, list[WallError]]:
+    """Correct every capture by what all the others say, and measure what is left.
+
+    Parameters
+    ----------
+    captures
+        Of one device.
+    camera
+        The depth camera.
+    disparity
+        Raw number to depth.
+
+    Returns
+    -------
+    dict
+        The errors in the order of `captures`, by correction: raw, the two algorithms of the
+        thesis (given the fitted plane, because walls need not be perpendicular), the default.
+
+    Raises
+    ------
+    CalibrationError
+        With fewer than five captures.
+    """
+    if len(captures) < _LEAST_WALLS:
+        raise CalibrationError(
+            f"Leaving one wall out needs captures at {_LEAST_WALLS} distances or more, but there "
+            f"are {len(captures)}; capture more."
+        )
+    rows = plane_rows(camera)
+    walls = [fit_wall(capture, rows, disparity) for capture in captures]
+    errors: dict[str, list[WallError]] = {}
+    for i, capture in enumerate(captures):
+        progress.step(i / len(captures), f"Calibrating without {capture.name}")
+        others = [*walls[:i], *walls[i + 1 :]]
+        default = calibrate_distortion([wall.capture for wall in others], camera, disparity)
+        corrections: dict[str, Correction] = {
+            "raw": NoCorrection(),
+            "algorithm 1": mean_map(others),
+            "algorithm 2": cubic_map(others, disparity),
+            "default": default.correction,
+        }
+        for name, correction in corrections.items():
+            error = wall_error(capture, correction, camera, disparity)
+            errors.setdefault(name, []).append(error)
+    return errors

@@ -1,0 +1,90 @@
+"""Points that a person marked in the images, as JSON."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.evaluation.alignment import Correspondence
+from insole_core.evaluation.color_points import points_at_color, points_at_depth
+from insole_core.geometry.arrays import FloatArray
+from insole_core.json_object import JsonObject
+from insole_core.sensing.sensor import Sensor
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectPoints:
+    """The points of a known object.
+
+    Parameters
+    ----------
+    names
+    true_mm : (n, 3) float64, mm, the object's own axes
+    pixels : (n, 2) float64, px
+    in_color
+        Whether they are marked in the colour image rather than in the depth image.
+    """
+
+    names: list[str]
+    true_mm: FloatArray
+    pixels: FloatArray
+    in_color: bool
+
+    def measured_mm(self, sensor: Sensor, depth_mm: FloatArray) -> FloatArray:
+        """(n, 3) float64, mm, in the frame of the camera they are marked in; NaN where unseen."""
+        measure = points_at_color if self.in_color else points_at_depth
+        return measure(sensor, depth_mm, self.pixels)
+
+
+def load_object_points(path: Path) -> ObjectPoints:
+    """Read ``{"points": [{"name", "true_mm": [x, y, z], "depth_px" or "color_px": [u, v]}]}``.
+
+    Raises
+    ------
+    InputError
+        Names the key of the first violation.
+    """
+    items = _points(path)
+    key = "color_px" if items[0].has("color_px") else "depth_px"
+    return ObjectPoints(
+        [item.text("name") for item in items],
+        np.array([item.numbers("true_mm", 3) for item in items]),
+        np.array([item.numbers(key, 2) for item in items]),
+        key == "color_px",
+    )
+
+
+def load_correspondences(path: Path) -> list[Correspondence]:
+    """Read ``{"points": [{"depth_px": [u, v], "depth_mm": z, "color_px": [u, v]}]}``.
+
+    Raises
+    ------
+    InputError
+        Names the key of the first violation.
+    """
+    return [
+        Correspondence(
+            _pixel(item, "depth_px"), item.number("depth_mm", 1), _pixel(item, "color_px")
+        )
+        for item in _points(path)
+    ]
+
+
+def _points(path: Path) -> list[JsonObject]:
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path} cannot be read ({error.strerror}); name the file.") from error
+    root = JsonObject.parse(path.name, content)
+    items = root.objects("points")
+    if not items:
+        raise root.fail("points", "is empty; mark the points in the image")
+    return items
+
+
+def _pixel(item: JsonObject, key: str) -> tuple[float, float]:
+    u, v = item.numbers(key, 2)
+    return u, v

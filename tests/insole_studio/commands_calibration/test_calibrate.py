@@ -1,0 +1,275 @@
+"""``insole-studio calibrate`` on folders of images of a sensor that is known."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, wall
+from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
+
+from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.recording.reader import read_session
+from insole_core.sensing.sensor import Sensor
+from insole_studio.cli import run
+from insole_studio.workbench.sensor_store import SensorStore
+
+REPORT_SUFFIXES = (".html", ".json", ".pdf")
+
+
+def kept(folder: Path) -> Sensor:
+    sensor = SensorStore(folder).load("SIM1")
+    assert sensor is not None
+    return sensor
+
+
+def call(step: str, folder: Path, sensors: Path, *more: str) -> list[str]:
+    return ["calibrate", step, str(folder), "--serial", "SIM1", "--sensors", str(sensors), *more]
+
+
+def test_colour_camera_within_three_deviations(recorded) -> None:
+    found, true = kept(recorded.sensors).color_camera, SENSOR.color_camera
+    report = json.loads((recorded.sensors / "SIM1" / "camera.json").read_text())
+    rows = {row["parameter"]: row for row in report["sections"]["camera"]["tables"]["Parameters"]}
+    for name in ("fx", "fy", "cx", "cy"):
+        deviation = float(rows[name]["standard deviation"])
+        assert getattr(found, name) == pytest.approx(getattr(true, name), abs=3 * deviation + 0.1)
+    for suffix in REPORT_SUFFIXES:
+        assert (recorded.sensors / "SIM1" / f"camera{suffix}").stat().st_size > 1000
+
+
+def test_distortion_is_kept_beside_the_colour_camera(recorded) -> None:
+    sensor = kept(recorded.sensors)
+    assert sensor.correction is not None
+    assert sensor.correction.record.serial == "SIM1"
+    assert sensor.color_camera.width == 640
+    figures = sensor.correction.record.figures
+    assert figures["rms_before_raw"] > 2.5
+    assert figures["rms_after_raw"] < 0.7
+
+
+def test_depth_beside_colour_from_raw_depth(recorded) -> None:
+    store = SensorStore(recorded.sensors)
+    store.save(replace(kept(recorded.sensors), depth_camera=CAMERA))
+    assert run(call("stereo", recorded.boards, recorded.sensors, *BOARD_CALL)) == 0
+    found = kept(recorded.sensors)
+    between = found.depth2color[:3, :3] @ SENSOR.depth2color[:3, :3].T
+    assert rotation_angle_deg(between) < 0.5
+    np.testing.assert_allclose(found.depth2color[:3, 3], SENSOR.depth2color[:3, 3], atol=8)
+    raw = np.array([600.0, 750.0])
+    np.testing.assert_allclose(found.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=0.01)
+
+
+def test_depth_camera_and_stereo_from_infrared(recorded) -> None:
+    assert run(call("depth", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
+    assert run(call("stereo", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
+    found = kept(recorded.sensors)
+    # Corners found in a rendered picture err by 0.1 px, and all to one side of a tilted board.
+    assert found.depth_camera.fx == pytest.approx(CAMERA.fx, rel=0.012)
+    assert found.depth_camera.cx == pytest.approx(CAMERA.cx, abs=2.5)
+    between = found.depth2color[:3, :3] @ SENSOR.depth2color[:3, :3].T
+    assert rotation_angle_deg(between) < 0.5
+    np.testing.assert_allclose(found.depth2color[:3, 3], SENSOR.depth2color[:3, 3], atol=6)
+
+
+@pytest.mark.parametrize("model", ["linear-inverse", "tangent"])
+def test_raw_number_to_mm(model: str, recorded, tmp_path: Path) -> None:
+    device = SimulatedDevice(np.zeros((480, 640)))
+    distances = [600.0, 750.0, 900.0, 1100.0]
+    walls = write_walls(tmp_path / "walls", device, [wall(mm) for mm in distances])
+    more = ["--model", model, "--distances", *map(str, distances)]
+    store = SensorStore(tmp_path / "own")
+    assert run(call("disparity", walls, tmp_path / "own", *more)) == 0
+    sensor = store.load("SIM1")
+    assert sensor is not None
+    raw = DISPARITY.raw(np.array([650.0, 800.0, 1000.0]))
+    np.testing.assert_allclose(sensor.disparity.depth_mm(raw), [650, 800, 1000], rtol=0.003)
+
+
+def test_reports_where_they_are_asked_for(recorded, tmp_path: Path) -> None:
+    names = [str(tmp_path / f"wall{suffix}") for suffix in REPORT_SUFFIXES]
+    assert run(call("distortion", recorded.walls, recorded.sensors, "--report", *names)) == 0
+    page = (tmp_path / "wall.html").read_text()
+    assert "wall_000: distance from a flat wall, mm" in page
+    assert "SIM1" in page
+    assert (tmp_path / "wall.pdf").read_bytes().startswith(b"%PDF")
+
+
+def without_board(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    cv2.imwrite(str(folder / "color_000.png"), np.full((480, 640), 90, np.uint8))
+    return "color", folder, BOARD_CALL
+
+
+def of_another_size(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    return "color", sensors.parent / "boards", ["--board", "8x5", "--square", "30"]
+
+
+def too_few(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    for name in ("color_000.png", "color_001.png"):
+        shutil.copy(sensors.parent / "boards" / name, folder)
+    return "color", folder, BOARD_CALL
+
+
+def all_parallel(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    write_boards(folder, SimulatedDevice(np.zeros((480, 640))), 4, ("color",), tilt_deg=0)
+    return "color", folder, BOARD_CALL
+
+
+def blurred(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    for path in sorted((sensors.parent / "boards").glob("color_00[0-3].png")):
+        cv2.imwrite(str(folder / path.name), cv2.GaussianBlur(cv2.imread(str(path)), (0, 0), 4))
+    return "color", folder, BOARD_CALL
+
+
+def scaled(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    for path in sorted((sensors.parent / "boards").glob("color_*.png")):
+        cv2.imwrite(str(folder / path.name), cv2.resize(cv2.imread(str(path)), (800, 600)))
+    return "color", folder, BOARD_CALL
+
+
+def not_flat(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    v, u = np.mgrid[:480, :640]
+    rough = np.where((u // 20 + v // 20) % 2, 500, 900).astype(np.uint16)
+    cv2.imwrite(str(folder / "depth_000.png"), rough)
+    return "distortion", folder, []
+
+
+def hardly_filled(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    raw = np.full((480, 640), 2047, np.uint16)
+    raw[200:260, 300:360] = 700
+    cv2.imwrite(str(folder / "depth_000.png"), raw)
+    return "distortion", folder, []
+
+
+def mixed_devices(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
+    write_walls(folder / "of_one", SimulatedDevice(np.zeros((480, 640))), WALLS[:1], 1)
+    other = SimulatedDevice(np.zeros((480, 640)), serial="SIM2")
+    write_walls(folder / "of_other", other, WALLS[1:2], 1)
+    joined = folder / "joined"
+    joined.mkdir()
+    for name in ("of_one", "of_other"):
+        shutil.move(folder / name / "wall_000", joined / name)
+    return "distortion", joined, []
+
+
+def colour_as_depth(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    return "distortion", sensors.parent / "boards", []
+
+
+def of_another_mode(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    store = SensorStore(sensors)
+    sensor = kept(sensors)
+    large = replace(sensor.color_camera, width=1280, height=1024)
+    store.save(replace(sensor, color_camera=large))
+    return "stereo", sensors.parent / "boards", BOARD_CALL
+
+
+def metres(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    call = ["--distances", "0.65", "0.72", "0.79", "0.85", "0.92", "1.0"]
+    return "disparity", sensors.parent / "walls", call
+
+
+def near_unit(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    return "color", sensors.parent / "boards", ["--board", "9x6", "--square", "5.1"]
+
+
+REFUSED: dict[str, tuple[Callable[[Path, Path], tuple[str, Path, list[str]]], str]] = {
+    "no board": (without_board, "None of the 1 pictures can be used: color_000.png: no chequer"),
+    "another size": (of_another_size, "but not one of 8×5 inner corners"),
+    "too few": (too_few, "Only 2 pictures of the board can be used, but at least 3"),
+    "all parallel": (all_parallel, "held the same way in all pictures"),
+    "blurred": (blurred, "blurred|no chequerboard"),
+    "scaled": (scaled, "The colour pictures are 800×600, but the sensor gives"),
+    "wrong unit": (near_unit, "check the size of its square"),
+    "not flat": (not_flat, "shows no flat wall"),
+    "hardly filled": (hardly_filled, "shows no flat wall that fills at least 4%"),
+    "mixed devices": (mixed_devices, "of_other was recorded with sensor SIM2, not with SIM1"),
+    "colour as depth": (colour_as_depth, "is no raw depth image"),
+    "another mode": (of_another_mode, "but the colour camera was calibrated at 1280×1024"),
+    "metres": (metres, "give them in millimetres"),
+}
+
+
+@pytest.fixture
+def beside(recorded, tmp_path: Path) -> Path:
+    """The kept sensors, with the recorded folders beside them."""
+    for folder in (recorded.boards, recorded.walls):
+        (tmp_path / folder.name).symlink_to(folder)
+    return recorded.sensors
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refused_with_one_sentence(name: str, beside: Path, tmp_path: Path, capsys) -> None:
+    prepare, expected = REFUSED[name]
+    folder = tmp_path / "images"
+    folder.mkdir()
+    step, images, more = prepare(folder, beside)
+    before = {path: path.stat().st_mtime_ns for path in beside.rglob("*")}
+    assert run(call(step, images, beside, *more)) == 1
+    sentence = capsys.readouterr().err.strip().splitlines()[-1]
+    assert any(part in sentence for part in expected.split("|"))
+    assert {path: path.stat().st_mtime_ns for path in beside.rglob("*")} == before
+
+
+def test_stereo_needs_the_colour_camera_first(recorded, tmp_path: Path, last_line) -> None:
+    assert run(call("stereo", recorded.boards, tmp_path / "new", *BOARD_CALL)) == 1
+    assert "was not calibrated yet" in last_line()
+    assert not (tmp_path / "new").exists()
+
+
+WRONG_CALLS = {
+    "no size of the board": (["color", "{boards}", "--board", "9", "--square", "30"], "9x6|10x7"),
+    "square in metres": (["color", "{boards}", "--board", "9x6", "--square", "0.03"], "in millim"),
+    "serial that cannot be": (["color", "{boards}", "--serial", "../x", *BOARD_CALL], "no serial"),
+    "report of no kind": (["color", "{boards}", *BOARD_CALL, "--report", "a.doc"], "let it end in"),
+    "too few distances": (["disparity", "{walls}", "--distances", "600"], "holds 6 captures"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_CALLS)
+def test_wrong_calls(name: str, recorded, last_line) -> None:
+    words, expected = WRONG_CALLS[name]
+    filled = [word.format(boards=recorded.boards, walls=recorded.walls) for word in words]
+    serial = [] if "--serial" in words else ["--serial", "SIM1"]
+    assert run(["calibrate", *filled, *serial, "--sensors", str(recorded.sensors)]) == 2
+    sentence = last_line()
+    assert any(part in sentence for part in expected.split("|"))
+
+
+def test_session_takes_the_kept_calibration(
+    recorded, tmp_path: Path, small_session: Path, last_line
+) -> None:
+    session = read_session(small_session)
+    store = SensorStore(recorded.sensors)
+    words = ["calibrate", "session", str(small_session), "--out", str(tmp_path / "out.zip")]
+    words += ["--sensors", str(recorded.sensors)]
+    assert run(words) == 1
+    assert "was never calibrated here" in last_line()
+    for view in session.views:
+        camera = replace(view.sensor.depth_camera, cx=view.sensor.depth_camera.cx + 1)
+        store.save(replace(view.sensor, depth_camera=camera, correction=None))
+    assert run(words) == 0
+    for before, after in zip(session.views, read_session(tmp_path / "out.zip").views, strict=True):
+        assert after.sensor.depth_camera.cx == before.sensor.depth_camera.cx + 1
+        assert after.sensor.faces == before.sensor.faces
+        np.testing.assert_array_equal(after.read_depth(0), before.read_depth(0))
+
+
+def test_correction_of_another_sensor(
+    recorded, tmp_path: Path, small_session: Path, capsys
+) -> None:
+    correction = recorded.sensors / "SIM1" / "correction.npz"
+    words = ["calibrate", "session", str(small_session), "--out", str(tmp_path / "out.zip")]
+    words += ["--correction", str(correction)]
+    assert run(words) == 1
+    expected = "The correction was measured on sensor SIM1, not on"
+    assert expected in capsys.readouterr().err.strip().splitlines()[-1]
+    assert not (tmp_path / "out.zip").exists()
+    assert run([*words, "--insist"]) == 0
+    assert f"Warning: View left: {expected}" in capsys.readouterr().err
