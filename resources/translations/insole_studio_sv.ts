@@ -1323,5 +1323,169 @@
         <source>{seconds} s left</source>
         <translation>{seconds} s kvar</translation>
     </message>
+    <message>
+        <source>{fps:.0f} frames/s, {lost} lost</source>
+        <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
+    </message>
+    <message>
+        <source>markers {seen} of {wanted}</source>
+        <translation>markörer {seen} av {wanted}</translation>
+    </message>
+    <message>
+        <source>{share:.0%} measured</source>
+        <translation>{share:.0%} uppmätt</translation>
+    </message>
+    <message>
+        <source>warm in {minutes:.0f} min</source>
+        <translation>varm om {minutes:.0f} min</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Hållen</translation>
+    </message>
+    <message>
+        <source>Somebody holds the foot</source>
+        <translation>Någon håller foten</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>bilder</translation>
+    </message>
+    <message>
+        <source>bursts</source>
+        <translation>serier</translation>
+    </message>
+    <message>
+        <source>Series a view, between which the sensor tilts by a degree</source>
+        <translation>Serier per vy, mellan vilka sensorn lutas en grad</translation>
+    </message>
+    <message>
+        <source>Capture all views (F5)</source>
+        <translation>Fånga alla vyer (F5)</translation>
+    </message>
+    <message>
+        <source>The sensor stands</source>
+        <translation>Sensorn står på plats</translation>
+    </message>
+    <message>
+        <source>Use this scan</source>
+        <translation>Använd denna skanning</translation>
+    </message>
+    <message>
+        <source>Keep, and capture the other foot</source>
+        <translation>Behåll och fånga den andra foten</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Sök igen</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vänster</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>höger</translation>
+    </message>
+    <message>
+        <source>Not weight-bearing</source>
+        <translation>Obelastad</translation>
+    </message>
+    <message>
+        <source>Semi weight-bearing</source>
+        <translation>Halvbelastad</translation>
+    </message>
+    <message>
+        <source>Weight-bearing</source>
+        <translation>Belastad</translation>
+    </message>
+    <message>
+        <source>One after the other</source>
+        <translation>En efter en</translation>
+    </message>
+    <message>
+        <source>All at once</source>
+        <translation>Alla samtidigt</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startar</translation>
+    </message>
+    <message>
+        <source>Capture anew</source>
+        <translation>Fånga på nytt</translation>
+    </message>
+    <message>
+        <source>Capture missing views</source>
+        <translation>Fånga saknade vyer</translation>
+    </message>
+    <message>
+        <source>All views are captured.</source>
+        <translation>Alla vyer är fångade.</translation>
+    </message>
+    <message>
+        <source>Checking the session</source>
+        <translation>Kontrollerar sessionen</translation>
+    </message>
+    <message>
+        <source>{taken} of {wanted}</source>
+        <translation>{taken} av {wanted}</translation>
+    </message>
+    <message>
+        <source>Looking for sensors</source>
+        <translation>Söker efter sensorer</translation>
+    </message>
+    <message>
+        <source>Capture again</source>
+        <translation>Fånga igen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Rikta upp</translation>
+    </message>
+    <message>
+        <source>Level the sensor by its accelerometer</source>
+        <translation>Rikta upp sensorn efter dess accelerometer</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifiera</translation>
+    </message>
+    <message>
+        <source>Let the light of this sensor blink</source>
+        <translation>Låt sensorns lampa blinka</translation>
+    </message>
+    <message>
+        <source>Tilt −</source>
+        <translation>Luta −</translation>
+    </message>
+    <message>
+        <source>Tilt the sensor down</source>
+        <translation>Luta sensorn nedåt</translation>
+    </message>
+    <message>
+        <source>Tilt +</source>
+        <translation>Luta +</translation>
+    </message>
+    <message>
+        <source>Tilt the sensor up</source>
+        <translation>Luta sensorn uppåt</translation>
+    </message>
+    <message>
+        <source>View of sensor {serial}</source>
+        <translation>Vy för sensor {serial}</translation>
+    </message>
+    <message>
+        <source>Sensor {serial}. Drag onto another to exchange views.</source>
+        <translation>Sensor {serial}. Dra till en annan för att byta vy.</translation>
+    </message>
+    <message>
+        <source>Capture…</source>
+        <translation>Fånga…</translation>
+    </message>
+    <message>
+        <source>Capture a foot with the sensors</source>
+        <translation>Fånga en fot med sensorerna</translation>
+    </message>
 </context>
 </TS>

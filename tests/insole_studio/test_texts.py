@@ -15,7 +15,7 @@ import insole_studio
 from insole_core.resources import resource_path
 from insole_studio.texts import CONTEXT, load_language, tr
 
-DESIGN_PARTS = ("shell", "stages/design", "tools", "widgets", "scene")
+DESIGN_PARTS = ("shell", "stages/capture", "stages/design", "tools", "widgets", "scene")
 
 
 def texts_of_the_code() -> Iterator[str]:

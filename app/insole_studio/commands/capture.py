@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError, OutputError, UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.rig_arguments import add_emulate_argument, place_of
+from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--resume", type=Path, metavar="FOLDER",
         help="go on with what a capture that failed has kept; its views are not taken again",
     )  # fmt: skip
-    add_emulate_argument(parser)
+    add_rig_arguments(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:

@@ -12,13 +12,18 @@ if TYPE_CHECKING:
     from insole_studio.capture.place import Place
 
 
+def add_rig_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what takes the place of sensors, and where the stored calibrations are."""
+    add_emulate_argument(parser)
+    add_store_argument(parser)
+
+
 def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
-    """Declare the recorded session that takes the place of sensors, and the stored calibrations."""
+    """Declare the recorded session that takes the place of sensors."""
     parser.add_argument(
         "--emulate", type=Path, metavar="SESSION", default=argparse.SUPPRESS,
         help="play a recorded session as live sensors; no device is needed",
     )  # fmt: skip
-    add_store_argument(parser)
 
 
 def place_of(arguments: argparse.Namespace, system_file: Path | None = None) -> Place:

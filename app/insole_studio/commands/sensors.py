@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.commands.rig_arguments import add_emulate_argument, place_of
+from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
 
 if TYPE_CHECKING:
     from insole_studio.capture.status import FoundSensor
@@ -19,7 +19,7 @@ HELP = "list the sensors: a line each with serial number, model, USB bus, and st
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
-    add_emulate_argument(parser)
+    add_rig_arguments(parser)
 
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:

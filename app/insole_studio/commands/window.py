@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from insole_core.progress import Progress
+from insole_studio.commands.rig_arguments import add_emulate_argument
 
 NAME = "open"
 HELP = "open the window, on a case, a session or a scan where one is named (the default)"
@@ -15,10 +16,12 @@ HELP = "open the window, on a case, a session or a scan where one is named (the 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("path", nargs="?", type=Path, help="a case, a session, or a mesh")
+    add_emulate_argument(parser)
 
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Open the window and stay until it is closed."""
     from insole_studio.bootstrap import run_application
 
-    sys.exit(run_application([arguments.path] if arguments.path else []))
+    paths = [arguments.path] if arguments.path else []
+    sys.exit(run_application(paths, emulate=arguments.emulate))

@@ -145,7 +145,7 @@ class CaptureView(QWidget):
 
     def _make_options(self) -> None:
         self._badge = SideBadge()
-        self._side = Choice([(side.value, tr(side.value)) for side in Side])
+        self._side = Choice([(Side.LEFT.value, tr("left")), (Side.RIGHT.value, tr("right"))])
         self._side.edited.connect(lambda word: self._edit(side=Side(word)))
         self._weight = Choice(
             [

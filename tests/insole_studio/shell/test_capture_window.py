@@ -1,0 +1,76 @@
+"""Capture as the window offers it: from the emulated sensors to a foot on the bench."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.stages.capture.stage import CaptureStage
+
+PATIENCE_MS = 60_000
+
+
+@pytest.fixture
+def emulating(
+    qapp: QApplication, qtbot: QtBot, places: Places, small_session: Path
+) -> Iterator[Application]:
+    built = build_application(qapp, places, small_session)
+    built.window.resize(960, 640)
+    built.window.show()
+    qtbot.waitExposed(built.window)
+    yield built
+    for dialog in list(built.studio.dialogs):
+        dialog.done(0)
+    built.autosave.forget()
+    built.close()
+
+
+def opened_stage(application: Application) -> CaptureStage:
+    application.studio.run_action("capture", False)
+    stage = application.studio.capture.stage
+    assert stage is not None
+    return stage
+
+
+def test_a_captured_foot_comes_onto_the_bench(
+    emulating: Application, qtbot: QtBot, places: Places
+) -> None:
+    stage = opened_stage(emulating)
+    presenter = stage.presenter
+
+    def ready(is_ready: Callable[[], bool]) -> None:
+        qtbot.waitUntil(is_ready, timeout=PATIENCE_MS)
+
+    ready(lambda: len([s for s in presenter._sensors.states if s.fps > 0]) == 3)
+    stage.view.capture_requested.emit()
+    ready(lambda: len(presenter._finished) == 3 and not presenter.is_capturing)
+    stage.view.use_requested.emit()
+    ready(lambda: emulating.case.foot is not None)
+    ready(lambda: not emulating.jobs.is_running())
+    assert emulating.studio.capture.stage is None
+    assert emulating.settings.recent[0].startswith(str(places.data_folder / "sessions"))
+
+
+def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
+    emulating.stage.steps.chosen.emit("capture")
+    first = emulating.studio.capture.stage
+    assert first is not None
+    assert first.isVisible()
+    emulating.studio.run_action("capture", False)
+    assert emulating.studio.capture.stage is first
+
+
+def test_a_session_that_cannot_be_emulated_is_told(
+    qapp: QApplication, places: Places, tmp_path: Path
+) -> None:
+    built = build_application(qapp, places, tmp_path)
+    built.studio.run_action("capture", False)
+    (dialog,) = built.studio.dialogs
+    assert "holds no manifest.json" in dialog.text()
+    dialog.done(0)
+    built.close()
