@@ -138,7 +138,7 @@ def _candidate_poses(points: FloatArray, markers: FloatArray, limits: Assignment
         chunk = slice(start, start + _CHUNK)
         source, target = points[three_points[chunk]], markers[three_markers[chunk]]
         rotations, translations = _fit(source, target, np.ones(source.shape[:2]))
-        forward = _looks_at_foot(rotations)
+        forward = looks_at_foot(rotations)
         rotations, translations = rotations[forward], translations[forward]
         parts.append(_explain(rotations, translations, points, markers, limits.near_mm))
     poses = _joined(parts)
@@ -163,7 +163,7 @@ def _joined(parts: list[_Poses]) -> _Poses:
     )
 
 
-def _looks_at_foot(rotations: FloatArray) -> BoolArray:
+def looks_at_foot(rotations: FloatArray) -> BoolArray:
     """Tell which poses look towards +z or +y, as the sensors do that see the markers' faces."""
     axis = rotations[..., :, 2]
     return np.asarray(np.maximum(axis[..., 1], axis[..., 2]) > 0.3)

@@ -23,6 +23,7 @@ from insole_core.reconstruct.registration import (
     Registration,
     RegistrationLimits,
     register,
+    register_in_image,
     register_precisely,
 )
 from insole_core.reconstruct.result import (
@@ -165,7 +166,13 @@ class _Fused:
         blobs = sharpened(measured.color, find_blobs(measured.color))
         sensor = measured.view.sensor
         sightings = locate_blobs(blobs, measured.points, sensor)
-        return register_precisely(sightings, system, sensor, limits)
+        try:
+            return register_precisely(sightings, system, sensor, limits)
+        except ReconstructionError as error:
+            try:
+                return register_in_image(blobs, system, sensor, limits)
+            except ReconstructionError:
+                raise error from None
 
     def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Reading:
         view = measured.view

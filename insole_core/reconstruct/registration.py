@@ -15,13 +15,15 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.assignment import Assignment, AssignmentLimits, assign
+from insole_core.reconstruct.blobs import Blobs
 from insole_core.reconstruct.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
+from insole_core.reconstruct.image_assignment import assign_in_image
 from insole_core.reconstruct.marker_faces import apparent_centers
 from insole_core.reconstruct.sighting import Sightings
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 
-_LEAST_PRECISE = 5
+_LEAST_PRECISE = 6
 _LEAST_FILL = 0.95
 """Share of the usual fill below which a marker is partly hidden or runs into another."""
 _LEAST_WEIGHT = 0.2
@@ -38,6 +40,8 @@ class RegistrationLimits:
         Largest mean distance of the measured markers from the reference system.
     assignment
         When the assignment of blobs to markers is trusted.
+    least_used
+        So many markers must determine the pose, all when fewer were found; fused only.
     reprojection_px
         Largest root mean square of the distances in the colour image, fused only.
     shift_deviation_mm, turn_deviation_deg
@@ -45,6 +49,7 @@ class RegistrationLimits:
     """
 
     residual_mm: float = 4.0
+    least_used: int = 6
     reprojection_px: float = 1.0
     shift_deviation_mm: float = 1.5
     turn_deviation_deg: float = 0.6
@@ -159,16 +164,66 @@ def register_precisely(
     positions = _positions(markers)[found.markers]
     points = sightings.points[found.points]
     start = absolute_orientation(points, positions, found.used.astype(float)).a2b
-    pixels = sightings.pixels[found.points]
+    reference2color = sensor.depth2color @ inverse(start)
+    return _fitted(sightings, (markers, found), sensor, reference2color, limits)
+
+
+def register_in_image(
+    blobs: Blobs,
+    system: ReferenceSystem,
+    sensor: Sensor,
+    limits: RegistrationLimits = DEFAULT_LIMITS,
+) -> Registration:
+    """Determine a view's pose from its colour image alone, where depth does not tell who is who.
+
+    Parameters
+    ----------
+    blobs
+        Sharpened.
+    system
+    sensor
+        Its faces are the marker groups that are looked for.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    markers = _facing(system, sensor.faces)
+    camera = sensor.color_camera
+    found = assign_in_image(blobs.centroids, blobs.areas, _positions(markers), camera)
+    pairs = found.pairs
+    rays = camera.normalised(blobs.centroids)
+    in_color = np.full((len(blobs), 3), np.nan)
+    at_marker = transform(found.reference2color, _positions(markers)[pairs.markers])
+    in_color[pairs.points] = (
+        np.column_stack([rays, np.ones(len(rays))])[pairs.points] * at_marker[:, 2:]
+    )
+    # Placed on their rays as far away as their markers are: the depth image had no say.
+    points = transform(inverse(sensor.depth2color), in_color)
+    sightings = Sightings(blobs.centroids, points, blobs.spreads, blobs.fills)
+    return _fitted(sightings, (markers, pairs), sensor, found.reference2color, limits)
+
+
+def _fitted(
+    sightings: Sightings,
+    assigned: tuple[tuple[Marker, ...], Assignment],
+    sensor: Sensor,
+    start: FloatArray,
+    limits: RegistrationLimits,
+) -> Registration:
+    """Fit the pose to assigned markers and judge it."""
+    markers, found = assigned
+    positions = _positions(markers)[found.markers]
+    pixels, camera = sightings.pixels[found.points], sensor.color_camera
     precise = _precise(sightings, found)
     seen = SeenMarkers(
         positions,
         positions,
         np.where(precise[:, None], pixels, np.nan),
-        transform(sensor.depth2color, points)[:, 2],
+        transform(sensor.depth2color, sightings.points[found.points])[:, 2],
     )
-    camera = sensor.color_camera
-    pose = fit_camera_pose(seen, camera, sensor.depth2color @ inverse(start))
+    pose = fit_camera_pose(seen, camera, start)
     if sightings.spreads is not None:
         spreads = sightings.spreads[found.points]
         centers = apparent_centers(positions, spreads, camera, pose.reference2color)
@@ -190,18 +245,23 @@ def register_precisely(
     return registration
 
 
-def _assign(
-    sightings: Sightings,
-    system: ReferenceSystem,
-    faces: tuple[str, ...],
-    limits: RegistrationLimits,
-) -> tuple[tuple[Marker, ...], Assignment]:
+def _facing(system: ReferenceSystem, faces: tuple[str, ...]) -> tuple[Marker, ...]:
     markers = system.facing(faces)
     if not markers:
         raise ReconstructionError(
             f'its sensor.json lists the faces {_quoted(faces)}, but the reference system "'
             f'{system.name}" has the faces {_quoted(_groups(system))}'
         )
+    return markers
+
+
+def _assign(
+    sightings: Sightings,
+    system: ReferenceSystem,
+    faces: tuple[str, ...],
+    limits: RegistrationLimits,
+) -> tuple[tuple[Marker, ...], Assignment]:
+    markers = _facing(system, faces)
     if len(sightings) == 0:
         raise ReconstructionError(
             "no blue marker with a depth reading is seen; check the light and that the reference "
@@ -275,12 +335,12 @@ def _check_residuals(registration: Registration, limits: RegistrationLimits) -> 
 
 
 def _check_used(registration: Registration, limits: RegistrationLimits) -> None:
-    used = sum(fix.used for fix in registration.fixes)
-    if used < limits.assignment.least_markers:
+    used, found = sum(fix.used for fix in registration.fixes), len(registration.fixes)
+    if used < min(limits.least_used, found):
         raise ReconstructionError(
-            f"only {used} of the {len(registration.fixes)} markers agree with each other in the "
-            f"colour image ({_worst_in_image(registration.fixes)}); check that the reference "
-            "system was not changed or moved"
+            f"only {used} of the {found} markers agree with each other in the colour image "
+            f"({_worst_in_image(registration.fixes)}); check that the reference system was not "
+            "changed or moved"
         )
 
 

@@ -1,0 +1,287 @@
+"""Which blob is which marker, from a colour image alone: no depth is needed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.transforms import rigid
+from insole_core.reconstruct.assignment import Assignment, looks_at_foot
+from insole_core.reconstruct.pose_batch import PoseBatch, Sight, improved, matches
+from insole_core.sensing.camera import Camera
+
+_KEPT = 300
+_ROUNDS = 6
+_TABLE = 256
+
+
+@dataclass(frozen=True)
+class ImageAssignmentLimits:
+    """When an assignment is trusted.
+
+    Parameters
+    ----------
+    distance_mm
+        The camera is so far from the markers, least and most.
+    steepest
+        Cosine of the largest angle under which markers are looked at.
+    largest_size_ratio
+        Markers of one triangle differ no more in their area in the image.
+    rough_share, near_px
+        A marker is explained by a blob so near: at first, as a share of the pattern's size; at
+        last, in pixels of an image 1280 wide.
+    least_markers, least_share
+        So many markers must be explained, all when the system has fewer, and such a share.
+    noise_px
+        Standard deviation of a blob's centre.
+    margin
+        Any other pose has a larger sum of squared distances, by so many times the variance of a
+        blob's centre; a marker without a blob counts as one that just is not near.
+    elsewhere_deg
+        From this angle on a pose is another one.
+    largest_rms_px
+        Of the reprojection errors at last.
+    triples
+        So many triangles of markers are tried.
+    """
+
+    distance_mm: tuple[float, float] = (400.0, 1500.0)
+    steepest: float = 0.4
+    largest_size_ratio: float = 3.0
+    rough_share: float = 0.06
+    near_px: float = 3.0
+    least_markers: int = 6
+    least_share: float = 0.5
+    noise_px: float = 0.2
+    margin: float = 50.0
+    elsewhere_deg: float = 2.0
+    largest_rms_px: float = 0.8
+    triples: int = 60
+
+
+@dataclass(frozen=True, eq=False)
+class ImageAssignment:
+    """Pairs of blobs and markers, and the pose that explains them.
+
+    Parameters
+    ----------
+    pairs
+    reference2color : (4, 4) float64, mm
+    rms_px
+        Of the reprojection errors.
+    """
+
+    pairs: Assignment
+    reference2color: FloatArray
+    rms_px: float
+
+
+def assign_in_image(
+    pixels: FloatArray,
+    areas: FloatArray,
+    markers: FloatArray,
+    camera: Camera,
+    limits: ImageAssignmentLimits = ImageAssignmentLimits(),
+) -> ImageAssignment:
+    """Find the one pose of the camera from which most markers are seen where blobs are.
+
+    Three blobs that are three given markers determine the camera under weak perspective up to a
+    mirror image in depth (Alter 1994). All triangles of blobs are compared with a fixed choice of
+    triangles of markers, so that the answer does not depend on chance; the poses that explain most
+    are improved under full perspective on all that they explain.
+
+    Parameters
+    ----------
+    pixels : (n, 2) float64, px
+        Centres of blobs; some may be no markers.
+    areas : (n,) float64, px²
+    markers : (m, 3) float64, mm, reference frame
+        That this camera can see; some may be hidden.
+    camera
+
+    Raises
+    ------
+    ReconstructionError
+        When too few markers are explained, or when another pose explains almost as many.
+    """
+    scale_px = camera.fx
+    near = limits.near_px * camera.width / 1280 / scale_px
+    sight = Sight(camera.normalised(pixels), markers)
+    poses = _search(sight, areas, limits, near)
+    if poses is None:
+        raise ReconstructionError(_too_few(0, len(pixels), len(markers), limits))
+    pairs, explained, squared = matches(poses, sight, near)
+    missed = np.where(explained, squared, near**2).sum(1)
+    best = int(missed.argmin())
+    most = int(explained[best].sum())
+    if most < _needed(len(markers), limits):
+        raise ReconstructionError(_too_few(most, len(pixels), len(markers), limits))
+    variance = float(squared[best, explained[best]].mean())
+    rms_px = scale_px * float(np.sqrt(variance))
+    if rms_px > limits.largest_rms_px:
+        raise ReconstructionError(
+            f"the blue spots lie {rms_px:.1f} px from where the markers should be seen; check "
+            "that it is the right reference system and the right calibration"
+        )
+    variance = max(variance, (limits.noise_px / scale_px) ** 2)
+    rival = _elsewhere(poses, best, limits) & (missed - missed[best] < limits.margin * variance)
+    if rival.any():
+        raise ReconstructionError(
+            f"the blue spots fit the markers in two ways, {most} and "
+            f"{explained[rival].sum(1).max()} of them; see that more markers are in view"
+        )
+    found = np.flatnonzero(explained[best])
+    return ImageAssignment(
+        Assignment(pairs[best, found], found, np.ones(most, dtype=bool)),
+        rigid(poses.rotations[best], poses.translations[best]),
+        rms_px,
+    )
+
+
+def _needed(markers: int, limits: ImageAssignmentLimits) -> int:
+    share = int(np.ceil(limits.least_share * markers))
+    return max(min(limits.least_markers, markers), share)
+
+
+def _too_few(most: int, blobs: int, markers: int, limits: ImageAssignmentLimits) -> str:
+    return (
+        f"only {most} of the {blobs} blue spots fit the {markers} markers, and "
+        f"{_needed(markers, limits)} are needed; check that it is the right reference system, that "
+        "its pictures are not mirrored and that most markers are seen"
+    )
+
+
+def _elsewhere(poses: PoseBatch, best: int, limits: ImageAssignmentLimits) -> BoolArray:
+    trace = np.einsum("tij,ij->t", poses.rotations, poses.rotations[best])
+    return np.asarray(trace < 1 + 2 * np.cos(np.radians(limits.elsewhere_deg)))
+
+
+def _search(
+    sight: Sight, areas: FloatArray, limits: ImageAssignmentLimits, near: float
+) -> PoseBatch | None:
+    """Give the best candidate poses, improved."""
+    triangles = _blob_triangles(areas, limits)
+    if len(triangles) == 0:
+        return None
+    size = np.linalg.norm(np.ptp(sight.markers, axis=0))
+    table = _DistanceTable.of(sight.blobs)
+    found: list[PoseBatch] = []
+    scores: list[FloatArray] = []
+    for chosen in _marker_triangles(sight.markers, limits.triples):
+        poses = _weak_perspective(sight, triangles, chosen, limits)
+        tolerance = limits.rough_share * size / np.maximum(poses.translations[:, 2], 1)
+        distance = table.look_up(poses.project(sight.markers)) / tolerance[:, None]
+        score = np.where(distance < 1, 1 - 0.5 * distance**2, 0).sum(1)
+        best = np.argsort(-score)[:_KEPT]
+        found.append(poses.take(best))
+        scores.append(score[best])
+    order = np.argsort(-np.concatenate(scores), kind="stable")[:_KEPT]
+    if len(order) == 0:
+        return None
+    poses = PoseBatch.joined(found).take(order)
+    widest = limits.rough_share * size / limits.distance_mm[0]
+    for tolerance in np.geomspace(widest, near, _ROUNDS):
+        poses = improved(poses, sight, float(tolerance))
+    return improved(poses, sight, near)
+
+
+def _blob_triangles(areas: FloatArray, limits: ImageAssignmentLimits) -> IntArray:
+    """Give all ordered triples (t, 3) of blobs of similar size."""
+    count = len(areas)
+    i, j, k = np.indices((count,) * 3).reshape(3, -1)
+    differ = (i != j) & (j != k) & (k != i)
+    triangles = np.stack([i, j, k], axis=1)[differ]
+    size = areas[triangles]
+    return np.asarray(triangles[size.max(1) <= limits.largest_size_ratio * size.min(1)])
+
+
+def _marker_triangles(markers: FloatArray, count: int) -> IntArray:
+    """Choose wide triangles (c, 3) of markers so that every marker is in about as many."""
+    every = np.array(list(combinations(range(len(markers)), 3)))
+    a, b, c = np.moveaxis(markers[every], 1, 0)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    wide = every[area > 0.3 * area.max()]
+    wide = wide[np.argsort(-area[area > 0.3 * area.max()], kind="stable")]
+    used = np.zeros(len(markers))
+    left = np.ones(len(wide), dtype=bool)
+    chosen: list[IntArray] = []
+    while left.any() and len(chosen) < count:
+        burden = np.where(left, (used[wide] ** 2).sum(1), np.inf)
+        next_one = int(burden.argmin())
+        left[next_one] = False
+        used[wide[next_one]] += 1
+        chosen.append(wide[next_one])
+    return np.array(chosen)
+
+
+def _weak_perspective(
+    sight: Sight, triangles: IntArray, chosen: IntArray, limits: ImageAssignmentLimits
+) -> PoseBatch:
+    """Poses in which three markers are seen as triangles (t, 3) of blobs, up to two for each."""
+    origin, *others = sight.markers[chosen]
+    basis, in_plane = _plane_basis(*(other - origin for other in others))
+    corner = sight.blobs[triangles]
+    edges = np.swapaxes(corner[:, 1:] - corner[:, :1], 1, 2)
+    linear = edges @ np.linalg.inv(in_plane)
+    total = (linear**2).sum((1, 2))
+    determinant = linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0]
+    largest = (total + np.sqrt(np.maximum(total**2 - 4 * determinant**2, 0))) / 2
+    scale = np.sqrt(largest)
+    low, high = limits.distance_mm
+    possible = (scale > 1 / high) & (scale < 1 / low)
+    possible &= np.abs(determinant) > limits.steepest * largest
+    linear, scale, center = linear[possible], scale[possible], corner[possible].mean(1)
+    rest = scale[:, None, None] ** 2 * np.eye(2) - linear @ np.swapaxes(linear, 1, 2)
+    out = np.sqrt(np.maximum(np.diagonal(rest, axis1=1, axis2=2), 0))
+    out[:, 1] *= np.where(rest[:, 0, 1] < 0, -1, 1)
+    poses = []
+    for sign in (1, -1):
+        rows = np.concatenate([linear, sign * out[..., None]], axis=2) / scale[:, None, None]
+        third = np.cross(rows[:, 0], rows[:, 1])[:, None]
+        rotations = np.concatenate([rows, third], axis=1) @ basis
+        middle = rotations @ sight.markers[chosen].mean(0)
+        ahead = np.concatenate([center, np.ones((len(center), 1))], axis=1) / scale[:, None]
+        forward = looks_at_foot(np.swapaxes(rotations, 1, 2))
+        poses.append(PoseBatch(rotations[forward], (ahead - middle)[forward]))
+    return PoseBatch.joined(poses)
+
+
+def _plane_basis(first: FloatArray, second: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Orthonormal rows (3, 3), two in the plane of two edges, and the edges in it (2, 2)."""
+    along = first / np.linalg.norm(first)
+    normal = np.cross(first, second)
+    normal /= np.linalg.norm(normal)
+    basis = np.stack([along, np.cross(normal, along), normal])
+    return basis, np.stack([basis[:2] @ first, basis[:2] @ second], axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class _DistanceTable:
+    """How far the nearest blob is, for places on a lattice over the image."""
+
+    low: FloatArray
+    step: FloatArray
+    distance: FloatArray
+
+    @staticmethod
+    def of(blobs: FloatArray) -> _DistanceTable:
+        margin = 0.05
+        low, high = blobs.min(0) - margin, blobs.max(0) + margin
+        step = (high - low) / (_TABLE - 1)
+        axes = [low[axis] + step[axis] * np.arange(_TABLE) for axis in (0, 1)]
+        squared = [(axes[axis][:, None] - blobs[:, axis]) ** 2 for axis in (0, 1)]
+        nearest = np.full((_TABLE, _TABLE), np.inf)
+        for blob in range(len(blobs)):
+            np.minimum(nearest, squared[0][:, None, blob] + squared[1][None, :, blob], out=nearest)
+        return _DistanceTable(low, step, np.sqrt(nearest))
+
+    def look_up(self, places: FloatArray) -> FloatArray:
+        """Distances (...,) of places (..., 2); infinite outside of the table."""
+        index = np.rint((places - self.low) / self.step)
+        inside = np.all((index >= 0) & (index < _TABLE), axis=-1)
+        cell = np.where(inside[..., None], index, 0).astype(np.int64)
+        return np.where(inside, self.distance[cell[..., 0], cell[..., 1]], np.inf)

@@ -1,0 +1,127 @@
+"""Many candidate poses of a camera at once, and their improvement on what they explain."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+
+_DAMPING = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What a camera saw, and what it should see.
+
+    Parameters
+    ----------
+    blobs : (n, 2) float64
+        Normalised image coordinates.
+    markers : (m, 3) float64, mm, reference frame
+    """
+
+    blobs: FloatArray
+    markers: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class PoseBatch:
+    """Poses, reference frame to camera frame.
+
+    Parameters
+    ----------
+    rotations : (t, 3, 3) float64
+    translations : (t, 3) float64, mm
+    """
+
+    rotations: FloatArray
+    translations: FloatArray
+
+    @staticmethod
+    def joined(parts: list[PoseBatch]) -> PoseBatch:
+        """Put batches one behind the other."""
+        return PoseBatch(
+            np.concatenate([part.rotations for part in parts]),
+            np.concatenate([part.translations for part in parts]),
+        )
+
+    def take(self, index: IntArray | BoolArray) -> PoseBatch:
+        """Keep some of the poses."""
+        return PoseBatch(self.rotations[index], self.translations[index])
+
+    def turned(self, markers: FloatArray) -> FloatArray:
+        """Turn places (m, 3) into the camera's directions, (t, m, 3)."""
+        return np.asarray(markers @ np.swapaxes(self.rotations, 1, 2))
+
+    def project(self, markers: FloatArray) -> FloatArray:
+        """Normalised image coordinates (t, m, 2); far away for what lies behind the camera."""
+        return _divided(self.turned(markers) + self.translations[:, None])
+
+
+def matches(poses: PoseBatch, sight: Sight, near: float) -> tuple[IntArray, BoolArray, FloatArray]:
+    """See which markers have a blob near them; a blob explains one marker at most.
+
+    Returns
+    -------
+    nearest : (t, m) int64, the blob nearest to every marker
+    explained : (t, m) bool
+    squared : (t, m) float64, its distance squared, normalised image coordinates
+    """
+    projected = poses.project(sight.markers)
+    squared = ((projected[:, :, None] - sight.blobs) ** 2).sum(3)
+    nearest, nearest_marker = squared.argmin(2), squared.argmin(1)
+    own = np.take_along_axis(nearest_marker, nearest, axis=1) == np.arange(len(sight.markers))
+    least = squared.min(2)
+    return nearest, np.asarray(own & (least < near**2)), least
+
+
+def improved(poses: PoseBatch, sight: Sight, near: float) -> PoseBatch:
+    """Take one Gauss-Newton step on the reprojection errors of what each pose explains.
+
+    Poses that explain fewer than four markers go.
+    """
+    nearest, explained, _ = matches(poses, sight, near)
+    enough = explained.sum(1) >= 4
+    if not enough.any():
+        return poses.take(np.zeros(0, dtype=np.int64)) if len(enough) else poses
+    poses, nearest, explained = poses.take(enough), nearest[enough], explained[enough]
+    turned = poses.turned(sight.markers)
+    points = turned + poses.translations[:, None]
+    residuals = sight.blobs[nearest] - _divided(points)
+    design = _design(turned, points) * explained[..., None, None]
+    normal = np.einsum("tmci,tmcj->tij", design, design)
+    pull = np.einsum("tmci,tmc->ti", design, residuals)
+    # Turns are in rad and shifts in mm; damped alike against their own size.
+    damping = _DAMPING * np.einsum("tii->ti", normal)[..., None] * np.eye(6)
+    step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), pull[..., None])[..., 0]
+    turn = _rotations(step[:, :3])
+    return PoseBatch(turn @ poses.rotations, poses.translations + step[:, 3:])
+
+
+def _divided(points: FloatArray) -> FloatArray:
+    ahead = points[..., 2:] > 1.0
+    return np.where(ahead, points[..., :2] / np.where(ahead, points[..., 2:], 1.0), 1e6)
+
+
+def _design(turned: FloatArray, points: FloatArray) -> FloatArray:
+    """Change (t, m, 2, 6) of the projections with a turn about the reference origin and a shift."""
+    depth = np.maximum(points[..., 2], 1.0)
+    by_point = np.zeros((*points.shape[:2], 2, 3))
+    by_point[..., 0, 0] = by_point[..., 1, 1] = 1 / depth
+    by_point[..., :, 2] = -points[..., :2] / depth[..., None] ** 2
+    x, y, z = np.moveaxis(turned, -1, 0)
+    zero = np.zeros_like(x)
+    by_turn = np.stack([zero, z, -y, -z, zero, x, y, -x, zero], axis=-1).reshape(*x.shape, 3, 3)
+    return np.concatenate([by_point @ by_turn, by_point], axis=-1)
+
+
+def _rotations(vectors: FloatArray) -> FloatArray:
+    """Rotation matrices (t, 3, 3) of rotation vectors (t, 3), Rodrigues."""
+    angle = np.linalg.norm(vectors, axis=1)
+    x, y, z = (vectors / np.maximum(angle, 1e-12)[:, None]).T
+    zero = np.zeros_like(x)
+    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    return np.asarray(np.eye(3) + sine * cross + (1 - cosine) * cross @ cross)
