@@ -17,7 +17,7 @@ import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
-from insole_core.foot.sole_surface import SoleSurface
+from insole_core.foot.sole_surface import End, SoleSurface
 from insole_core.geometry.arrays import FloatArray
 
 HEADS = tuple(f"metatarsal_head_{number}" for number in range(1, 6))
@@ -28,15 +28,17 @@ NAMES = (
     "metatarsale_fibulare", *HEADS, *TOE_TIPS, "arch_apex", *AXES,
 )  # fmt: skip
 
-_TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
-_HEEL = (0.10, 0.22)
+_TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.70)  # shares of the length where the ball is widest
+_HEEL, _REAR = (0.10, 0.22), (0.0, 0.12)
 _HEADS = np.array(
     [  # share across from the 1st to the 5th head, and ahead of their line in ball widths
-        (0.0, 0.0), (0.30, 0.12), (0.55, 0.105), (0.78, 0.06), (1.0, 0.0),
+        (0.0, 0.0), (0.31, 0.124), (0.555, 0.11), (0.782, 0.061), (1.0, 0.0),
     ]
 )  # fmt: skip
-_FIRST_INSET, _FIFTH_INSET, _FIFTH_BACK = 0.175, 0.17, 0.05  # in ball widths
+_FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
+"""From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
+_ARCH_RISE_MM = 3.0  # of an arch that is one
 _SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
 
 
@@ -93,44 +95,52 @@ def with_places(
 
 
 def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
-    sole = SoleSurface(foot)
-    length = foot.length_mm
+    sole = _along_foot_axis(foot)
     medial, lateral = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
-    pternion = sole.support(np.array([0.0, -1.0]), (-0.05, 0.12))
-    heel_medial, heel_lateral = (sole.support(d, _HEEL) for d in (medial, lateral))
-    tibiale, fibulare = sole.support(medial, _TIBIALE), sole.support(lateral, _FIBULARE)
     ends = {
-        "pternion": pternion,
-        "heel_medial": heel_medial,
-        "heel_lateral": heel_lateral,
-        "metatarsale_tibiale": tibiale,
-        "metatarsale_fibulare": fibulare,
+        "pternion": sole.support(np.array([0.0, -1.0]), _REAR),
+        "heel_medial": sole.support(medial, _HEEL),
+        "heel_lateral": sole.support(lateral, _HEEL),
+        "metatarsale_tibiale": sole.support(medial, _TIBIALE),
+        "metatarsale_fibulare": sole.support(lateral, _FIBULARE),
     }
     for name, end in ends.items():
         yield name, Landmark(sole.to_insole(end.point), end.confidence)
-    centre = sole.on_sole(
-        np.array([(heel_medial.point[0] + heel_lateral.point[0]) / 2, 0.16 * length])
+    middle = (ends["heel_medial"].point + ends["heel_lateral"].point) / 2
+    heel = sole.on_sole(
+        np.array([middle[0], sole.back_mm + float(np.mean(_HEEL)) * foot.length_mm])
     )
-    yield (
-        "heel_centre",
-        Landmark(sole.to_insole(centre), min(heel_medial.confidence, heel_lateral.confidence)),
-    )
-    sure = min(tibiale.confidence, fibulare.confidence)
-    heads = [sole.on_sole(xy) for xy in _head_places(tibiale.point, fibulare.point)]
+    yield "heel_centre", Landmark(sole.to_insole(heel), _least(ends, "heel"))
+    tibiale, fibulare = (ends[f"metatarsale_{name}"].point for name in ("tibiale", "fibulare"))
+    heads = [sole.on_sole(xy) for xy in _head_places(tibiale, fibulare)]
     for name, head in zip(HEADS, heads, strict=True):
-        yield name, Landmark(sole.to_insole(head), _LIKELY * sure)
+        yield name, Landmark(sole.to_insole(head), _LIKELY * _least(ends, "metatarsale"))
     for name, (tip, seen) in zip(TOE_TIPS, sole.toe_tips(), strict=True):
         yield name, Landmark(sole.to_insole(tip), _SURE if seen else _GUESS)
-    apex, rise = _arch_apex(sole, centre, heads[0])
-    yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > 3.0 else _GUESS)
+    apex, rise = _arch_apex(sole, heel, heads[0])
+    yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > _ARCH_RISE_MM else _GUESS)
     yield from _axes(foot)
+
+
+def _along_foot_axis(foot: Foot) -> SoleSurface:
+    """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
+    sole, yaw_deg = SoleSurface(foot), 0.0
+    for _ in range(2):
+        axis = sole.toe_tips()[1][0] - sole.support(np.array([0.0, -1.0]), _REAR).point
+        yaw_deg += float(np.degrees(np.arctan2(axis[0], axis[1])))
+        sole = SoleSurface(foot, yaw_deg)
+    return sole
+
+
+def _least(ends: Mapping[str, End], part: str) -> float:
+    """Confidence of the less certain of two ends."""
+    return min(end.confidence for name, end in ends.items() if name.startswith(part))
 
 
 def _head_places(tibiale: FloatArray, fibulare: FloatArray) -> FloatArray:
     """(5, 2) below the metatarsal heads, medial = +x."""
     ball = float(np.hypot(*(tibiale - fibulare)[:2]))
-    first = tibiale[:2] + ball * np.array([-_FIRST_INSET, 0.0])
-    fifth = fibulare[:2] + ball * np.array([_FIFTH_INSET, -_FIFTH_BACK])
+    first, fifth = tibiale[:2] + ball * _FIRST, fibulare[:2] + ball * _FIFTH
     across, ahead = _HEADS.T
     places = first + across[:, None] * (fifth - first)
     places[:, 1] += ahead * ball

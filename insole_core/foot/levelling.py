@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.signal import find_peaks
 
 from insole_core.errors import InputError
+from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -25,14 +25,10 @@ OUTLINE_HEIGHT_MM = 45.0
 _HEEL_BANDS = (0.10, 0.13, 0.16, 0.19, 0.22)
 _FIRST_HEAD, _FIFTH_HEAD = 0.73, 0.63
 _HEAD_INSET = 0.075
-_SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.1
+_SECOND_TOE_ACROSS, _SECOND_TOE_REACH = 0.41, 0.12
 _BALL_BAND = 0.68
-_TOES_START = 0.75
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
-_PROFILE_STEP = 0.0125
-_TOE_DEPTH = 0.008
-_TIP_DEPTH, _TIP_REACH = 0.02, 0.04
 _ROUNDS, _AT_REST_DEG = 40, 0.002
 
 
@@ -153,29 +149,9 @@ class _Marks:
         )
         if self.covered < 1:
             return usual, False
-        x, y = self._front_profile()
-        across = (x - medial) / (lateral - medial)
-        peaks, _ = find_peaks(y, prominence=_TOE_DEPTH * self.length)
-        near = peaks[np.abs(across[peaks] - _SECOND_TOE_ACROSS) < _SECOND_TOE_REACH]
-        if len(near) == 0:
-            return usual, False
-        best = near[np.abs(across[near] - _SECOND_TOE_ACROSS).argmin()]
-        return self._tip(x[best], y[best]), True
-
-    def _tip(self, x: float, y: float) -> FloatArray:
-        """(2,) middle of a toe's tip: the single foremost point hops about with the noise."""
-        depth = self.outline[:, 1] - (y - _TIP_DEPTH * self.length)
-        near = (depth > 0) & (np.abs(self.outline[:, 0] - x) < _TIP_REACH * self.length)
-        return np.array([np.average(self.outline[near, 0], weights=depth[near]), y])
-
-    def _front_profile(self) -> tuple[FloatArray, FloatArray]:
-        """The foremost point of every strip along the foot, medial to lateral or back."""
-        front = self.outline[self.outline[:, 1] > self._y(_TOES_START)]
-        strip = np.floor(front[:, 0] / (_PROFILE_STEP * self.length)).astype(int)
-        order = np.lexsort((front[:, 1], strip))
-        last = np.append(np.flatnonzero(np.diff(strip[order])), len(order) - 1)
-        foremost = front[order[last]]
-        return foremost[:, 0], foremost[:, 1]
+        search = _SECOND_TOE_REACH * abs(lateral - medial)
+        x = pulp_line(self.sole, self.length, usual, search)
+        return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def height(self, xy: FloatArray) -> float:
         """Height of the sole about a place."""

@@ -5,27 +5,32 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.signal import find_peaks
+from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_about
 
-_END_DEPTH_MM = 12.0
-_TURNED = 0.25  # cosine against the direction from which on a normal tells where the end lies
+_END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
+_OUTERMOST = 3  # points whose mean is the outermost place: one alone may be noise
+_SEEN = 0.9  # cosine against the direction from which on the end itself was measured
+_TURN = 0.4  # before the last measured cosine, over which the border is continued
+_MOST_MM = 6.0
+_STRIP_MM, _EVENED_STRIPS = 2.0, 1.2
 _LEAST_POINTS = 12
-_TURNS = 24
-_SPREAD_MM = 2.0  # residual at which an end is not to be trusted
 _PATCH_MM = 4.0
 _FACING = -0.5
 _SURE, _GUESS = 0.95, 0.3
-_STRIP_MM = 1.5
-_TOES = (0.72, 1.05)
-_TOE_ACROSS = (0.16, 0.42, 0.58, 0.73, 0.88)  # of the way from the ball's medial to lateral border
+_TOE_ACROSS = (0.23, 0.44, 0.165, 0.145, 0.145)
+"""In ball widths: of the 1st and 2nd toe from the medial border, of the others from the last."""
 _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
-_TOE_SEARCH, _TOE_DEPTH_MM = 0.12, 1.0
+_TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
+_TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
+_BAND = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,24 +55,28 @@ class SoleSurface:
     Parameters
     ----------
     foot
+    yaw_deg
+        Direction of +y here, from the insole frame's +y towards medial.
     """
 
-    def __init__(self, foot: Foot) -> None:
-        self._medial = np.array([foot.side.medial_sign, 1.0, 1.0])
-        self.length_mm = foot.length_mm
+    def __init__(self, foot: Foot, yaw_deg: float = 0.0) -> None:
+        mirror = np.diag([foot.side.medial_sign, 1.0, 1.0])
+        self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
         low = foot.mesh.vertices[:, 2] < OUTLINE_HEIGHT_MM
         keep = low & ~_near_border(foot.mesh)
         keep = keep if keep.sum() > low.sum() / 2 else low
-        self.points = foot.mesh.vertices[keep] * self._medial
-        self.normals = foot.mesh.vertex_normals[keep] * self._medial
+        self.points = foot.mesh.vertices[keep] @ self._insole2sole.T
+        self.normals = foot.mesh.vertex_normals[keep] @ self._insole2sole.T
+        self.back_mm = float(self.points[:, 1].min())
+        self.length_mm = foot.length_mm
         facing = self.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
         self._sole = self.points[facing]
         self._tree = cKDTree(self._sole[:, :2])
 
     def to_insole(self, point: FloatArray) -> FloatArray:
-        """Bring a point with medial = +x to the insole frame."""
-        return np.asarray(point * self._medial)
+        """Bring a point from here to the insole frame."""
+        return np.asarray(point @ self._insole2sole)
 
     def on_sole(self, xy: FloatArray) -> FloatArray:
         """(3,) the sole above a place: the mean about it, or the nearest of it."""
@@ -78,81 +87,82 @@ class SoleSurface:
     def support(self, direction: FloatArray, shares: tuple[float, float]) -> End:
         """The outermost place towards a horizontal direction, between shares of the length.
 
-        On a round border the way along the direction grows linearly with the normal's part in it,
-        and the end is where that part is 1. The line is fitted to the border's last
-        `_END_DEPTH_MM`, so the end is found although the surface stops short of it.
+        Where the surface stops short of its end, it is continued: on a round border the way along
+        the direction grows linearly with the normal's part in it, and the end is where that is 1.
         """
-        share = self.points[:, 1] / self.length_mm
+        share = (self.points[:, 1] - self.back_mm) / self.length_mm
         region = (share >= shares[0]) & (share <= shares[1])
         region = region if region.any() else np.ones(len(share), dtype=bool)
-        points, normals = self.points[region], self.normals[region, :2] @ direction
-        along = points[:, :2] @ direction
-        ends = (along > along.max() - _END_DEPTH_MM) & (normals > _TURNED)
-        if ends.sum() < _LEAST_POINTS:
-            return End(points[along.argmax()], _GUESS)
-        return _fitted_end(points[ends], along[ends], normals[ends], direction)
+        return _end(self.points[region], self.normals[region], np.array([*direction, 0.0]))
 
     def toe_tips(self) -> list[tuple[FloatArray, bool]]:
         """Five tips (3,), medial to lateral, and whether each was seen as one."""
-        front = self.points[
-            (self.points[:, 1] > _TOES[0] * self.length_mm)
-            & (self.points[:, 1] < _TOES[1] * self.length_mm)
-        ]
-        ball = self.points[np.abs(self.points[:, 1] / self.length_mm - 0.68) < 0.03]
+        share = (self.points[:, 1] - self.back_mm) / self.length_mm
+        ball = self.points[np.abs(share - 0.68) < 0.03]
         ball = ball if len(ball) else self.points
         lateral, medial = float(ball[:, 0].min()), float(ball[:, 0].max())
         width = medial - lateral
-        peaks = _peaks(front) if len(front) else np.empty((0, 3))
         tips: list[tuple[FloatArray, bool]] = []
-        for across, reach in zip(_TOE_ACROSS, _TOE_REACH, strict=True):
-            x = medial - across * width
-            away = np.abs(peaks[:, 0] - x) / width
-            if len(peaks) and away.min() < _TOE_SEARCH:
-                tips.append((peaks[away.argmin()], True))
-                peaks = np.delete(peaks, away.argmin(), axis=0)
-            else:
-                tips.append((np.array([x, reach * self.length_mm, 12.0]), False))
+        for across, reach, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
+            # Beyond the 2nd, a toe lies about one toe's breadth beside the one before.
+            from_x = medial if len(tips) < 2 else float(tips[-1][0][0])
+            usual = np.array([from_x - across * width, self.back_mm + reach * self.length_mm])
+            tips.append(self._toe_tip(usual, search * width))
         return tips
 
-
-def _fitted_end(
-    points: FloatArray, along: FloatArray, normals: FloatArray, direction: FloatArray
-) -> End:
-    keep = np.ones(len(along), dtype=bool)
-    for _ in range(3):
-        slope, start = np.polyfit(normals[keep], along[keep], 1)
-        off = along - (start + slope * normals)
-        spread = 1.4826 * float(np.median(np.abs(off[keep])))
-        keep = np.abs(off) < max(3 * spread, 0.1)
-    reach = start + max(slope, 0.0)
-    # The place across: where the border itself is nearest to its end.
-    near = along > np.quantile(along, 0.9)
-    place = np.average(points[near], axis=0, weights=along[near] - along[near].min() + 1e-9)
-    place[:2] += (reach - place[:2] @ direction) * direction
-    confidence = _SURE * float(np.clip(1 - spread / _SPREAD_MM, 0, 1))
-    return End(place, max(confidence, _GUESS))
+    def _toe_tip(self, usual: FloatArray, search_mm: float) -> tuple[FloatArray, bool]:
+        x = pulp_line(self._sole, self.length_mm, usual, search_mm)
+        if x is None:
+            return np.array([*usual, _TIP_HEIGHT_MM]), False
+        toe = np.abs(self.points[:, 0] - x) < _TOE_HALF_MM
+        toe &= self.points[:, 1] > usual[1] - _BAND * self.length_mm
+        points = self.points[toe]
+        if len(points) == 0:
+            return np.array([*usual, _TIP_HEIGHT_MM]), False
+        tip = _end(points, self.normals[toe], np.array([0.0, 1.0, 0.0])).point
+        depth = points[:, 1] - points[:, 1].max() + _END_DEPTH_MM
+        tip[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
+        return tip, True
 
 
-def _peaks(front: FloatArray) -> FloatArray:
-    """(n, 3) foremost places of the toes: peaks of the front's profile."""
-    strip = np.floor(front[:, 0] / _STRIP_MM).astype(int)
-    order = np.lexsort((front[:, 1], strip))
-    last = np.append(np.flatnonzero(np.diff(strip[order])), len(order) - 1)
-    profile = front[order[last]]
-    y = np.concatenate([[0.0], profile[:, 1], [0.0]])
-    found, _ = find_peaks(y, prominence=_TOE_DEPTH_MM)
-    return np.asarray(profile[found - 1])
+def _end(points: FloatArray, normals: FloatArray, direction: FloatArray) -> End:
+    """The outermost place of some of the surface, continued where its normals fall short."""
+    along, facing = points @ direction, normals @ direction
+    top = float(np.sort(along)[-_OUTERMOST:].mean())
+    near = along > top - _END_DEPTH_MM
+    faced = float(np.quantile(facing[near], 0.9))
+    if faced >= _SEEN or near.sum() < _LEAST_POINTS:
+        reach, confidence = top, _SURE
+    else:
+        last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
+        slope, start = np.polyfit(facing[last], along[last], 1) if last.sum() > 2 else (0.0, top)
+        reach = float(np.clip(start + slope, top, top + _MOST_MM))
+        confidence = _SURE - (_SURE - _GUESS) * (reach - top) / _MOST_MM
+    place = points[_outermost(points, along, direction)]
+    return End(place + (reach - place @ direction) * direction, confidence)
+
+
+def _outermost(points: FloatArray, along: FloatArray, direction: FloatArray) -> int:
+    """Index of the point at the summit of the border's profile, evened out against noise."""
+    across = points @ np.array([-direction[1], direction[0], 0.0])
+    strip = np.floor((across - across.min()) / _STRIP_MM).astype(int)
+    profile = np.full(strip.max() + 1, -np.inf)
+    np.maximum.at(profile, strip, along)
+    profile[~np.isfinite(profile)] = profile[np.isfinite(profile)].min()
+    summit = int(gaussian_filter1d(profile, _EVENED_STRIPS, mode="nearest").argmax())
+    inside = np.flatnonzero(np.abs(strip - summit) <= np.abs(strip - summit).min())
+    return int(inside[along[inside].argmax()])
 
 
 def _near_border(mesh: TriangleMesh) -> BoolArray:
-    """(n,) whether a vertex touches, over at most one edge, the border of an open surface."""
+    """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
     edges = np.sort(np.concatenate([mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
     key = edges[:, 0].astype(np.int64) * len(mesh.vertices) + edges[:, 1]
     unique, count = np.unique(key, return_counts=True)
     single = unique[count == 1]
     border = np.zeros(len(mesh.vertices), dtype=bool)
     border[np.concatenate([single // len(border), single % len(border)])] = True
-    return _grown(border, mesh.triangles)
+    return _grown(_grown(border, mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_studio.commands.foot_source import read_foot
 
 if TYPE_CHECKING:
-    from insole_core.foot.foot import Foot
     from insole_core.insole.design import InsoleDesign
 
 NAME = "design"
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     design = _read_prescription(arguments.prescription)
     side = _agreed_side(arguments.side, design)
     with replacing_file(arguments.out) as beside:
-        foot = _read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.7))
+        foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.7))
         for note in foot.notes:
             print(note, file=sys.stderr)
         insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
@@ -77,47 +77,6 @@ def _agreed_side(named: str | None, design: InsoleDesign | None) -> Side | None:
             "correct one of the two."
         )
     return design.side
-
-
-def _read_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
-    from insole_core.recording.reader import is_session
-
-    read = _foot_of_session if is_session(path) else _foot_of_mesh
-    return read(path, side, force, progress)
-
-
-def _foot_of_session(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
-    from insole_core.foot.placing import place_foot
-    from insole_core.reconstruct import reconstruct
-    from insole_core.recording.reader import read_session
-
-    progress.step(0.0, "Reading the session")
-    session = read_session(path)
-    recorded = session.manifest.side
-    if side not in (None, recorded):
-        raise UsageError(
-            f"The {side} side is asked for, but {path} was recorded as the {recorded} foot; "
-            "correct the call or the manifest."
-        )
-    result = reconstruct(session, "fused", progress.part(0.1, 0.9))
-    for warning in result.warnings:
-        print(f"Warning: {warning}", file=sys.stderr)
-    progress.step(0.9, "Finding heel and toes")
-    return place_foot(result.mesh, recorded, frame="reference", force=force)
-
-
-def _foot_of_mesh(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
-    from insole_core.foot.mesh_file import read_mesh
-    from insole_core.foot.placing import place_foot
-
-    if side is None:
-        raise UsageError(f"{path} is a mesh, which does not say which foot it is; add --side.")
-    progress.step(0.0, "Reading the scan")
-    read = read_mesh(path)
-    for note in read.notes:
-        print(note, file=sys.stderr)
-    progress.step(0.3, "Finding the pose of the foot")
-    return place_foot(read.mesh, side, frame="unknown", force=force)
 
 
 def _plain(side: Side) -> InsoleDesign:

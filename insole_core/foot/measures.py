@@ -1,0 +1,238 @@
+"""The measures of a foot that clinicians go by, each with its definition.
+
+Lengths lie along the foot axis (pternion to tip of the 2nd toe), widths across it. What was not
+scanned has no measure: it is None, and `MISSING` says why.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import TOE_TIPS, Landmarks
+from insole_core.foot.rear_axes import Axis
+from insole_core.geometry.arrays import BoolArray, FloatArray
+
+_FOOTPRINT_MM = 5.0  # of the unloaded sole over its ground, that touches it under load
+_FOOTING_MM = 12.0
+_TOE_GAP = 0.07  # share of the length ahead of the heads, where the toeless footprint ends
+_INSTEP = 0.5
+_BAND_MM = 3.0
+_LEAST_DORSAL_MM, _SUMMIT_MM, _FACES_UP = 25.0, 3.0, 0.6
+_SHOE_ALLOWANCE_MM = 15.0
+_PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
+
+
+@dataclass(frozen=True)
+class Definition:
+    """What a measure means.
+
+    Parameters
+    ----------
+    unit
+        "mm", "degrees" or "" for a ratio or a size.
+    text
+    """
+
+    unit: str
+    text: str
+
+
+DEFINITIONS = {
+    "foot_length": Definition("mm", "pternion to the tip of the longest toe, along the foot axis"),
+    "ball_width": Definition("mm", "metatarsale tibiale to metatarsale fibulare, diagonal"),
+    "ball_width_across": Definition("mm", "the same two points, perpendicular to the foot axis"),
+    "ball_length": Definition("mm", "pternion to metatarsale tibiale, along the foot axis"),
+    "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length"),
+    "ball_girth": Definition("mm", "tape round the foot through the two points of the ball"),
+    "instep_height": Definition("mm", "highest dorsal point at half of the foot length"),
+    "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head"),
+    "arch_height_index": Definition("", "instep height / length from heel to 1st head"),
+    "arch_index": Definition("", "middle third of the toeless footprint / all of it"),
+    "navicular_height": Definition("mm", "navicular, where it is marked, over the ground"),
+    "rearfoot_angle_deg": Definition(
+        "degrees", "bisection of the calcaneus against the Achilles axis; > 0 is valgus"
+    ),
+    "achilles_angle_deg": Definition(
+        "degrees", "Achilles axis against the normal of the sole; > 0 leans medially"
+    ),
+    "achilles_lean_deg": Definition(
+        "degrees", "Achilles axis against the upright of the scan; > 0 leans medially"
+    ),
+    "forefoot_angle_deg": Definition(
+        "degrees", "line of the 1st to 5th head against the heel's ground; > 0 is varus"
+    ),
+    "shoe_size_eu": Definition("", "Paris points of 6.67 mm, with 15 mm before the toes"),
+    "shoe_size_uk": Definition("", "English sizes of 8.47 mm, with 15 mm before the toes"),
+    "shoe_size_us": Definition("", "men's: the English size and one"),
+    "mondopoint": Definition("mm", "foot length, rounded up to 5 mm"),
+}
+MISSING = {
+    "ball_girth": "the back of the foot was not scanned",
+    "instep_height": "the back of the foot was not scanned",
+    "arch_height_index": "the back of the foot was not scanned",
+    "navicular_height": "the navicular is not marked",
+    "rearfoot_angle_deg": "the back of the heel or the leg was not scanned",
+    "achilles_angle_deg": "the leg was not scanned",
+    "achilles_lean_deg": "the leg was not scanned, or the scan does not stand upright",
+}
+
+
+def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
+    """Measure a foot by its landmarks; keys and units as in `DEFINITIONS`."""
+    at = _Along(foot, landmarks)
+    length = at.length_mm
+    instep = at.dorsal_height(_INSTEP * length)
+    tibiale, fibulare = at["metatarsale_tibiale"], at["metatarsale_fibulare"]
+    size_mm = length + _SHOE_ALLOWANCE_MM
+    english = size_mm / _ENGLISH_MM - 25
+    return {
+        "foot_length": length,
+        "ball_width": float(np.linalg.norm(tibiale - fibulare)),
+        "ball_width_across": float(tibiale[0] - fibulare[0]),
+        "ball_length": float(tibiale[1] - at["pternion"][1]),
+        "heel_width": float(at["heel_medial"][0] - at["heel_lateral"][0]),
+        "ball_girth": at.girth(tibiale, fibulare),
+        "instep_height": instep,
+        "arch_height": float(at.over_ground(at["arch_apex"][None])[0]),
+        "arch_height_index": None if instep is None else instep / at.heel_to_first_head_mm,
+        "arch_index": at.arch_index(),
+        "navicular_height": float(at["navicular"][2]) if "navicular" in landmarks else None,
+        **_angles(foot, landmarks),
+        "shoe_size_eu": round(2 * size_mm / _PARIS_MM) / 2,
+        "shoe_size_uk": round(2 * english) / 2,
+        "shoe_size_us": round(2 * english) / 2 + 1,
+        "mondopoint": float(np.ceil(length / _MONDOPOINT_MM) * _MONDOPOINT_MM),
+    }
+
+
+class _Along:
+    """Foot and landmarks with y along the foot axis and medial = +x."""
+
+    def __init__(self, foot: Foot, landmarks: Landmarks) -> None:
+        heel, toe = landmarks["pternion"].point, landmarks["toe_tip_2"].point
+        mirror = np.array([foot.side.medial_sign, 1.0, 1.0])
+        x, y = (toe - heel)[:2] * mirror[:2] / np.hypot(*(toe - heel)[:2])
+        turn = np.array([[y, -x, 0.0], [x, y, 0.0], [0.0, 0.0, 1.0]])
+        self.vertices = (foot.mesh.vertices * mirror) @ turn.T
+        self._upward = foot.mesh.vertex_normals[:, 2]
+        self._faces_ground = self._upward < 0
+        self._plantar_area = foot.mesh.vertex_areas * -self._upward
+        self._points = {
+            name: np.asarray(turn @ (mark.point * mirror)) for name, mark in landmarks.items()
+        }
+
+    def __getitem__(self, name: str) -> FloatArray:
+        return self._points[name]
+
+    @property
+    def length_mm(self) -> float:
+        longest = max(float(self[tip][1]) for tip in TOE_TIPS)
+        return longest - float(self["pternion"][1])
+
+    @property
+    def heel_to_first_head_mm(self) -> float:
+        return float(self["metatarsal_head_1"][1] - self["pternion"][1])
+
+    def over_ground(self, points: FloatArray) -> FloatArray:
+        """Heights (n,) over the plane that heel, 1st and 5th head stand on."""
+        corner, first, fifth = (
+            self._footing(name)
+            for name in ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
+        )
+        up = np.cross(first - corner, fifth - corner)
+        up = up / np.linalg.norm(up) * np.sign(up[2])
+        return np.asarray((points - corner) @ up)
+
+    def _footing(self, name: str) -> FloatArray:
+        """(3,) how low the sole reaches about a landmark: its last hundredth apart, it is noise."""
+        point = self[name]
+        near = np.hypot(*(self.vertices[:, :2] - point[:2]).T) < _FOOTING_MM
+        z = self.vertices[near & self._faces_ground, 2]
+        return np.array([*point[:2], np.quantile(z, 0.01) if len(z) else point[2]])
+
+    def dorsal_height(self, from_heel_mm: float) -> float | None:
+        """Highest point of a section over the ground; None where only the sole is there."""
+        y = float(self["pternion"][1]) + from_heel_mm
+        section = np.abs(self.vertices[:, 1] - y) < _BAND_MM
+        return float(self.vertices[section, 2].max()) if self._has_back(section) else None
+
+    def girth(self, tibiale: FloatArray, fibulare: FloatArray) -> float | None:
+        """Length of a tape round the upright section through two points."""
+        across = (tibiale - fibulare)[:2] / np.hypot(*(tibiale - fibulare)[:2])
+        ahead = (self.vertices[:, :2] - fibulare[:2]) @ np.array([-across[1], across[0]])
+        section = np.abs(ahead) < _BAND_MM
+        if not self._has_back(section):
+            return None
+        points = self.vertices[section]
+        return float(ConvexHull(np.column_stack([points[:, :2] @ across, points[:, 2]])).area)
+
+    def _has_back(self, section: BoolArray) -> bool:
+        """Whether a section goes round the foot: something of it faces upwards at its top."""
+        if section.sum() < 3:
+            return False
+        top = float(self.vertices[section, 2].max())
+        summit = section & (self.vertices[:, 2] > top - _SUMMIT_MM) & (self._upward > _FACES_UP)
+        return bool(summit.any()) and top > _LEAST_DORSAL_MM
+
+    def arch_index(self) -> float:
+        """Cavanagh & Rodgers 1987, on the part of the sole next to the ground."""
+        touches = self._touching()
+        y, area = self.vertices[touches, 1], self._plantar_area[touches]
+        if len(y) == 0:
+            return 0.0
+        start, third = float(y.min()), float(np.ptp(y)) / 3
+        middle = (y >= start + third) & (y < start + 2 * third)
+        return float(area[middle].sum() / area.sum())
+
+    def _touching(self) -> BoolArray:
+        (x5, y5), (x1, y1) = (self[f"metatarsal_head_{n}"][:2] for n in (5, 1))
+        line = np.interp(self.vertices[:, 0], [x5, x1], [y5, y1])
+        toeless = self.vertices[:, 1] < line + _TOE_GAP * self.length_mm
+        low = self.over_ground(self.vertices) < _FOOTPRINT_MM
+        return np.asarray(toeless & low & self._faces_ground)
+
+
+def _angles(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
+    x, y, z = np.eye(3)
+    medial = foot.side.medial_sign * x
+    leg, heel = _axis(landmarks, "achilles"), _axis(landmarks, "calcaneus")
+    first, fifth = (landmarks[f"metatarsal_head_{n}"].point for n in (1, 5))
+    rise = (first - fifth)[2], (first - fifth) @ medial
+    lean = None if leg is None else leg.lean_deg(z, y, medial)
+    heel_lean = None if heel is None else heel.lean_deg(z, y, medial)
+    return {
+        "rearfoot_angle_deg": _difference(heel_lean, lean),
+        "achilles_angle_deg": lean,
+        "achilles_lean_deg": _upright_lean(foot, leg),
+        "forefoot_angle_deg": float(np.degrees(np.arctan2(*rise))),
+    }
+
+
+def _upright_lean(foot: Foot, leg: Axis | None) -> float | None:
+    """Lean in the frame of the scan, where that has toes ahead and dorsal up as a session has."""
+    x, y, z = foot.source2insole[:3, :3].T
+    if leg is None or z[2] < np.cos(np.radians(20)) or y[1] < np.cos(np.radians(20)):
+        return None
+    return leg.lean_deg(z, y, foot.side.medial_sign * x)
+
+
+def _axis(landmarks: Landmarks, name: str) -> Axis | None:
+    if f"{name}_lower" not in landmarks or f"{name}_upper" not in landmarks:
+        return None
+    lower, upper = landmarks[f"{name}_lower"], landmarks[f"{name}_upper"]
+    return Axis(lower.point, upper.point, min(lower.confidence, upper.confidence))
+
+
+def asymmetry(
+    left: dict[str, float | None], right: dict[str, float | None]
+) -> dict[str, float | None]:
+    """Left minus right for each measure that both feet have."""
+    return {name: _difference(left[name], right[name]) for name in DEFINITIONS}
+
+
+def _difference(left: float | None, right: float | None) -> float | None:
+    return None if left is None or right is None else left - right

@@ -1,0 +1,74 @@
+"""Toes told apart by their pulps: from below each toe is a hill of its own.
+
+The tips themselves are often hidden from sensors below the foot, and the gaps between them are
+bridged; the pulps stand out all the same, and a tip lies ahead of its pulp.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.signal import find_peaks
+
+from insole_core.geometry.arrays import FloatArray
+
+_STRIP_MM = 1.5
+_BAND = (0.13, 0.015)  # shares of the length behind the tip, between which a pulp lies
+_PROMINENCE_MM = 1.0
+_SUMMIT_MM = 2.0
+_ROUNDS = 30
+
+
+def pulp_line(
+    sole: FloatArray, length_mm: float, tip: FloatArray, search_mm: float
+) -> float | None:
+    """Find x of the lowest line of one toe.
+
+    Parameters
+    ----------
+    sole : (n, 3) float64, mm
+        Places that face the ground; toes towards +y.
+    length_mm
+        Of the foot.
+    tip : (2,)
+        Where the tip is usually found.
+    search_mm
+        How far beside it the toe may lie.
+
+    Returns
+    -------
+    float or None
+        None where no toe stands out there.
+    """
+    behind = (tip[1] - sole[:, 1]) / length_mm
+    near = (behind < _BAND[0]) & (behind > _BAND[1]) & (np.abs(sole[:, 0] - tip[0]) < 3 * search_mm)
+    if not near.any():
+        return None
+    x, z = _lower_envelope(sole[near])
+    summits, _ = find_peaks(-z, prominence=_PROMINENCE_MM)
+    summits = summits[np.abs(x[summits] - tip[0]) < search_mm]
+    if len(summits) == 0:
+        return None
+    best = summits[np.abs(x[summits] - tip[0]).argmin()]
+    return _summit(sole[near], float(x[best]), search_mm / 2)
+
+
+def _summit(points: FloatArray, x: float, reach_mm: float) -> float:
+    """Mean x of what lies lowest about a place; strips alone would let it hop with the pose."""
+    for _ in range(_ROUNDS):
+        away = np.clip(np.abs(points[:, 0] - x) / reach_mm, 0, 1)
+        floor = points[away < 1, 2].min()
+        low = np.maximum(floor + _SUMMIT_MM - points[:, 2], 0.0)
+        x = float(np.average(points[:, 0], weights=low * (1 - away**2) ** 2))
+    return x
+
+
+def _lower_envelope(points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Middle and least height of each strip along the foot, a little evened out."""
+    strip = np.floor(points[:, 0] / _STRIP_MM).astype(int)
+    first = strip.min()
+    lowest = np.full(strip.max() - first + 1, np.inf)
+    np.minimum.at(lowest, strip - first, points[:, 2])
+    x = (np.arange(len(lowest)) + first + 0.5) * _STRIP_MM
+    seen = np.isfinite(lowest)
+    ring = np.pad(lowest[seen], 1, mode="edge")
+    return x[seen], (ring[:-2] + 2 * ring[1:-1] + ring[2:]) / 4

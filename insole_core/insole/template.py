@@ -1,0 +1,152 @@
+"""A prescription without its patient: it fits another foot by that foot's landmarks.
+
+A template keeps the design and where heel, 1st and 5th head lay on its own foot. On another foot
+every place moves with them (the affine map of the three); sizes and heights stay as prescribed, as
+an arch does not scale with the foot's length. The last design on today's scan goes the same way.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from insole_core.errors import DesignError, InputError
+from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign, Place
+from insole_core.insole.design_json import design_from_json, design_to_json
+from insole_core.insole.mirroring import mirrored, with_places
+from insole_core.json_object import JsonObject
+
+FORMAT, VERSION = "insole-template", 1
+ANCHORS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
+_LEAST_AREA_MM2 = 500.0
+
+
+@dataclass(frozen=True)
+class Template:
+    """A named design and the places (x, y) of `ANCHORS` on the foot that it was made for."""
+
+    name: str
+    design: InsoleDesign
+    anchors_mm: tuple[Place, Place, Place]
+
+
+def make_template(name: str, design: InsoleDesign, landmarks: Landmarks) -> Template:
+    """Keep a design for other feet.
+
+    Raises
+    ------
+    DesignError
+        When the landmarks lie in an impossible order.
+    """
+    return Template(name, design, _anchors(design.side, landmarks))
+
+
+def apply_template(template: Template, side: Side, landmarks: Landmarks) -> InsoleDesign:
+    """Give the template's design on a foot; of the other side it is mirrored first.
+
+    Raises
+    ------
+    DesignError
+        When the landmarks of the foot lie in an impossible order.
+    """
+    design, anchors = template.design, np.array(template.anchors_mm)
+    if design.side is not side:
+        design, anchors = mirrored(design), anchors * [-1, 1]
+    to = np.array(_anchors(side, landmarks))
+    homogeneous = np.column_stack([anchors, np.ones(3)])
+    own2other = np.linalg.solve(homogeneous, to)
+
+    def moved(place: Place) -> Place:
+        x, y = np.array([*place, 1.0]) @ own2other
+        return float(x), float(y)
+
+    return replace(
+        design,
+        corrections=tuple(with_places(c, moved) for c in design.corrections),
+        outline=with_places(design.outline, moved),
+    )
+
+
+def template_to_json(template: Template) -> dict[str, Any]:
+    """Give a template as plain values for `json.dump`."""
+    anchors = zip(ANCHORS, template.anchors_mm, strict=True)
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "name": template.name,
+        "anchors_mm": {name: list(place) for name, place in anchors},
+        "design": design_to_json(template.design),
+    }
+
+
+def read_template(path: Path) -> Template:
+    """Read a template file.
+
+    Raises
+    ------
+    InputError
+        Names the file and what is wrong with it.
+    """
+    try:
+        content = JsonObject.parse(path.name, path.read_bytes())
+    except OSError as error:
+        raise InputError(
+            f"{path} cannot be read: {error.strerror}; check the name of the file."
+        ) from error
+    content.choice("format", [FORMAT])
+    if content.integer("version", 1, 10**6) > VERSION:
+        raise InputError(f"{path} is a template of a newer version; install a newer Insole Studio.")
+    anchors = content.object("anchors_mm")
+    heel, first, fifth = (_pair(anchors, name) for name in ANCHORS)
+    try:
+        design = design_from_json(content.value("design"))
+        check_anchors(design.side, dict(zip(ANCHORS, (heel, first, fifth), strict=True)))
+    except DesignError as error:
+        raise InputError(f"{path}: {error}") from error
+    return Template(content.text("name"), design, (heel, first, fifth))
+
+
+def write_template(template: Template, path: Path) -> None:
+    """Write a template into a file that `replacing_file` gave."""
+    path.write_text(json.dumps(template_to_json(template), indent=1) + "\n", encoding="utf-8")
+
+
+def check_anchors(side: Side, places: Mapping[str, Place]) -> None:
+    """Refuse landmarks that no foot can have.
+
+    Raises
+    ------
+    DesignError
+        Says which lies wrong.
+    """
+    heel, first, fifth = (np.array(places[name]) for name in ANCHORS)
+    for name, head in (("1st", first), ("5th", fifth)):
+        if head[1] <= heel[1]:
+            raise DesignError(f"The {name} metatarsal head lies behind the heel; put it in place.")
+    if (first - fifth)[0] * side.medial_sign <= 0:
+        raise DesignError(
+            f"The 1st metatarsal head lies lateral of the 5th on this {side} foot;"
+            " exchange the two, or check the side."
+        )
+    (ax, ay), (bx, by) = first - heel, fifth - heel
+    if abs(ax * by - ay * bx) < _LEAST_AREA_MM2:
+        raise DesignError("Heel, 1st and 5th head lie on one line; put them in place.")
+
+
+def _anchors(side: Side, landmarks: Landmarks) -> tuple[Place, Place, Place]:
+    places = {n: (float(landmarks[n].point[0]), float(landmarks[n].point[1])) for n in ANCHORS}
+    check_anchors(side, places)
+    heel, first, fifth = (places[name] for name in ANCHORS)
+    return heel, first, fifth
+
+
+def _pair(values: JsonObject, name: str) -> Place:
+    x, y = values.numbers(name, 2)
+    return x, y

@@ -1,0 +1,104 @@
+"""Landmarks and measures against feet that are known: simulated ones and the truth of sessions."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
+from insole_core.foot.measures import DEFINITIONS, asymmetry, measure
+from insole_core.foot.mesh_file import read_mesh
+from insole_core.foot.placing import place_foot
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import transform
+from insole_core.simulate.foot_model import FootModel, build_foot
+from insole_core.simulate.foot_shape import vary_shape
+
+
+@pytest.fixture(scope="module", params=range(3))
+def model(request) -> FootModel:
+    rng = np.random.default_rng(request.param)
+    return build_foot(vary_shape(rng, [Side.RIGHT, Side.LEFT][request.param % 2]), rng)
+
+
+def test_landmarks_of_simulated_feet(model):
+    foot = place_foot(model.mesh, model.shape.side, frame="reference")
+    found = find_landmarks(foot)
+    assert found.keys() == set(NAMES)
+    for name, truth in model.landmarks_mm.items():
+        away = found[name].point - transform(foot.source2insole, truth)
+        assert np.hypot(*away[:2]) < 5, name
+        assert 0 <= found[name].confidence <= 1
+
+
+def test_measures_of_simulated_feet(model):
+    foot = place_foot(model.mesh, model.shape.side, frame="reference")
+    got, shape = measure(foot, find_landmarks(foot)), model.shape
+    # The model's length lies along the reference frame; along the foot axis it is a little more.
+    assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.3)
+    assert got["ball_width"] == pytest.approx(shape.ball_width_mm, abs=0.9)
+    assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.3)
+    assert got["rearfoot_angle_deg"] == pytest.approx(shape.rearfoot_eversion_deg, abs=1.0)
+    assert got["achilles_lean_deg"] == pytest.approx(0, abs=0.7)
+    assert got["arch_height"] == pytest.approx(shape.arch_height_mm, abs=3.5)
+    assert 60 < got["instep_height"] < 75
+    assert got["navicular_height"] is None
+    assert got.keys() == DEFINITIONS.keys()
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
+def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
+    truth = json.loads((shared_data / "sessions" / "landmarks.json").read_text())[str(side)]
+    mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
+    foot = place_foot(mesh, side, frame="reference")
+    found = find_landmarks(foot)
+    for name in ("pternion", "metatarsale_tibiale", "metatarsale_fibulare"):
+        away = found[name].point - transform(foot.source2insole, np.array(truth[name]))
+        assert np.linalg.norm(away) < 5, name
+    got = measure(foot, found)
+    assert got["foot_length"] == pytest.approx(truth["foot_length_along_axis_to_2nd_toe"], abs=0.7)
+    assert got["ball_width"] == pytest.approx(truth["ball_width_diagonal"], abs=0.7)
+    assert got["heel_width"] == pytest.approx(truth["heel_width"], abs=0.7)
+    assert got["achilles_lean_deg"] == pytest.approx(truth["achilles_lean_deg"], abs=0.7)
+
+
+def test_mirrored_foot_has_the_same_measures(left_foot, right_foot):
+    left, right = (measure(foot, find_landmarks(foot)) for foot in (left_foot, right_foot))
+    for name, difference in asymmetry(left, right).items():
+        assert difference is None or difference == pytest.approx(0, abs=0.02), name
+    for name, mark in find_landmarks(left_foot).items():
+        other = find_landmarks(right_foot)[name].point * [-1, 1, 1]
+        assert other == pytest.approx(mark.point, abs=0.05), name
+
+
+def test_sole_alone_has_no_leg_and_no_back(left_mesh):
+    foot = place_foot(left_mesh.part(left_mesh.vertices[:, 2] < 20), Side.LEFT, frame="reference")
+    found = find_landmarks(foot)
+    assert not any(name in found for name in AXES)
+    got = measure(foot, found)
+    for name in ("instep_height", "ball_girth", "rearfoot_angle_deg", "achilles_angle_deg"):
+        assert got[name] is None
+    assert got["heel_width"] == pytest.approx(66, abs=2)
+
+
+@pytest.mark.parametrize("cut", ["toes", "heel"])
+def test_foot_without_toes_or_heel_gives_guesses_with_little_confidence(left_mesh, cut):
+    y = left_mesh.vertices[:, 1]
+    part = left_mesh.part(y < 55 if cut == "toes" else y > -60)
+    foot = place_foot(part, Side.LEFT, frame="reference")
+    found = find_landmarks(foot)
+    assert all(np.isfinite(mark.point).all() for mark in found.values())
+    if cut == "toes":
+        assert max(found[f"toe_tip_{n}"].confidence for n in range(1, 6)) < 0.5
+    assert all(v is None or np.isfinite(v) for v in measure(foot, found).values())
+
+
+def test_landmark_set_by_hand_counts(left_foot):
+    found = find_landmarks(left_foot)
+    by_hand = with_places(left_foot, found, {"navicular": (28.0, 100.0, 41.0)})
+    assert by_hand["navicular"].origin == "hand"
+    assert measure(left_foot, by_hand)["navicular_height"] == pytest.approx(41)
