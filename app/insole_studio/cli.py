@@ -23,6 +23,7 @@ from insole_studio.commands import (
     design,
     evaluate,
     import_fakenect,
+    measure,
     reconstruct,
     sensors,
     simulate,
@@ -54,6 +55,7 @@ COMMANDS: tuple[Command, ...] = (
     evaluate,
     reconstruct,
     design,
+    measure,
     compare,
     simulate,
 )
