@@ -105,6 +105,12 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
     }
 
 
+def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
+    """Upper and lower side (ny, nx) of a solid on pixels of 1 mm; NaN beside it."""
+    below = TriangleMesh(solid.vertices * [1, 1, -1], solid.triangles)
+    return _Survey(solid).seen[0], -_Survey(below).seen[0]
+
+
 class _Survey:
     """The solid as seen from above, on a grid."""
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
@@ -40,6 +41,10 @@ class Rules:
     limits: dict[CheckName, float] = field(default_factory=dict)
     cutter_diameter_mm: float = 10.0
     block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
+
+    def only(self, names: Collection[CheckName]) -> Rules:
+        """Switch the other checks off."""
+        return replace(self, policies={k: v for k, v in self.policies.items() if k in names})
 
 
 def read_rules(path: Path | None = None) -> Rules:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_studio.commands import shop
 from insole_studio.commands.foot_source import read_foot
 
 if TYPE_CHECKING:
@@ -36,27 +37,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force", action="store_true", help="go on although the shape looks like the other foot"
     )
+    shop.add_arguments(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, build the insole, write it."""
-    from insole_core.export.atomic import replacing_file
-    from insole_core.export.solid_file import check_suffix, write_solids
-    from insole_core.export.three_mf import Part
+    from insole_core.export.solid_file import check_suffix
     from insole_core.insole.build import build_insole
-    from insole_core.solids.solid import make_solid
 
     check_suffix(arguments.out)
     design = _read_prescription(arguments.prescription)
     side = _agreed_side(arguments.side, design)
-    with replacing_file(arguments.out) as beside:
+    with shop.outputs(arguments) as paths:
         foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.7))
         for note in foot.notes:
             print(note, file=sys.stderr)
         insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
-        solid = make_solid(insole, arguments.kind, progress=progress.part(0.9, 0.95))
-        progress.step(0.95, f"Writing the {arguments.kind}")
-        write_solids([Part(solid, f"{insole.design.side} {arguments.kind}")], beside)
+        shop.deliver(insole, arguments, paths, progress.part(0.9, 1.0))
     progress.step(1.0, f"Done: {arguments.out}")
 
 

@@ -1,0 +1,218 @@
+"""Pages for the shop and for the record, as PDF: the job sheet and the prescription.
+
+The texts stand in resources/texts and can be edited by a clinic.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+from xml.sax.saxutils import escape
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from reportlab.lib import colors
+from reportlab.lib.pagesizes import A4
+from reportlab.lib.styles import ParagraphStyle
+from reportlab.lib.units import mm
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.platypus import Flowable, Image, Paragraph, SimpleDocTemplate, Spacer, Table
+
+from insole_core.errors import InputError
+from insole_core.export.atomic import replacing_file
+from insole_core.export.lettering import FONT_PATH, with_known_letters
+from insole_core.geometry.arrays import FloatArray
+from insole_core.resources import resource_path
+
+Facts = Mapping[str, str]
+_FONT = "DejaVuSans"
+_BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
+_HEAD = ParagraphStyle("head", parent=_BODY, fontSize=11, leading=16, spaceBefore=8)
+_TITLE = ParagraphStyle("title", parent=_BODY, fontSize=16, leading=22)
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """A cut through an insole.
+
+    Parameters
+    ----------
+    title
+    along_mm, top_mm, bottom_mm : (n,) float64
+        NaN where there is no material.
+    """
+
+    title: str
+    along_mm: FloatArray
+    top_mm: FloatArray
+    bottom_mm: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class JobSheet:
+    """What the shop must know of one file.
+
+    Parameters
+    ----------
+    identification
+        Pseudonym, side, date and so on; never the patient's name.
+    measures, make
+        Lengths; material, tolerances.
+    checks
+        One sentence each.
+    file
+        The exported file, whose hash is printed; it may still wait for its final name.
+    file_name
+        As the shop gets it.
+    """
+
+    identification: Facts
+    measures: Facts
+    make: Facts
+    sections: tuple[Section, ...]
+    checks: tuple[str, ...]
+    file: Path
+    file_name: str
+    height_map_mm: FloatArray | None = None
+
+
+def write_job_sheet(sheet: JobSheet, path: Path) -> None:
+    """Write the sheet that goes to the shop with the file.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    InputError
+        When the exported file or the texts cannot be read.
+    """
+    _register_font()
+    texts = _texts("job_sheet")
+    story = [Paragraph(_safe(texts["title"]), _TITLE)]
+    for key in ("identification", "measures", "make"):
+        story += _facts(texts[key], getattr(sheet, key))
+    story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
+    story += _list(texts["checks"], sheet.checks)
+    story += [Paragraph(_safe(texts["sections"]), _HEAD), _pictures(sheet)]
+    story += [Spacer(1, 4 * mm), Paragraph(_safe(texts["footer"]), _BODY)]
+    _write(story, path, texts["title"])
+
+
+def write_prescription(
+    identification: Facts, corrections: Sequence[str], make: Facts, path: Path
+) -> None:
+    """Write the prescription for the patient and the record, with the statement of Annex XIII.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    _register_font()
+    texts = _texts("prescription")
+    story = [Paragraph(_safe(texts["title"]), _TITLE)]
+    story += _facts(texts["identification"], identification)
+    story += _list(texts["corrections"], corrections or ("–",))
+    story += _facts(texts["make"], make)
+    story += _list(texts["statement_title"], (texts["statement"],))
+    story += [Spacer(1, 20 * mm), Paragraph("_" * 40, _BODY)]
+    story += [Paragraph(_safe(texts["signature"]), _BODY)]
+    _write(story, path, texts["title"])
+
+
+def sha256_of(path: Path) -> str:
+    """Hash of a file, in hexadecimal."""
+    try:
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; export it again.") from error
+
+
+@cache
+def _register_font() -> None:
+    """Make the font known to reportlab; it asks for bold and italic, which are the same here."""
+    pdfmetrics.registerFont(TTFont(_FONT, str(FONT_PATH)))
+    faces = dict.fromkeys(("normal", "bold", "italic", "boldItalic"), _FONT)
+    pdfmetrics.registerFontFamily(_FONT, **faces)
+
+
+def _texts(name: str) -> dict[str, str]:
+    path = resource_path(f"texts/{name}.json")
+    try:
+        content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise InputError(f"{path} is no valid JSON; correct the texts.") from error
+    return {key: str(value) for key, value in content.items()}
+
+
+def _safe(text: str) -> str:
+    return escape(with_known_letters(text))
+
+
+def _facts(title: str, facts: Facts) -> list[Flowable]:
+    if not facts:
+        return []
+    rows = [[Paragraph(_safe(k), _BODY), Paragraph(_safe(v), _BODY)] for k, v in facts.items()]
+    table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
+    table.setStyle([("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey)])
+    return [Paragraph(_safe(title), _HEAD), table]
+
+
+def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
+    return [Paragraph(_safe(title), _HEAD), *(Paragraph(_safe(line), _BODY) for line in lines)]
+
+
+def _pictures(sheet: JobSheet) -> Image:
+    """The height map, if there is one, and the sections, drawn to equal scales."""
+    figure = Figure(figsize=(7, 4.2), layout="constrained")
+    FigureCanvasAgg(figure)
+    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 2]), dtype=object)
+    if sheet.height_map_mm is not None:
+        axes = left.subplots()
+        image = axes.imshow(sheet.height_map_mm, origin="lower", cmap="viridis")
+        axes.set_axis_off()
+        left.colorbar(image, ax=axes, label="mm", shrink=0.8)
+    rows = right.subplots(max(1, len(sheet.sections)), 1, squeeze=False)[:, 0]
+    for axes, section in zip(rows, sheet.sections, strict=False):
+        axes.fill_between(section.along_mm, section.bottom_mm, section.top_mm, color="tan")
+        axes.set_title(with_known_letters(section.title), fontsize=8)
+        axes.set_aspect("equal")
+        axes.tick_params(labelsize=6)
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=150)
+    picture.seek(0)
+    return Image(picture, width=170 * mm, height=102 * mm)
+
+
+def _write(story: list[Flowable], path: Path, title: str) -> None:
+    with replacing_file(path) as beside:
+        page = SimpleDocTemplate(str(beside), pagesize=A4, title=title, author="Insole Studio")
+        page.build(story)
+
+
+def section_along(
+    top_mm: FloatArray, bottom_mm: FloatArray, pitch_mm: float, *, share: float, across: bool
+) -> Section:
+    """Cut height maps (ny, nx) of a solid; across the foot, or along it.
+
+    Parameters
+    ----------
+    share
+        Place of the cut: of the length for a cut across, of the width for one along.
+    """
+    rows, columns = np.nonzero(np.isfinite(top_mm))
+    where = rows if across else columns
+    index = int(where.min() + share * np.ptp(where))
+    cut = np.s_[index, :] if across else np.s_[:, index]
+    top, bottom = top_mm[cut], bottom_mm[cut]
+    title = f"{'across' if across else 'along'}, at {share:.0%}"
+    return Section(title, pitch_mm * np.arange(float(len(top))), top, bottom)

@@ -1,0 +1,70 @@
+"""The papers: PDF with the hash of the file, whatever the script of the names."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.errors import InputError, OutputError
+from insole_core.export.paper import (
+    JobSheet,
+    section_along,
+    sha256_of,
+    write_job_sheet,
+    write_prescription,
+)
+
+TOP = np.full((40, 20), np.nan)
+TOP[5:35, 4:16] = 8.0 + np.arange(12)
+BOTTOM = np.where(np.isfinite(TOP), 0.0, np.nan)
+
+
+def sheet(file: Path) -> JobSheet:
+    return JobSheet(
+        identification={"pseudonym": "Ø-足 <&> 7", "side": "left"},
+        measures={"length": "248.5 mm"},
+        make={"material": "EVA 40 Shore A", "tolerance": "±0.3 mm"},
+        sections=(section_along(TOP, BOTTOM, 1.0, share=0.5, across=True),),
+        checks=("✓ closed",),
+        file=file,
+        file_name="insole.stl",
+        height_map_mm=TOP,
+    )
+
+
+def test_section_is_a_cut_across():
+    cut = section_along(TOP, BOTTOM, 2.0, share=0.5, across=True)
+    assert cut.along_mm[-1] == 38
+    assert np.isfinite(cut.top_mm).sum() == 12
+    assert np.nanmax(cut.top_mm) == 19
+    assert section_along(TOP, BOTTOM, 2.0, share=0.5, across=False).top_mm.size == 40
+
+
+def test_papers_are_pdf(tmp_path: Path):
+    file = tmp_path / "solid.stl"
+    file.write_bytes(b"solid")
+    write_job_sheet(sheet(file), tmp_path / "sheet.pdf")
+    write_prescription(
+        {"pseudonym": "Ø-足"}, ["pelott 6 mm, A. Berg, 2026-11-20"], {}, tmp_path / "paper.pdf"
+    )
+    for name in ("sheet.pdf", "paper.pdf"):
+        content = (tmp_path / name).read_bytes()
+        assert content.startswith(b"%PDF")
+        assert content.rstrip().endswith(b"%%EOF")
+    assert sha256_of(file) == hashlib.sha256(b"solid").hexdigest()
+
+
+def test_file_that_went_away(tmp_path: Path):
+    with pytest.raises(InputError, match="export it again"):
+        write_job_sheet(sheet(tmp_path / "none.stl"), tmp_path / "sheet.pdf")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_place_that_cannot_be_written(tmp_path: Path):
+    file = tmp_path / "solid.stl"
+    file.write_bytes(b"solid")
+    with pytest.raises(OutputError, match="folder does not exist"):
+        write_job_sheet(sheet(file), tmp_path / "no" / "sheet.pdf")

@@ -1,0 +1,90 @@
+"""What `design` hands to the shop beside the solid."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from insole_core.export.ply import write_ply
+from insole_core.geometry.side import Side
+from insole_core.simulate import FootShape, build_foot
+from insole_studio.cli import run
+
+
+@pytest.fixture(scope="module")
+def call(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    path = tmp_path_factory.mktemp("scan") / "scan.ply"
+    write_ply(build_foot(FootShape(), np.random.default_rng(1), cell_mm=4.0).mesh, path)
+    return ["design", str(path), "--side", str(Side.LEFT)]
+
+
+def last_line(capsys: pytest.CaptureFixture[str]) -> str:
+    return capsys.readouterr().err.strip().splitlines()[-1]
+
+
+def test_everything_at_once(call: list[str], tmp_path: Path) -> None:
+    out, checks, sheet = (tmp_path / name for name in ("i.stl", "checks.json", "sheet.pdf"))
+    options = ["--mark", "Ł 7 足", "--triangles", "30000", "--chamfer", "1", "--draft", "5"]
+    papers = ["--checks", str(checks), "--job-sheet", str(sheet)]
+    assert run([*call, "--out", str(out), *options, *papers]) == 0
+    solid = trimesh.load_mesh(out)
+    assert solid.is_watertight
+    assert len(solid.faces) <= 30_000
+    record = json.loads(checks.read_text())
+    assert {finding["name"] for finding in record["findings"]} >= {"watertight", "thickness"}
+    assert sheet.read_bytes().startswith(b"%PDF")
+    assert len(hashlib.sha256(out.read_bytes()).hexdigest()) == 64
+
+
+def test_ascii(call: list[str], tmp_path: Path) -> None:
+    out = tmp_path / "i.stl"
+    assert run([*call, "--out", str(out), "--ascii"]) == 0
+    assert out.read_text().startswith("solid ")
+
+
+def test_blocking_rule_and_its_override(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rules = tmp_path / "rules.json"
+    rule = {"shoe_height": {"policy": "blocking", "limit": 5}}
+    rules.write_text(json.dumps({"format": "insole-export-rules", "version": 1, "rules": rule}))
+    out, checks = tmp_path / "i.stl", tmp_path / "checks.json"
+    options = [*call, "--out", str(out), "--rules", str(rules), "--checks", str(checks)]
+    assert run(options) == 1
+    assert "mm high" in last_line(capsys)
+    assert not out.exists()
+    assert not checks.exists()
+    assert run([*options, "--override", "agreed with the patient"]) == 0
+    override = json.loads(checks.read_text())["override"]
+    assert override["reason"] == "agreed with the patient"
+    assert override["author"]
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "sentence"),
+    [
+        (["--job-sheet", "{tmp}/sheet.txt"], 2, "written as .pdf"),
+        (["--triangles", "50"], 1, "too few"),
+        (["--mark", " "], 1, "identification is empty"),
+        (["--draft", "80"], 1, "draft_deg is 80"),
+        (["--rules", "{tmp}/none.json"], 1, "cannot be read"),
+        (["--checks", "{tmp}/no/c.json"], 1, "its folder does not exist"),
+    ],
+)
+def test_failures_leave_nothing_behind(
+    call: list[str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    options: list[str],
+    code: int,
+    sentence: str,
+) -> None:
+    words = [word.format(tmp=tmp_path) for word in options]
+    assert run([*call, "--out", str(tmp_path / "i.stl"), *words]) == code
+    assert sentence in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
