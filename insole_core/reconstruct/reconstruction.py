@@ -26,6 +26,7 @@ from insole_core.reconstruct.registration import (
     register_in_image,
     register_precisely,
 )
+from insole_core.reconstruct.remarks import check_still, motion_note, warnings_of
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,
@@ -44,7 +45,7 @@ from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.reconstruct.stopwatch import Stopwatch
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
 from insole_core.recording.session import Box, ReferenceSystem, Session, View
-from insole_core.sensing.frames import mean_raw, median_raw
+from insole_core.sensing.frames import RawAverage, average_raw, median_raw
 
 _Part = TypeVar("_Part")
 
@@ -82,7 +83,7 @@ def reconstruct(
 class _Way(Protocol[_Part]):
     """What the methods do differently."""
 
-    def average(self, frames: Iterable[RawArray]) -> FloatArray:
+    def average(self, view: View) -> RawAverage:
         """Give one raw image of many."""
         ...
 
@@ -113,13 +114,15 @@ class _Measured:
     raw: FloatArray
     points: FloatArray
     color: ByteArray
+    motion_note: str
 
 
 class _Thesis:
     """Chapters 5 and 6: the baseline."""
 
-    def average(self, frames: Iterable[RawArray]) -> FloatArray:
-        return median_raw(frames)
+    def average(self, view: View) -> RawAverage:
+        raw = median_raw(_depth_frames(view))
+        return RawAverage(raw, np.zeros_like(raw), view.depth_count, (), 0.0)
 
     def rounded(self, depth_mm: FloatArray) -> FloatArray:
         return np.asarray(np.rint(depth_mm))
@@ -154,8 +157,8 @@ class _Fused:
 
     on_preview: Callable[[TriangleMesh], None] | None
 
-    def average(self, frames: Iterable[RawArray]) -> FloatArray:
-        return mean_raw(frames)
+    def average(self, view: View) -> RawAverage:
+        return average_raw(_depth_frames(view))
 
     def rounded(self, depth_mm: FloatArray) -> FloatArray:
         return depth_mm
@@ -206,12 +209,12 @@ class _Chain(Generic[_Part]):
         for number, view in enumerate(views):
             start, end = (0.5 * (number + done) / len(views) for done in (0, 1))
             try:
-                part, registration = self._place(view, progress.part(start, end))
+                part, result = self._place(view, progress.part(start, end))
             except ReconstructionError as error:
                 results.append(ViewResult(view.name, used=False, reason=str(error)))
                 continue
             parts.append(part)
-            results.append(_used(view, registration))
+            results.append(result)
         _check_any_used(self.session, results)
         with self.clock.measuring("surface"):
             surface = self.way.join(parts, progress.part(0.5, 1.0))
@@ -219,12 +222,12 @@ class _Chain(Generic[_Part]):
         return Reconstruction(
             surface.mesh,
             tuple(results),
-            _warnings(results),
+            warnings_of(self.session, results),
             self.clock.seconds,
             surface.deviation_mm,
         )
 
-    def _place(self, view: View, progress: Progress) -> tuple[_Part, Registration]:
+    def _place(self, view: View, progress: Progress) -> tuple[_Part, ViewResult]:
         """Bring one view to the reference frame."""
         progress.step(0.0, f"Averaging the frames of the view {view.name}")
         with self.clock.measuring("frames"):
@@ -236,12 +239,13 @@ class _Chain(Generic[_Part]):
         with self.clock.measuring("surface"):
             box = volume_of_interest(self.session.manifest)
             part = self.way.cut_out(measured, registration.sensor2reference, box)
-        return part, registration
+        return part, _used(measured, registration)
 
     def _measure(self, view: View) -> _Measured:
         """Average a view's frames and convert them, thesis (12), (16), 6.1."""
-        frames = (view.read_depth(index) for index in range(view.depth_count))
-        raw = view.sensor.corrected(self.way.average(frames))
+        average = self.way.average(view)
+        check_still(average)
+        raw = view.sensor.corrected(average.raw)
         depth_mm = view.sensor.disparity.depth_mm(raw)
         if not np.isfinite(depth_mm).any():
             raise ReconstructionError(
@@ -249,21 +253,19 @@ class _Chain(Generic[_Part]):
                 "sunlight falls on the foot"
             )
         points = view.sensor.points(self.way.rounded(depth_mm))
-        return _Measured(view, raw, points, mean_color(view))
+        note = motion_note(view, average, depth_mm)
+        return _Measured(view, raw, points, mean_color(view), note)
 
 
-def _warnings(results: list[ViewResult]) -> tuple[str, ...]:
-    return tuple(
-        f"The view {result.name} is left out: {result.reason}."
-        for result in results
-        if not result.used
-    )
+def _depth_frames(view: View) -> Iterable[RawArray]:
+    return (view.read_depth(index) for index in range(view.depth_count))
 
 
-def _used(view: View, registration: Registration) -> ViewResult:
+def _used(measured: _Measured, registration: Registration) -> ViewResult:
     return ViewResult(
-        view.name,
+        measured.view.name,
         used=True,
+        reason=measured.motion_note,
         sensor2reference=registration.sensor2reference,
         residuals=Residuals.of(registration.residuals_mm),
         fixes=registration.fixes,

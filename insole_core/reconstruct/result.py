@@ -39,7 +39,7 @@ class ViewResult:
     used
         Whether it is part of the foot.
     reason
-        Why it is not; empty when it is.
+        Why it is not; of a used view what is to be known of it, mostly nothing.
     sensor2reference : (4, 4) float64, mm, optional
     residuals
     fixes

@@ -55,7 +55,8 @@ def reason(session: Session, name: str) -> str:
     result = reconstruct(session, "thesis")
     left_out = [view for view in result.views if not view.used]
     assert [view.name for view in left_out] == [name]
-    assert result.warnings == (f"The view {name} is left out: {left_out[0].reason}.",)
+    assert result.warnings[0] == f"The view {name} is left out: {left_out[0].reason}."
+    assert all("No view shows the side" in warning for warning in result.warnings[1:])
     return left_out[0].reason
 
 
@@ -229,7 +230,73 @@ def test_a_sole_view_swapped_with_the_achilles_view(session: Session) -> None:
     swapped = altered(swapped, "left", read_depth=top.read_depth, read_color=top.read_color)
     result = reconstruct(swapped, "thesis")
     assert [view.used for view in result.views] == [False, True, False]
-    assert all("exchange the views" in warning for warning in result.warnings)
+    assert all("exchange the views" in warning for warning in result.warnings[:2])
+
+
+def test_a_side_that_no_view_shows_is_named(session: Session) -> None:
+    soles = tuple(view_of(session, name) for name in ("left", "right"))
+    (warning,) = reconstruct(replace(session, views=soles)).warnings
+    assert 'side of the markers "achilles"' in warning
+
+
+def test_one_view_recorded_under_two_names(session: Session) -> None:
+    left, right = view_of(session, "left"), view_of(session, "right")
+    other = replace(left, name="right", sensor=replace(left.sensor, serial="other"))
+    twice = replace(session, views=(left, other, view_of(session, "top")))
+    (warning,) = reconstruct(twice).warnings
+    assert "left and right stood in the same place (0 mm apart)" in warning
+    assert right.sensor.serial != left.sensor.serial
+
+
+def test_frames_in_which_something_moved_are_left_out_and_told(session: Session) -> None:
+    view = view_of(session, "left")
+    still = np.stack([view.read_depth(i) for i in range(view.depth_count)])
+
+    def moving(index: int) -> RawArray:
+        frame = still[index % len(still)].copy()
+        if index == 4:
+            frame[100:380, 150:500] = np.where(
+                frame[100:380, 150:500] < 2047, frame[100:380, 150:500] + 3, 2047
+            )
+        return frame
+
+    restless = altered(session, "left", read_depth=moving, depth_count=9)
+    (warning,) = reconstruct(restless).warnings
+    assert "In the view left something moved by" in warning
+    assert "1 of its 9 depth frames are left out" in warning
+
+
+def test_a_preview_comes_before_the_foot(session: Session) -> None:
+    previews: list[TriangleMesh] = []
+    result = reconstruct(session, on_preview=previews.append)
+    (preview,) = previews
+    assert preview.colors is not None
+    assert len(preview.vertices) < len(result.mesh.vertices)
+    assert result.deviation_mm is not None
+    assert result.deviation_mm.shape == (len(result.mesh.vertices),)
+    assert 0 < np.median(result.deviation_mm) < 2
+
+
+def test_markers_are_recognised_by_colour_where_depth_fails_on_them(session: Session) -> None:
+    usual = reconstruct(session)
+    view = view_of(session, "left")
+    pixels = np.array([fix.pixel for fix in usual.views[0].fixes])
+
+    def without_markers(index: int) -> RawArray:
+        depth = view.read_depth(index).copy()
+        scale = view.sensor.color_camera.fx / view.sensor.depth_camera.fx
+        for u, v in pixels / scale:
+            depth[max(int(v) - 40, 0) : int(v) + 40, max(int(u) - 22, 0) : int(u) + 45] = 2047
+        return depth
+
+    found = reconstruct(altered(session, "left", read_depth=without_markers)).views[0]
+    assert found.used
+    pose, was = found.sensor2reference, usual.views[0].sensor2reference
+    assert pose is not None
+    assert was is not None
+    foot = transform(inverse(was), np.zeros(3))
+    assert np.linalg.norm(transform(pose, foot)) < 2.0
+    assert rotation_angle_deg(pose[:3, :3].T @ was[:3, :3]) < 0.3
 
 
 def test_mirrored_pictures(session: Session) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.arrays import RawArray
-from insole_core.sensing.frames import mean_raw, median_raw
+from insole_core.sensing.frames import average_raw, mean_raw, median_raw
 
 
 def stack(*readings: list[int]) -> RawArray:
@@ -51,3 +51,25 @@ def test_mean_reads_each_frame_once_and_lets_it_go() -> None:
             yield frame
 
     assert mean_raw(frames()).shape == (2, 2)
+
+
+def still(count: int) -> list[np.ndarray]:
+    rng = np.random.default_rng(4)
+    return [np.rint(700 + rng.normal(0, 0.5, (64, 96))).astype(np.uint16) for _ in range(count)]
+
+
+def test_the_variance_is_that_of_the_mean() -> None:
+    average = average_raw(still(40))
+    # Rounding to whole numbers adds 1/12.
+    assert np.median(average.variance) == pytest.approx((0.25 + 1 / 12) / 40, rel=0.1)
+    assert average.moved == ()
+    assert average.motion_raw < 0.2
+
+
+def test_a_frame_in_which_something_moved_is_left_out() -> None:
+    frames = still(12)
+    frames[5][16:48, 16:64] += 3
+    average = average_raw(frames)
+    assert average.moved == (5,)
+    assert average.motion_raw == pytest.approx(3.0, abs=0.2)
+    np.testing.assert_allclose(average.raw[20:40, 20:60].mean(), 700, atol=0.05)

@@ -1,0 +1,89 @@
+"""What a reconstruction says about its input: motion, missing sides, sensors in one place."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.reconstruct.result import ViewResult
+from insole_core.recording.session import Session, View
+from insole_core.sensing.frames import RawAverage
+
+_SAME_PLACE_MM = 60.0
+_SAME_DIRECTION_DEG = 5.0
+
+
+def check_still(average: RawAverage) -> None:
+    """Refuse a view in most of whose frames something had moved.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    if 2 * len(average.moved) > average.frames:
+        raise ReconstructionError(
+            f"something moved in {len(average.moved)} of its {average.frames} depth frames; "
+            "capture it again with the foot kept still"
+        )
+
+
+def motion_note(view: View, average: RawAverage, depth_mm: FloatArray) -> str:
+    """Say how far the foot moved in the frames that were left out; empty when none was."""
+    if not average.moved:
+        return ""
+    typical_mm = float(np.nanmedian(depth_mm))
+    disparity = view.sensor.disparity
+    per_mm = abs(float(disparity.raw(np.array(typical_mm + 0.5)) - disparity.raw(
+        np.array(typical_mm - 0.5)
+    )))  # fmt: skip
+    return (
+        f"something moved by {average.motion_raw / per_mm:.1f} mm; {len(average.moved)} of its "
+        f"{average.frames} depth frames are left out"
+    )
+
+
+def warnings_of(session: Session, results: list[ViewResult]) -> tuple[str, ...]:
+    """Give the sentences that a user should read before trusting the foot."""
+    return (
+        *(f"The view {r.name} is left out: {r.reason}." for r in results if not r.used),
+        *(f"In the view {r.name} {r.reason}." for r in results if r.used and r.reason),
+        *_unseen_sides(session, results),
+        *_same_places(session, results),
+    )
+
+
+def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
+    """Name the sides of the reference system that no used view looked at."""
+    used = {result.name for result in results if result.used}
+    seen = {face for view in session.views if view.name in used for face in view.sensor.faces}
+    sides = dict.fromkeys(marker.face for marker in session.manifest.reference_system.markers)
+    return [
+        f'No view shows the side of the markers "{side}", so the foot is not measured there.'
+        for side in sides
+        if side not in seen
+    ]
+
+
+def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
+    """Name the pairs of different sensors that stood in the same place."""
+    serials = {view.name: view.sensor.serial for view in session.views}
+    found = []
+    for first, second in combinations([result for result in results if result.used], 2):
+        if serials[first.name] == serials[second.name]:
+            continue
+        a, b = first.sensor2reference, second.sensor2reference
+        if a is None or b is None:
+            continue
+        apart_mm = float(np.linalg.norm(a[:3, 3] - b[:3, 3]))
+        turned_deg = rotation_angle_deg(a[:3, :3].T @ b[:3, :3])
+        if apart_mm < _SAME_PLACE_MM and turned_deg < _SAME_DIRECTION_DEG:
+            found.append(
+                f"The sensors of the views {first.name} and {second.name} stood in the same place "
+                f"({apart_mm:.0f} mm apart); see that no view was recorded under two names."
+            )
+    return found
