@@ -57,6 +57,8 @@ class HeightField:
             at.indices(size)[:2]
             for at, size in zip((rows, columns), self.heights_mm.shape, strict=True)
         )
+        if top >= bottom or left >= right:
+            return np.empty((max(bottom - top, 0), max(right - left, 0), 3))
         # One node more on each side, so that the differences are central wherever they can be.
         i, j = max(top - 1, 0), max(left - 1, 0)
         part = self.heights_mm[i : bottom + 1, j : right + 1]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -48,6 +49,13 @@ class Window:
         """Whether it holds no node."""
         return self.first_row >= self.end_row or self.first_column >= self.end_column
 
+    def relative_to(self, other: Window) -> tuple[slice, slice]:
+        """Rows and columns counted from the first node of another window."""
+        return (
+            slice(self.first_row - other.first_row, self.end_row - other.first_row),
+            slice(self.first_column - other.first_column, self.end_column - other.first_column),
+        )
+
     def meets(self, other: Window) -> bool:
         """Whether the two have a node in common."""
         return not self.common(other).is_empty
@@ -59,6 +67,15 @@ class Window:
             min(self.end_row, other.end_row),
             max(self.first_column, other.first_column),
             min(self.end_column, other.end_column),
+        )
+
+    def widened(self, shape: tuple[int, ...]) -> Window:
+        """One node more on each side, where the grid of this shape has it."""
+        return Window(
+            max(self.first_row - 1, 0),
+            min(self.end_row + 1, shape[0]),
+            max(self.first_column - 1, 0),
+            min(self.end_column + 1, shape[1]),
         )
 
     def joined(self, other: Window) -> Window:
@@ -81,7 +98,7 @@ class SurfaceChange:
     ----------
     surface
     window
-        May be empty.
+        Holds every node whose height or normal differs; may be empty.
     """
 
     surface: HeightField
@@ -122,7 +139,7 @@ def moved_pad(
     for correction in after:
         _apply(part, base, correction, window)
     heights[window.rows, window.columns] = part
-    return SurfaceChange(replace(base.surface, heights_mm=heights), window)
+    return SurfaceChange(replace(base.surface, heights_mm=heights), window.widened(heights.shape))
 
 
 def added_corrections(design: InsoleDesign) -> list[Added]:
@@ -179,35 +196,69 @@ def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Wind
 
 def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Window) -> None:
     """Change the heights of a window in place."""
-    common = _reach(base, correction).common(window)
+    reach, shape = _shape(correction, base.arch_apex_mm, _Grid.of(base.surface))
+    common = reach.common(window)
     if common.is_empty:
         return
-    x, y = base.surface.x_mm[common.columns], base.surface.y_mm[common.rows]
-    rows = slice(common.first_row - window.first_row, common.end_row - window.first_row)
-    columns = slice(
-        common.first_column - window.first_column, common.end_column - window.first_column
-    )
+    here = common.relative_to(window)
+    own = shape[common.relative_to(reach)]
     if isinstance(correction, BrushStroke):
-        weight = stroke_weight(correction, x, y)
-        stroked(part[rows, columns], weight, correction, base.surface.step_mm)
+        stroked(part[here], own, correction, base.surface.step_mm)
     else:
-        pad = as_pad(correction, base.arch_apex_mm)
-        part[rows, columns] += pad_heights(pad, np.stack(np.meshgrid(x, y), axis=-1))
+        part[here] += own
 
 
 def _reach(base: ContactBase, correction: Added) -> Window:
     """The nodes that a correction may change, or for smoothing looks at."""
+    return _shape(correction, base.arch_apex_mm, _Grid.of(base.surface))[0]
+
+
+@dataclass(frozen=True)
+class _Grid:
+    """Where the nodes of a height field lie."""
+
+    x0_mm: float
+    y0_mm: float
+    step_mm: float
+    rows: int
+    columns: int
+
+    @classmethod
+    def of(cls, field: HeightField) -> _Grid:
+        return cls(field.x0_mm, field.y0_mm, field.step_mm, *field.heights_mm.shape)
+
+    def window(self, low: FloatArray, high: FloatArray) -> Window:
+        """The nodes from one corner (x, y) to another."""
+        first = np.ceil((low - [self.x0_mm, self.y0_mm]) / self.step_mm).astype(int)
+        end = np.floor((high - [self.x0_mm, self.y0_mm]) / self.step_mm).astype(int) + 1
+        (first_column, first_row), (end_column, end_row) = first.tolist(), end.tolist()
+        return Window(first_row, end_row, first_column, end_column).common(
+            Window(0, self.rows, 0, self.columns)
+        )
+
+
+@lru_cache(maxsize=64)
+def _shape(correction: Added, arch_apex_mm: Place, grid: _Grid) -> tuple[Window, FloatArray]:
+    """What a correction adds, or how much its stroke weighs, where it reaches.
+
+    Kept for the corrections that stand still while another one is dragged.
+    """
     if isinstance(correction, BrushStroke):
         radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
         points = np.array(correction.points_mm)
-        low, high = points.min(axis=0) - radius, points.max(axis=0) + radius
+        window = grid.window(points.min(axis=0) - radius, points.max(axis=0) + radius)
     else:
-        outline = pad_outline(as_pad(correction, base.arch_apex_mm))
-        low, high = outline.min(axis=0), outline.max(axis=0)
-    field = base.surface
-    first_column, end_column = np.searchsorted(field.x_mm, [low[0], high[0]])
-    first_row, end_row = np.searchsorted(field.y_mm, [low[1], high[1]])
-    return Window(int(first_row), int(end_row), int(first_column), int(end_column))
+        outline = pad_outline(as_pad(correction, arch_apex_mm))
+        window = grid.window(outline.min(axis=0), outline.max(axis=0))
+    if window.is_empty:
+        return window, np.empty((0, 0))
+    columns = np.arange(window.first_column, window.end_column, dtype=np.float64)
+    rows = np.arange(window.first_row, window.end_row, dtype=np.float64)
+    x, y = grid.x0_mm + grid.step_mm * columns, grid.y0_mm + grid.step_mm * rows
+    if isinstance(correction, BrushStroke):
+        return window, stroke_weight(correction, x, y)
+    places = np.stack(np.meshgrid(x, y), axis=-1)
+    return window, pad_heights(as_pad(correction, arch_apex_mm), places)
 
 
 def _whole(field: HeightField) -> Window:

@@ -1,0 +1,91 @@
+"""Marks drawn on the skin with a pen, found by their colour and offered as landmarks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import Landmark, Landmarks
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+
+_DARK = 0.6  # brightness of ink against the median of the skin
+_BLUE = 0.12  # of how much more blue than the skin, as a share of all light, ink is
+_AREA_MM2 = (8.0, 600.0)
+_OFFER_MM = 15.0
+_CONFIDENCE = 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class SkinMark:
+    """One mark.
+
+    Parameters
+    ----------
+    point : (3,) float64, mm, insole frame
+        Its middle.
+    area_mm2
+    landmark
+        The landmark that it probably means; empty where none is near.
+    """
+
+    point: FloatArray
+    area_mm2: float
+    landmark: str = ""
+
+
+def skin_marks(foot: Foot, landmarks: Landmarks) -> tuple[SkinMark, ...]:
+    """Find the dark or blue spots of a pen on the foot, the largest first; none without colours."""
+    mesh = foot.mesh
+    if mesh.colors is None:
+        return ()
+    inked = _is_ink(mesh.colors.astype(np.float64), mesh)
+    marks = [
+        SkinMark(point, area, _nearest(point, landmarks)) for point, area in _blobs(mesh, inked)
+    ]
+    return tuple(sorted(marks, key=lambda mark: -mark.area_mm2))
+
+
+def offered_landmarks(marks: tuple[SkinMark, ...]) -> dict[str, Landmark]:
+    """The landmarks that the marks mean; of two for the same the larger."""
+    return {
+        mark.landmark: Landmark(mark.point, _CONFIDENCE, "mark")
+        for mark in reversed(marks)
+        if mark.landmark
+    }
+
+
+def _is_ink(colors: FloatArray, mesh: TriangleMesh) -> BoolArray:
+    """(n,) darker than the skin, and bluer than it."""
+    light = np.maximum(colors.sum(axis=1), 1.0)
+    blue = (colors[:, 2] - colors[:, 0]) / light
+    seen = mesh.vertex_areas > 0
+    dark = light < _DARK * np.median(light[seen])
+    return np.asarray(dark & (blue > np.median(blue[seen]) + _BLUE))
+
+
+def _blobs(mesh: TriangleMesh, inked: BoolArray) -> Iterator[tuple[FloatArray, float]]:
+    part = mesh.part(inked)
+    if len(part.vertices) == 0:
+        return
+    areas = mesh.vertex_areas[inked]
+    edges = part.triangles[:, [0, 1, 1, 2]].reshape(-1, 2)
+    count = len(part.vertices)
+    links = coo_array((np.ones(len(edges), bool), (edges[:, 0], edges[:, 1])), (count, count))
+    blobs, blob = connected_components(links, directed=False)
+    area = np.bincount(blob, areas, minlength=blobs)
+    for number in np.flatnonzero((area > _AREA_MM2[0]) & (area < _AREA_MM2[1])):
+        chosen = blob == number
+        middle = np.average(part.vertices[chosen], axis=0, weights=areas[chosen])
+        yield np.asarray(middle), float(area[number])
+
+
+def _nearest(point: FloatArray, landmarks: Landmarks) -> str:
+    away = {name: np.linalg.norm(mark.point - point) for name, mark in landmarks.items()}
+    name = min(away, key=lambda n: float(away[n]), default="")
+    return name if name and away[name] < _OFFER_MM else ""

@@ -1,0 +1,104 @@
+"""The edge of the insole from above, as the design asks for it: foot, shoe size or drawn."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.blending import smooth_step
+from insole_core.insole.design import InsoleDesign, Outline, Place
+from insole_core.insole.outline_curve import closed_curve
+
+_STATIONS = np.array(
+    [0.03, 0.08, 0.14, 0.22, 0.32, 0.42, 0.52, 0.60, 0.67, 0.74, 0.81, 0.88, 0.94, 0.98]
+)
+_BAND = 0.02
+_BORDER_HEIGHT_MM = 30.0  # what lies higher does not widen the outline
+_HEEL_TO_BALL = (0.30, 0.55)
+_TOES = (0.75, 1.0)
+_BEHIND_HEADS_MM = 8.0
+_CORNER = 0.04  # share of the length over which the front corners are rounded
+_PARIS_MM = 20 / 3
+
+
+def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> FloatArray:
+    """Give the outline that a design asks for.
+
+    Returns
+    -------
+    (n, 2) float64, mm, insole frame
+        A closed curve, counter-clockwise, the first point not repeated.
+    """
+    return closed_curve(outline_points(foot, design.outline, landmarks))
+
+
+def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:
+    """The places that the outline runs through; a drawn one begins with them to be dragged."""
+    if outline.source == "drawn" and outline.points_mm is not None:
+        points = np.array(outline.points_mm)
+        return _places(points if _turns_left(points) else points[::-1])
+    stations = _STATIONS
+    if outline.extent == "three_quarter":
+        end = _three_quarter_end(foot, landmarks)
+        stations = stations[stations < end - _CORNER]
+        left, right = _edges(foot, outline, np.append(stations, end))
+        front = right[-1] + np.array([[0.2], [0.5], [0.8]]) * (left[-1] - right[-1])
+        left, right = left[:-1], right[:-1]
+    else:
+        left, right = _edges(foot, outline, stations)
+        front = np.array([_tip(foot, outline)])
+    heel = np.array([[(left + right)[0, 0] / 2, -outline.heel_allowance_mm]])
+    return _places(np.concatenate([heel, right, front, left[::-1]]))
+
+
+def _three_quarter_end(foot: Foot, landmarks: Landmarks) -> float:
+    """Share of the length where an insole ends behind the heads."""
+    heads = min(float(landmarks[f"metatarsal_head_{n}"].point[1]) for n in range(1, 6))
+    return (heads - _BEHIND_HEADS_MM) / foot.length_mm
+
+
+def _edges(foot: Foot, outline: Outline, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Places (n, 2) of the left and the right edge of the insole."""
+    left, right = _borders(foot, stations)
+    ball = smooth_step(stations, *_HEEL_TO_BALL)
+    heel_mm, ball_mm = outline.heel_allowance_mm, outline.ball_allowance_mm
+    wider, y = heel_mm + (ball_mm - heel_mm) * ball, _stretched(stations, foot.length_mm, outline)
+    return np.column_stack([left - wider, y]), np.column_stack([right + wider, y])
+
+
+def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Least and greatest x of the foot about each share of its length."""
+    low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM]
+    share = low[:, 1] / foot.length_mm
+    left, right = (np.full(len(stations), np.nan) for _ in range(2))
+    for i, station in enumerate(stations):
+        x = low[np.abs(share - station) < _BAND, 0]
+        if len(x):
+            left[i], right[i] = x.min(), x.max()
+    known = np.isfinite(left)
+    left, right = (np.interp(stations, stations[known], side[known]) for side in (left, right))
+    return left, right
+
+
+def _stretched(stations: FloatArray, length_mm: float, outline: Outline) -> FloatArray:
+    """y of the stations: the toes' allowance grows over the toes, a shoe's length over all."""
+    if outline.source == "shoe_size" and outline.shoe_size_eu is not None:
+        return stations * _PARIS_MM * outline.shoe_size_eu
+    return stations * length_mm + outline.toe_allowance_mm * smooth_step(stations, *_TOES)
+
+
+def _tip(foot: Foot, outline: Outline) -> list[float]:
+    low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM]
+    front = low[low[:, 1] > low[:, 1].max() - _BAND * foot.length_mm, 0]
+    return [float(front.mean()), float(_stretched(np.ones(1), foot.length_mm, outline)[0])]
+
+
+def _turns_left(points: FloatArray) -> bool:
+    x, y = points.T
+    return bool((x * np.roll(y, -1) - y * np.roll(x, -1)).sum() > 0)
+
+
+def _places(points: FloatArray) -> tuple[Place, ...]:
+    return tuple((float(x), float(y)) for x, y in points)

@@ -1,0 +1,196 @@
+"""Warnings by rules that are data; outlines; templates for other feet."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from insole_core.errors import DesignError, InputError
+from insole_core.foot.landmarks import find_landmarks, with_places
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import (
+    BrushStroke,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Outline,
+    Pelott,
+    Posting,
+)
+from insole_core.insole.outline import insole_outline
+from insole_core.insole.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.rules import behind_heads_mm, design_warnings, load_rules
+from insole_core.insole.template import (
+    Template,
+    apply_template,
+    make_template,
+    read_template,
+    template_to_json,
+    write_template,
+)
+
+RULES = load_rules()
+EGG = Pelott(centre_mm=(0.0, 140.0))
+
+
+def warnings(foot, *corrections, **keys) -> list[str]:
+    insole = build_insole(foot, InsoleDesign(foot.side, corrections, **keys))
+    return [w.text for w in design_warnings(insole, find_landmarks(foot), RULES)]
+
+
+def snapped(foot, pad: Pelott, behind: float) -> Pelott:
+    ahead = behind_heads_mm(pad, find_landmarks(foot)) - behind
+    return replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + ahead))
+
+
+def test_usual_prescription_has_no_warning(left_foot):
+    pad = snapped(left_foot, EGG, RULES.pelott_usual_behind_heads_mm)
+    assert warnings(left_foot, pad, Posting(rearfoot_deg=4)) == []
+
+
+@pytest.mark.parametrize(
+    ("corrections", "text"),
+    [
+        ((Posting(rearfoot_deg=7),), "rearfoot is posted by 7°; more than 6°"),
+        ((HeelLift(height_mm=9),), "lifted by 9 mm"),
+        ((HeelSkive(depth_mm=3),), "skive of 3 mm with 0° of inversion needs a heel cup of 14 mm"),
+        (
+            (HeelSkive(depth_mm=3), Posting(rearfoot_deg=4), HeelCup(depth_mm=16)),
+            "needs a heel cup of 20 mm, and the cup is 16 mm",
+        ),
+        ((Pelott(centre_mm=(200.0, 140.0), shape="drop"),), "Only 0% of the drop lie below"),
+        ((EGG, replace(EGG, id="b", centre_mm=(3.0, 141.0))), "lies with .* on the egg"),
+    ],
+)
+def test_unusual_values_are_warned_of(left_foot, corrections, text):
+    import re
+
+    assert any(re.search(text, warning) for warning in warnings(left_foot, *corrections))
+
+
+def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):
+    pad = snapped(left_foot, EGG, 8.0)
+    assert behind_heads_mm(pad, find_landmarks(left_foot)) == pytest.approx(8.0, abs=0.5)
+    ahead = replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + 20))
+    assert any("mm before the line" in w for w in warnings(left_foot, ahead))
+
+
+def test_high_insole_is_warned_of_with_the_place(left_foot):
+    insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=20))
+    (found,) = design_warnings(insole, find_landmarks(left_foot), RULES)
+    assert "may not fit a shoe" in found.text
+    assert found.place_mm is not None
+
+
+def test_rules_of_the_clinic_are_read_and_checked(tmp_path):
+    path = tmp_path / "rules.json"
+    rules = {name: getattr(RULES, name) for name in RULES.__dataclass_fields__}
+    content = {"format": "insole-rules", "version": 1, "rules": {**rules, "post_unusual_deg": 3}}
+    path.write_text(json.dumps(content))
+    assert load_rules(path).post_unusual_deg == 3
+    path.write_text(json.dumps({**content, "rules": {}}))
+    with pytest.raises(InputError, match=r"rules\.json.*post_unusual_deg is missing"):
+        load_rules(path)
+
+
+@pytest.mark.parametrize("foot_name", ["left_foot", "right_foot"])
+@pytest.mark.parametrize("extent", ["full", "three_quarter"])
+def test_outline_goes_round_the_foot(foot_name, extent, request):
+    foot = request.getfixturevalue(foot_name)
+    marks = find_landmarks(foot)
+    outline = insole_outline(foot, InsoleDesign(foot.side, outline=Outline(extent=extent)), marks)
+    assert not crosses_itself(outline)
+    x, y = outline.T
+    assert (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() > 0
+    heads = min(marks[f"metatarsal_head_{n}"].point[1] for n in range(1, 6))
+    end = foot.length_mm + 5 if extent == "full" else heads - 8
+    assert y.max() == pytest.approx(end, abs=2)
+    assert y.min() == pytest.approx(-2, abs=0.5)
+    sole = foot.mesh.vertices[(foot.mesh.vertices[:, 2] < 8) & (foot.mesh.vertices[:, 1] < end - 9)]
+    assert inside_curve(outline, sole[:, :2]).mean() > 0.99
+
+
+def test_outline_of_a_shoe_size_has_its_length(left_foot):
+    design = InsoleDesign(Side.LEFT, outline=Outline(source="shoe_size", shoe_size_eu=40))
+    outline = insole_outline(left_foot, design, find_landmarks(left_foot))
+    assert outline[:, 1].max() == pytest.approx(40 * 20 / 3, abs=1)
+
+
+def test_crossing_outlines_are_refused(left_foot):
+    crossed = ((0.0, 0.0), (40.0, 100.0), (40.0, 0.0), (0.0, 100.0))
+    design = InsoleDesign(Side.LEFT, outline=Outline(source="drawn", points_mm=crossed))
+    with pytest.raises(DesignError, match="outline of the insole crosses itself"):
+        build_insole(left_foot, design)
+    small = tuple((x - 20, y - 50) for x, y in crossed)
+    pad = Pelott(centre_mm=(0.0, 100.0), shape="outline", outline_mm=small)
+    with pytest.raises(DesignError, match="crosses itself; draw the outline again"):
+        build_insole(left_foot, InsoleDesign(Side.LEFT, (pad,)))
+    away = replace(pad, outline_mm=((10.0, 0.0), (30.0, 0.0), (20.0, 20.0)))
+    with pytest.raises(DesignError, match="does not go round the pad's centre"):
+        build_insole(left_foot, InsoleDesign(Side.LEFT, (away,)))
+
+
+PRESCRIBED = InsoleDesign(
+    Side.LEFT, (EGG, Posting(rearfoot_deg=4), BrushStroke(points_mm=((0.0, 50.0), (5.0, 60.0))))
+)
+
+
+def test_template_on_its_own_foot_is_the_design(left_foot):
+    template = make_template("flat foot", PRESCRIBED, find_landmarks(left_foot))
+    again = apply_template(template, Side.LEFT, find_landmarks(left_foot))
+    assert again.corrections[0].centre_mm == pytest.approx(EGG.centre_mm)
+    assert again.corrections[1] == PRESCRIBED.corrections[1]
+
+
+def test_template_for_another_side_is_mirrored(left_foot, right_foot):
+    template = make_template("flat foot", PRESCRIBED, find_landmarks(left_foot))
+    other = apply_template(template, Side.RIGHT, find_landmarks(right_foot))
+    assert other.side is Side.RIGHT
+    assert other.corrections[0].centre_mm == pytest.approx((0.0, 140.0), abs=0.05)
+    assert other.corrections[2].points_mm[1] == pytest.approx((-5.0, 60.0), abs=0.05)
+
+
+def test_places_move_with_the_landmarks_and_sizes_stay(left_foot):
+    marks = find_landmarks(left_foot)
+    template = make_template("t", PRESCRIBED, marks)
+    anchors = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
+    longer = {n: tuple(marks[n].point * [1.1, 1.2, 1]) for n in anchors}
+    fitted = apply_template(template, Side.LEFT, with_places(left_foot, marks, longer))
+    pad = fitted.corrections[0]
+    assert pad.centre_mm == pytest.approx((0.0, 168.0), abs=1e-6)
+    assert (pad.length_mm, pad.height_mm) == (EGG.length_mm, EGG.height_mm)
+
+
+def test_template_file_comes_back(left_foot, tmp_path):
+    template = make_template("flat foot", PRESCRIBED, find_landmarks(left_foot))
+    write_template(template, tmp_path / "t.json")
+    assert read_template(tmp_path / "t.json") == template
+    newer = {**template_to_json(template), "version": 2}
+    (tmp_path / "t.json").write_text(json.dumps(newer))
+    with pytest.raises(InputError, match="newer version"):
+        read_template(tmp_path / "t.json")
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"metatarsal_head_1": (30.0, -5.0, 0.0)}, "1st metatarsal head lies behind the heel"),
+        ({"metatarsal_head_1": (-60.0, 170.0, 0.0)}, "lateral of the 5th on this left foot"),
+        ({"heel_centre": (5.0, 160.0, 0.0)}, "behind the heel|on one line"),
+    ],
+)
+def test_landmarks_in_impossible_order_are_refused(left_foot, change, reason):
+    marks = with_places(left_foot, find_landmarks(left_foot), change)
+    with pytest.raises(DesignError, match=reason):
+        make_template("t", PRESCRIBED, marks)
+
+
+def test_template_is_a_value(left_foot):
+    template = make_template("t", PRESCRIBED, find_landmarks(left_foot))
+    assert isinstance(hash(template), int)
+    assert isinstance(template, Template)
