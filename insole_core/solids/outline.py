@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import contourpy
 import cv2
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter
 from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.height_field import HeightField
-from insole_core.insole.outline_curve import inside_curve
+from insole_core.insole.outline import insole_outline
 
-_ALLOWANCE_MM = 2.0  # of the outline beyond the foot
-_GAP_MM = 12.0  # gaps between toes and under a high arch are bridged up to twice this
-_SMOOTHING_MM = 2.5
-_VERTEX_PITCH_MM = 1.5
 _LEAST_AREA_MM2 = 400.0
 _PITCH_MM = 0.5  # of the points along an outline that find the nearest part of it
 _SUBPIXEL_BITS = 8
-_DOUBTFUL = 1.0  # steps from the outline, where a painted mask may err
 _ON_OUTLINE_MM = 1e-6  # nearer, the way from the outline has no direction
 
 
@@ -45,31 +39,19 @@ class OutlineDistance:
     reach_mm: float
 
 
-def automatic_outline(insole: Insole) -> FloatArray:
-    """Draw the outline round the foot's plantar side with an allowance.
-
-    Returns
-    -------
-    (n, 2) float64, mm, insole frame
-        Counter-clockwise; the last point is not the first.
+def outline_of(insole: Insole) -> FloatArray:
+    """Give the outline that the insole's design asks for, (n, 2), mm, insole frame.
 
     Raises
     ------
     DesignError
-        When too little of the foot was measured.
+        When it encloses too little for an insole.
     """
-    field = insole.contact
-    step, pad = field.step_mm, int(np.ceil((_GAP_MM + _ALLOWANCE_MM) / field.step_mm)) + 2
-    outside = np.pad(~insole.measured, pad, constant_values=True)
-    reach = distance_transform_edt(outside) * step
-    inside = distance_transform_edt(reach <= _GAP_MM) * step - _GAP_MM
-    signed = np.where(inside > 0, inside, -reach) + _ALLOWANCE_MM
-    smooth = gaussian_filter(np.clip(signed, -_GAP_MM, _GAP_MM), _SMOOTHING_MM / step)
-    first = np.array([field.x0_mm, field.y0_mm]) - pad * step
-    lines = contourpy.contour_generator(z=smooth).lines(0.0)
-    polygons = [np.asarray(line)[:-1] * step + first for line in lines]
-    largest = max(polygons, key=lambda p: abs(_area(p)), default=np.zeros((0, 2)))
-    return checked_outline(largest[:: max(1, int(_VERTEX_PITCH_MM / step))])
+    design = insole.design
+    # Only a shortened insole ends at landmarks, and finding them costs as much as all the rest.
+    shortened = design.outline.extent == "three_quarter"
+    landmarks = find_landmarks(insole.foot) if shortened else {}
+    return checked_outline(insole_outline(insole.foot, design, landmarks))
 
 
 def checked_outline(polygon: FloatArray) -> FloatArray:
@@ -96,7 +78,8 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
     nodes = field.nodes[near.ravel(), :2]
     away, normal = _away_from(polygon, nodes)
     distance = np.linalg.norm(away, axis=1)
-    sign[near] = _exact_sign(polygon, nodes, sign[near], distance < _DOUBTFUL * field.step_mm)
+    # Painting errs by up to a pixel; the normal of the nearest place knows the side exactly.
+    sign[near] = np.where((away * normal).sum(axis=1) > 0, -1.0, 1.0)
     inside = sign * coarse
     inside[near] = sign[near] * distance
     outward = np.zeros((*near.shape, 2))
@@ -104,15 +87,6 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
     length = np.where(apart, distance, 1.0)
     outward[near] = np.where(apart[:, None], -(sign[near] / length)[:, None] * away, normal)
     return OutlineDistance(inside, outward, reach_mm)
-
-
-def _exact_sign(
-    polygon: FloatArray, nodes: FloatArray, sign: FloatArray, doubtful: BoolArray
-) -> FloatArray:
-    """Decide anew on which side the doubtful nodes lie."""
-    exact = sign.copy()
-    exact[doubtful] = np.where(inside_curve(polygon, nodes[doubtful]), 1.0, -1.0)
-    return exact
 
 
 def _coarse_distance(polygon: FloatArray, field: HeightField) -> tuple[FloatArray, FloatArray]:
@@ -127,17 +101,26 @@ def _coarse_distance(polygon: FloatArray, field: HeightField) -> tuple[FloatArra
 
 
 def _away_from(polygon: FloatArray, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Way (n, 2) from the nearest point of a polygon to each place, and its normal (n, 2) there."""
+    """Way (n, 2) from the nearest point of a polygon to each place, and its unit normal there.
+
+    At a corner the normal is the mean of both sides' (Baerentzen and Aanaes 2005).
+    """
     dense = _densified(polygon)
+    along = np.roll(dense, -1, axis=0) - dense
+    normals = along[:, ::-1] * [1, -1] / np.linalg.norm(along, axis=1, keepdims=True)
     _, nearest = KDTree(dense).query(places)
-    following = np.roll(dense, -1, axis=0)
+    before, after = np.asarray(nearest) - 1, np.asarray(nearest)
+    share = [_share(places - dense[side], along[side]) for side in (before, after)]
     ways = [
-        places - _on_segment(dense[nearest + k], following[nearest + k], places) for k in (-1, 0)
+        places - dense[side] - part[:, None] * along[side]
+        for side, part in zip((before, after), share, strict=True)
     ]
-    second = np.linalg.norm(ways[1], axis=1) < np.linalg.norm(ways[0], axis=1)
-    along = (following - dense)[nearest - 1 + second]
-    normal = along[:, ::-1] * [1, -1] / np.linalg.norm(along, axis=1, keepdims=True)
-    return np.where(second[:, None], ways[1], ways[0]), normal
+    sizes = [(way**2).sum(axis=1) for way in ways]
+    corner = (share[0] == 1) & (share[1] == 0)
+    normal = np.where((sizes[0] < sizes[1])[:, None], normals[before], normals[after])
+    normal[corner] = normals[before[corner]] + normals[after[corner]]
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    return np.where((sizes[0] < sizes[1])[:, None], *ways), normal
 
 
 def _densified(polygon: FloatArray) -> FloatArray:
@@ -148,11 +131,9 @@ def _densified(polygon: FloatArray) -> FloatArray:
     return np.asarray(polygon[side] + share[:, None] * (following - polygon)[side])
 
 
-def _on_segment(start: FloatArray, end: FloatArray, places: FloatArray) -> FloatArray:
-    along = end - start
-    length2 = np.maximum((along**2).sum(axis=1), 1e-18)
-    share = np.clip(((places - start) * along).sum(axis=1) / length2, 0, 1)
-    return np.asarray(start + share[:, None] * along)
+def _share(place: FloatArray, along: FloatArray) -> FloatArray:
+    """Where on a side (n, 2) its nearest point to a place lies, 0 to 1."""
+    return np.asarray(np.clip((place * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1))
 
 
 def _area(polygon: FloatArray) -> float:

@@ -16,9 +16,9 @@ from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball import parallel_below
 from insole_core.solids.outline import (
     OutlineDistance,
-    automatic_outline,
     checked_outline,
     outline_distance,
+    outline_of,
 )
 from insole_core.solids.plan import Plan, trim
 from insole_core.solids.prism import Faces, band_mm, prism
@@ -92,7 +92,7 @@ def insole_solid(
     insole
     options
     outline : (n, 2) float64, mm, insole frame, optional
-        The upper rim; by default round the foot with an allowance.
+        The upper rim; by default what the design asks for.
 
     Returns
     -------
@@ -150,7 +150,7 @@ def positive_solid(
 def _distance(
     insole: Insole, outline: FloatArray | None, options: SolidOptions, wall_mm: float
 ) -> OutlineDistance:
-    polygon = automatic_outline(insole) if outline is None else checked_outline(outline)
+    polygon = outline_of(insole) if outline is None else checked_outline(outline)
     reach = max(band_mm(wall_mm, options.draft_deg), options.chamfer_mm)
     reach += 2 * insole.contact.step_mm
     distance = outline_distance(polygon, insole.contact, reach)

@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.design import Pelott
 from insole_core.insole.pads import pad_outline
-from insole_core.solids.outline import automatic_outline
+from insole_core.solids.outline import outline_of
 from insole_studio.texts import tr
 
 DPI = 600
@@ -38,7 +38,7 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     OutputError
         When the place cannot be written.
     """
-    outline = automatic_outline(insole)
+    outline = outline_of(insole)
     page_mm = _page_for(outline)
     with replacing_file(path) as beside:
         writer = QPdfWriter(str(beside))
