@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 import pytest
 
@@ -10,8 +11,13 @@ from benchmarks._random_designs import random_solids
 from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trimesh
 from insole_core.export.stl import write_stl
 from insole_core.export.three_mf import Part, write_3mf
+from insole_core.foot.mesh_file import read_mesh
+from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.solids.solid import make_solid
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import InsoleDesign
+from insole_core.solids.solid import KINDS, make_solid
 
 
 @pytest.fixture(scope="module")
@@ -48,3 +54,24 @@ def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
         assert info["manifold"] == packed["manifold"] == "yes"
         for axis, size in zip("xyz", solid.bounds_mm[1] - solid.bounds_mm[0], strict=True):
             assert float(packed[f"size_{axis}"]) == pytest.approx(size, abs=0.01)
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize(
+    ("file", "side"),
+    [
+        ("sessions/left_a/truth.ply", Side.LEFT),
+        ("sessions/right_b/truth.ply", Side.RIGHT),
+        ("feet/plantar_scan.obj", Side.RIGHT),
+    ],
+)
+def test_real_feet(shared_data: Path, tmp_path: Path, file: str, side: Side):
+    frame: Literal["reference", "unknown"] = "reference" if "truth" in file else "unknown"
+    foot = place_foot(read_mesh(shared_data / file).mesh, side, frame=frame)
+    path = tmp_path / "solid.stl"
+    for kind in KINDS:
+        solid = make_solid(build_insole(foot, InsoleDesign(side)), kind)
+        write_stl(solid, path)
+        assert by_trimesh(path) == []
+        assert by_manifold(solid) == []
+        assert not by_admesh(path)
