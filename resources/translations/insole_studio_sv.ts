@@ -1487,5 +1487,13 @@
         <source>Capture a foot with the sensors</source>
         <translation>Fånga en fot med sensorerna</translation>
     </message>
+    <message>
+        <source>Calibrate sensors…</source>
+        <translation>Kalibrera sensorer…</translation>
+    </message>
+    <message>
+        <source>Turn a sensor from the box into a measuring device</source>
+        <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
+    </message>
 </context>
 </TS>

@@ -413,6 +413,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         shortcut="F1",
     ),
     ActionRecord(
+        "calibrate",
+        lambda: tr("Calibrate sensors…"),
+        lambda: tr("Turn a sensor from the box into a measuring device"),
+        lambda studio, _on: studio.calibrate.open(),
+    ),
+    ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),
@@ -479,7 +485,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
-        TOOL_KEYS,
+        (*TOOL_KEYS, SEPARATOR, "calibrate"),
     ),
     (
         lambda: tr("&Prescribe"),

@@ -30,9 +30,11 @@ from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.prescribing import Prescribing, case_kinds
 from insole_studio.shell.questions import Answer, Questions
+from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.steps import steps_of, whose
 from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.shell.tour_stops import tour_stops
+from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -75,6 +77,7 @@ class Studio(QObject):
         settings: Settings,
         questions: Questions,
         capture: CaptureWindow,
+        calibrate: StageWindow[CalibrateStage],
         pads: Sequence[LibraryPad] = (),
         remember: Callable[[], None] = lambda: None,
     ) -> None:
@@ -84,6 +87,7 @@ class Studio(QObject):
         self.case = case
         self.questions = questions
         self.capture: CaptureWindow = capture
+        self.calibrate: StageWindow[CalibrateStage] = calibrate
         self._hand = hand
         self._jobs = jobs
         self._autosave = autosave
@@ -373,6 +377,7 @@ class Studio(QObject):
     def _close(self) -> None:
         self._hand.cancel()
         self.capture.close()
+        self.calibrate.close()
         self._autosave.forget()
         self._remember_layout()
         self._layout_rest.stop()

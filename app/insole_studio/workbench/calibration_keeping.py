@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -35,3 +36,14 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
         write_reports(report, [*report_paths(folder, result.section.key), *further])
 
     return store.save(result.sensor, attach)
+
+
+def step_date(store: SensorStore, serial: str, key: str) -> str:
+    """Give the day a step was done last, by its report; empty when it never was."""
+    path = store.folder_of(serial) / f"{key}.json"
+    try:
+        values = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return ""
+    made_at = values.get("made_at", "") if isinstance(values, dict) else ""
+    return str(made_at)[:10]

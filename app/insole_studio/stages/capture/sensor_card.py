@@ -7,17 +7,13 @@ from PySide6.QtGui import (
     QDrag,
     QDragEnterEvent,
     QDropEvent,
-    QImage,
     QMouseEvent,
-    QPainter,
-    QPaintEvent,
 )
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -27,6 +23,7 @@ from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.capture.rows import SensorRow
 from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.picture_view import PictureView
 
 MIME = "application/x-insole-studio-sensor"
 VIEWS = ("left", "right", "top", *(f"view_{number}" for number in range(4, 9)))
@@ -129,36 +126,6 @@ class SensorCard(QFrame):
 
     def _choose_view(self, view: str) -> None:
         self.view_chosen.emit(self.serial, view)
-
-
-class PictureView(QWidget):
-    """Shows a picture as large as fits, in its own shape."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._image = QImage()
-        self.setMinimumSize(160, 120)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-
-    def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB."""
-        height, width = picture.shape[:2]
-        packed = picture.tobytes()
-        self._image = QImage(packed, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
-        self.update()
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it in the middle."""
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), self.palette().alternateBase())
-        if not self._image.isNull():
-            size = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
-            place = self.rect()
-            place.setSize(size)
-            place.moveCenter(self.rect().center())
-            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-            painter.drawImage(place, self._image)
-        painter.end()
 
 
 class _Grip(QLabel):

@@ -1,0 +1,55 @@
+"""A stage in a window of its own, which is constructed when it is first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+Stage = TypeVar("Stage", bound=QWidget)
+
+
+class StageWindow(QObject, Generic[Stage]):
+    """Opens a stage, and closes it with the program.
+
+    Parameters
+    ----------
+    make
+        Constructs the stage, which has a signal `closed`.
+    """
+
+    def __init__(self, make: Callable[[], Stage], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._make = make
+        self.stage: Stage | None = None
+
+    def open(self) -> None:
+        """Show the stage; one that is open comes to the front.
+
+        Raises
+        ------
+        InputError
+            When something that the stage needs cannot be read.
+        """
+        if self.stage is None:
+            self.stage = self._make()
+            self.stage.closed.connect(self._forget)  # type: ignore[attr-defined]
+            self.connect_stage(self.stage)
+        self.stage.show()
+        self.stage.raise_()
+        self.stage.activateWindow()
+
+    def close(self) -> None:
+        """Close the stage, if it is open."""
+        if self.stage is not None:
+            self.stage.close()
+
+    def connect_stage(self, stage: Stage) -> None:
+        """Listen to a stage that was just constructed."""
+
+    def _forget(self) -> None:
+        if self.stage is not None:
+            self.stage.deleteLater()
+        self.stage = None

@@ -1,0 +1,112 @@
+"""The steps of a calibration in the order in which a technician does them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from insole_core.calibration.board import Board
+from insole_core.progress import Progress
+from insole_core.sensing.sensor import Sensor
+from insole_studio.texts import tr
+from insole_studio.workbench.calibration_readiness import Readiness, inspect_boards, inspect_walls
+from insole_studio.workbench.calibration_steps import (
+    COLOR,
+    INFRARED,
+    StepResult,
+    calibrate_color_step,
+    calibrate_depth_step,
+    calibrate_distortion_step,
+    calibrate_stereo_step,
+    read_walls,
+)
+
+
+@dataclass(frozen=True)
+class CalibrationStep:
+    """One step.
+
+    Parameters
+    ----------
+    key
+        Of the section of its report, by which it is known to be done.
+    title, instruction
+        In the language of the window when called.
+    inspect, calibrate
+        On a folder, a board and the sensor as it is known so far.
+    uses_board
+        Whether pictures of a board are needed.
+    optional
+        Whether a sensor is calibrated without it.
+    """
+
+    key: str
+    title: Callable[[], str]
+    instruction: Callable[[], str]
+    inspect: Callable[[Path, Board, Sensor, Progress], Readiness]
+    calibrate: Callable[[Path, Board, Sensor, Progress], StepResult]
+    uses_board: bool = True
+    optional: bool = False
+
+
+def _inspect_pictures(
+    kind: str, folder: Path, board: Board, _sensor: Sensor, progress: Progress
+) -> Readiness:
+    return inspect_boards(folder, kind, board, progress)
+
+
+def _distortion(folder: Path, _board: Board, sensor: Sensor, progress: Progress) -> StepResult:
+    captures = read_walls(folder, progress=progress.part(0, 0.5))
+    return calibrate_distortion_step(captures, sensor, progress.part(0.5, 1))
+
+
+STEPS = (
+    CalibrationStep(
+        "camera",
+        lambda: tr("Colour camera"),
+        lambda: tr(
+            "Print the chequerboard at 100 %, glue it to something stiff, and take 15 colour "
+            "pictures of it: tilted by 20 to 40° to all sides, in all parts of the picture."
+        ),
+        partial(_inspect_pictures, COLOR),
+        lambda folder, board, sensor, progress: calibrate_color_step(
+            folder, board, sensor, progress=progress
+        ),
+    ),
+    CalibrationStep(
+        "distortion",
+        lambda: tr("Distortion of the depth"),
+        lambda: tr(
+            "Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture "
+            "ten frames at each of several distances from 600 to 1000 mm."
+        ),
+        lambda folder, _board, sensor, progress: inspect_walls(folder, sensor, progress),
+        _distortion,
+        uses_board=False,
+    ),
+    CalibrationStep(
+        "depth_camera",
+        lambda: tr("Depth camera (infrared)"),
+        lambda: tr(
+            "Cover the emitter, light the board well, and take 15 infrared pictures of it. Where "
+            "the sensor gives no infrared pictures this step is left out."
+        ),
+        partial(_inspect_pictures, INFRARED),
+        lambda folder, board, sensor, progress: calibrate_depth_step(
+            folder, board, sensor, progress=progress
+        ),
+        optional=True,
+    ),
+    CalibrationStep(
+        "stereo",
+        lambda: tr("Depth to colour"),
+        lambda: tr(
+            "Take 15 colour pictures of the board together with infrared pictures or the depth of "
+            "the same positions, 600 to 1500 mm away and tilted about both sides."
+        ),
+        partial(_inspect_pictures, COLOR),
+        calibrate_stereo_step,
+    ),
+)

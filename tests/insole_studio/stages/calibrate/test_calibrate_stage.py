@@ -1,0 +1,188 @@
+"""A technician calibrates a sensor in the window, from folders of pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+from simulated_device import WALLS, SimulatedDevice, smooth_distortion
+from simulated_folders import BOARD, write_boards, write_walls
+
+from insole_studio.stages.calibrate.rows import BoardSize
+from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.workbench.sensor_store import SensorStore
+
+
+class Chosen:
+    """Answers the question for a folder."""
+
+    def __init__(self) -> None:
+        self.folder: Path | None = None
+
+    def __call__(self) -> Path | None:
+        return self.folder
+
+
+@pytest.fixture(scope="session")
+def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("pictures")
+    device = SimulatedDevice(smooth_distortion(3, 3.0))
+    write_boards(folder / "boards", device, 5)
+    write_walls(folder / "walls", device, WALLS[:3], 1)
+    return folder
+
+
+@pytest.fixture
+def chosen() -> Chosen:
+    return Chosen()
+
+
+@pytest.fixture
+def stage(
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen
+) -> Iterator[CalibrateStage]:
+    built = CalibrateStage(SensorStore(tmp_path / "sensors"), chosen)
+    built.show()
+    yield built
+    built.close()
+    built.deleteLater()
+
+
+@pytest.fixture
+def settle(qtbot: QtBot, stage: CalibrateStage) -> Callable[[], None]:
+    return lambda: qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=60_000)
+
+
+def give_serial(stage: CalibrateStage, serial: str = "SIM1") -> None:
+    stage.view.serial_line.setText(serial)
+    stage.view.serial_line.editingFinished.emit()
+
+
+def step_lines(stage: CalibrateStage) -> list[str]:
+    return [stage.view.steps.item(i).text() for i in range(stage.view.steps.count())]
+
+
+def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
+    assert "serial number" in stage.view.next_text()
+    assert not stage.view.choose.isEnabled()
+    give_serial(stage)
+    assert stage.view.choose.isEnabled()
+    assert not stage.view.calibrate.isEnabled()
+    assert all("to do" in line for line in step_lines(stage))
+
+
+def test_what_is_no_serial_number(stage: CalibrateStage) -> None:
+    give_serial(stage, "../x")
+    assert "is no serial number" in stage.view.error_text()
+    assert not stage.view.choose.isEnabled()
+
+
+def test_colour_camera_from_folder_to_device(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
+) -> None:
+    give_serial(stage)
+    stage.view.show_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    stage.presenter.edit_board(stage.view.board())
+    chosen.folder = pictures / "boards"
+    stage.view.choose.click()
+    settle()
+    assert "5 of 5 can be used." in stage.view.next_text()
+    assert "Take 5 more pictures" in stage.view.next_text()
+    assert "Hold the board in these parts" in stage.view.next_text()
+    assert stage.view.looks.item(0).text() == "✓  color_000.png: 54 corners"
+    stage.view.calibrate.click()
+    settle()
+    assert "5 of 5 colour pictures were used" in stage.view.next_text()
+    assert not (tmp_path / "sensors").exists()
+    stage.view.save.click()
+    settle()
+    sensor = SensorStore(tmp_path / "sensors").load("SIM1")
+    assert sensor is not None
+    assert sensor.color_camera.width == 640
+    assert "Colour camera is saved for sensor SIM1." in stage.view.next_text()
+    assert "Next: Distortion of the depth." in stage.view.next_text()
+    assert "done on 20" in step_lines(stage)[0]
+    assert stage.view.steps.currentRow() == 1
+
+
+def test_walls_say_which_distances_are_missing(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
+) -> None:
+    give_serial(stage)
+    stage.view.steps.setCurrentRow(1)
+    chosen.folder = pictures / "walls"
+    stage.view.choose.click()
+    settle()
+    text = stage.view.next_text()
+    assert "Capture the wall at about these distances: 900, 1000 mm." in text
+    assert "Fill these parts" not in text
+    stage.view.calibrate.click()
+    settle()
+    assert "3 of 3 walls were used" in stage.view.next_text()
+    assert "six distances or more are better" in stage.view.next_text()
+
+
+def test_a_folder_without_the_board(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
+) -> None:
+    give_serial(stage)
+    chosen.folder = pictures / "boards"
+    stage.view.choose.click()  # The usual board has other corners.
+    settle()
+    assert "0 of 5 can be used." in stage.view.next_text()
+    assert stage.view.looks.item(0).text().startswith("✗  color_000.png")
+    assert not stage.view.calibrate.isEnabled()
+
+
+def test_a_step_before_its_time(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
+) -> None:
+    give_serial(stage)
+    stage.presenter.edit_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    stage.presenter.choose_step("stereo")
+    chosen.folder = pictures / "boards"
+    stage.view.choose.click()
+    settle()
+    stage.view.calibrate.click()
+    settle()
+    assert "was not calibrated yet" in stage.view.error_text()
+    assert not stage.view.save.isEnabled()
+
+
+def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settle) -> None:
+    give_serial(stage)
+    chosen.folder = Path("/nowhere/at/all")
+    stage.view.choose.click()
+    settle()
+    assert "There is no folder" in stage.view.error_text()
+
+
+def test_closing_stops_the_work(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, qtbot: QtBot
+) -> None:
+    give_serial(stage)
+    chosen.folder = pictures / "boards"
+    stage.view.choose.click()
+    with qtbot.waitSignal(stage.closed):
+        stage.close()
+    assert not stage.jobs.is_running()
+
+
+def test_a_place_that_cannot_be_written(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
+) -> None:
+    give_serial(stage)
+    stage.view.steps.setCurrentRow(1)
+    chosen.folder = pictures / "walls"
+    stage.view.choose.click()
+    settle()
+    stage.view.calibrate.click()
+    settle()
+    (tmp_path / "sensors").write_text("in the way")
+    stage.view.save.click()
+    settle()
+    assert "cannot be written" in stage.view.error_text()
+    assert stage.view.save.isEnabled()
