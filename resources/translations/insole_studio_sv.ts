@@ -68,6 +68,14 @@
         <translation>Om Insole Studio</translation>
     </message>
     <message>
+        <source>Achilles lean</source>
+        <translation>Akilles lutning</translation>
+    </message>
+    <message>
+        <source>Achilles to sole</source>
+        <translation>Akilles mot sula</translation>
+    </message>
+    <message>
         <source>Achilles, lower</source>
         <translation>Akilles, nedre</translation>
     </message>
@@ -78,6 +86,14 @@
     <message>
         <source>Add: {name}</source>
         <translation>Lägg till: {name}</translation>
+    </message>
+    <message>
+        <source>All at once</source>
+        <translation>Alla på en gång</translation>
+    </message>
+    <message>
+        <source>All views are captured.</source>
+        <translation>Alla vyer är avbildade.</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -108,6 +124,18 @@
         <translation>Valvets topp</translation>
     </message>
     <message>
+        <source>Arch height</source>
+        <translation>Valvhöjd</translation>
+    </message>
+    <message>
+        <source>Arch height index</source>
+        <translation>Valvhöjdsindex</translation>
+    </message>
+    <message>
+        <source>Arch index</source>
+        <translation>Valvindex</translation>
+    </message>
+    <message>
         <source>Arch raise</source>
         <translation>Valvhöjning</translation>
     </message>
@@ -118,6 +146,22 @@
     <message>
         <source>Ball</source>
         <translation>Trampdyna</translation>
+    </message>
+    <message>
+        <source>Ball girth</source>
+        <translation>Bollomfång</translation>
+    </message>
+    <message>
+        <source>Ball length</source>
+        <translation>Bollängd</translation>
+    </message>
+    <message>
+        <source>Ball width</source>
+        <translation>Bollbredd</translation>
+    </message>
+    <message>
+        <source>Ball width across</source>
+        <translation>Bollbredd tvärs</translation>
     </message>
     <message>
         <source>Base</source>
@@ -172,6 +216,30 @@
         <translation>Avbildning</translation>
     </message>
     <message>
+        <source>Capture a foot with the sensors</source>
+        <translation>Avbilda en fot med sensorerna</translation>
+    </message>
+    <message>
+        <source>Capture again</source>
+        <translation>Avbilda igen</translation>
+    </message>
+    <message>
+        <source>Capture all views (F5)</source>
+        <translation>Avbilda alla vyer (F5)</translation>
+    </message>
+    <message>
+        <source>Capture anew</source>
+        <translation>Avbilda på nytt</translation>
+    </message>
+    <message>
+        <source>Capture missing views</source>
+        <translation>Avbilda saknade vyer</translation>
+    </message>
+    <message>
+        <source>Capture…</source>
+        <translation>Avbilda…</translation>
+    </message>
+    <message>
         <source>Change the order of the corrections</source>
         <translation>Ändra korrigeringarnas ordning</translation>
     </message>
@@ -182,6 +250,10 @@
     <message>
         <source>Check &amp; export</source>
         <translation>Kontroll &amp; export</translation>
+    </message>
+    <message>
+        <source>Checking the session</source>
+        <translation>Kontrollerar sessionen</translation>
     </message>
     <message>
         <source>Choose the section tool and click on the sole.</source>
@@ -242,6 +314,10 @@
     <message>
         <source>Copy</source>
         <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy the measures</source>
+        <translation>Kopiera måtten</translation>
     </message>
     <message>
         <source>Corrections</source>
@@ -508,6 +584,10 @@
         <translation>Framfot</translation>
     </message>
     <message>
+        <source>Forefoot angle</source>
+        <translation>Framfotsvinkel</translation>
+    </message>
+    <message>
         <source>Forefoot twist</source>
         <translation>Framfotsvridning</translation>
     </message>
@@ -564,6 +644,10 @@
         <translation>Hälskivning</translation>
     </message>
     <message>
+        <source>Heel width</source>
+        <translation>Hälbredd</translation>
+    </message>
+    <message>
         <source>Height</source>
         <translation>Höjd</translation>
     </message>
@@ -572,8 +656,16 @@
         <translation>Höjdkarta</translation>
     </message>
     <message>
+        <source>Held</source>
+        <translation>Hålls</translation>
+    </message>
+    <message>
         <source>Horseshoe</source>
         <translation>Hästsko</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Visa vilken</translation>
     </message>
     <message>
         <source>Insole</source>
@@ -596,12 +688,20 @@
         <translation>Inlägg över fot</translation>
     </message>
     <message>
+        <source>Instep height</source>
+        <translation>Vristhöjd</translation>
+    </message>
+    <message>
         <source>Intrinsic</source>
         <translation>Intern</translation>
     </message>
     <message>
         <source>It follows at once. The same handles work here; keys 1 to 6 look from all sides.</source>
         <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
+    </message>
+    <message>
+        <source>Keep, and capture the other foot</source>
+        <translation>Behåll, och avbilda andra foten</translation>
     </message>
     <message>
         <source>L</source>
@@ -644,6 +744,18 @@
         <translation>Längd</translation>
     </message>
     <message>
+        <source>Let the light of this sensor blink</source>
+        <translation>Låt denna sensors lampa blinka</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Räta upp</translation>
+    </message>
+    <message>
+        <source>Level the sensor by its accelerometer</source>
+        <translation>Räta upp sensorn med dess accelerometer</translation>
+    </message>
+    <message>
         <source>Light text on a dark ground</source>
         <translation>Ljus text på mörk botten</translation>
     </message>
@@ -656,8 +768,16 @@
         <translation>Länkade vyer</translation>
     </message>
     <message>
+        <source>Look again</source>
+        <translation>Titta igen</translation>
+    </message>
+    <message>
         <source>Look from here, in both views</source>
         <translation>Titta härifrån, i båda vyerna</translation>
+    </message>
+    <message>
+        <source>Looking for sensors</source>
+        <translation>Söker sensorer</translation>
     </message>
     <message>
         <source>Lower</source>
@@ -688,6 +808,10 @@
         <translation>Tvärbalk</translation>
     </message>
     <message>
+        <source>Mondopoint</source>
+        <translation>Mondopoint</translation>
+    </message>
+    <message>
         <source>Morton's extension</source>
         <translation>Mortons förlängning</translation>
     </message>
@@ -710,6 +834,10 @@
     <message>
         <source>Name</source>
         <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Navicular height</source>
+        <translation>Navikularhöjd</translation>
     </message>
     <message>
         <source>New case</source>
@@ -736,8 +864,16 @@
         <translation>Inga än. Välj pelottverktyget och klicka på fotsulan.</translation>
     </message>
     <message>
+        <source>Not weight-bearing</source>
+        <translation>Utan belastning</translation>
+    </message>
+    <message>
         <source>Notes</source>
         <translation>Anteckningar</translation>
+    </message>
+    <message>
+        <source>One after the other</source>
+        <translation>En efter en</translation>
     </message>
     <message>
         <source>Open</source>
@@ -888,6 +1024,10 @@
         <translation>Rätta till fotens landmärken</translation>
     </message>
     <message>
+        <source>Put the table of measures onto the clipboard</source>
+        <translation>Lägg tabellen med mått på urklipp</translation>
+    </message>
+    <message>
         <source>Quit</source>
         <translation>Avsluta</translation>
     </message>
@@ -934,6 +1074,10 @@
     <message>
         <source>Rearfoot</source>
         <translation>Bakfot</translation>
+    </message>
+    <message>
+        <source>Rearfoot angle</source>
+        <translation>Bakfotsvinkel</translation>
     </message>
     <message>
         <source>Rearmost point</source>
@@ -988,6 +1132,10 @@
         <translation>Spara som…</translation>
     </message>
     <message>
+        <source>Save measures as CSV…</source>
+        <translation>Spara mått som CSV…</translation>
+    </message>
+    <message>
         <source>Save the case</source>
         <translation>Spara fallet</translation>
     </message>
@@ -1008,6 +1156,18 @@
         <translation>Snitt</translation>
     </message>
     <message>
+        <source>Semi weight-bearing</source>
+        <translation>Halv belastning</translation>
+    </message>
+    <message>
+        <source>Sensor {serial}. Drag onto another to exchange views.</source>
+        <translation>Sensor {serial}. Dra till en annan för att byta vyer.</translation>
+    </message>
+    <message>
+        <source>Series a view, between which the sensor tilts by a degree</source>
+        <translation>Serier per vy, mellan vilka sensorn lutas en grad</translation>
+    </message>
+    <message>
         <source>Session or mesh</source>
         <translation>Session eller ytmodell</translation>
     </message>
@@ -1026,6 +1186,18 @@
     <message>
         <source>Shoe size</source>
         <translation>Skostorlek</translation>
+    </message>
+    <message>
+        <source>Shoe size EU</source>
+        <translation>Skostorlek EU</translation>
+    </message>
+    <message>
+        <source>Shoe size UK</source>
+        <translation>Skostorlek UK</translation>
+    </message>
+    <message>
+        <source>Shoe size US</source>
+        <translation>Skostorlek US</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1072,8 +1244,16 @@
         <translation>Jämna ut med penseln</translation>
     </message>
     <message>
+        <source>Somebody holds the foot</source>
+        <translation>Någon håller foten</translation>
+    </message>
+    <message>
         <source>Something unexpected happened; your work is kept. Please report it.</source>
         <translation>Något oväntat hände; ditt arbete finns kvar. Rapportera det gärna.</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startar</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -1172,6 +1352,10 @@
         <translation>Snittet ligger bredvid inlägget.</translation>
     </message>
     <message>
+        <source>The sensor stands</source>
+        <translation>Sensorn står</translation>
+    </message>
+    <message>
         <source>The window in five steps</source>
         <translation>Fönstret i fem steg</translation>
     </message>
@@ -1200,6 +1384,10 @@
         <translation>Trekvarts</translation>
     </message>
     <message>
+        <source>Tilt +</source>
+        <translation>Luta +</translation>
+    </message>
+    <message>
         <source>Tilt rear- and forefoot by degrees</source>
         <translation>Luta bak- och framfot i grader</translation>
     </message>
@@ -1210,6 +1398,18 @@
     <message>
         <source>Tilt the rearfoot</source>
         <translation>Luta bakfoten</translation>
+    </message>
+    <message>
+        <source>Tilt the sensor down</source>
+        <translation>Luta sensorn nedåt</translation>
+    </message>
+    <message>
+        <source>Tilt the sensor up</source>
+        <translation>Luta sensorn uppåt</translation>
+    </message>
+    <message>
+        <source>Tilt −</source>
+        <translation>Luta −</translation>
     </message>
     <message>
         <source>Toe end up</source>
@@ -1252,12 +1452,24 @@
         <translation>Ångra</translation>
     </message>
     <message>
+        <source>Use this scan</source>
+        <translation>Använd denna avbildning</translation>
+    </message>
+    <message>
         <source>Version and licence</source>
         <translation>Version och licens</translation>
     </message>
     <message>
+        <source>View of sensor {serial}</source>
+        <translation>Vy för sensor {serial}</translation>
+    </message>
+    <message>
         <source>Visit</source>
         <translation>Besök</translation>
+    </message>
+    <message>
+        <source>Weight-bearing</source>
+        <translation>Belastad</translation>
     </message>
     <message>
         <source>What is selected, in mm and degrees: type, scroll, or use the arrow keys.</source>
@@ -1292,6 +1504,10 @@
         <translation>Skriv inläggets kontur i naturlig storlek som PDF</translation>
     </message>
     <message>
+        <source>Write the table of measures for a spreadsheet</source>
+        <translation>Skriv tabellen med mått för ett kalkylblad</translation>
+    </message>
+    <message>
         <source>Writing the file</source>
         <translation>Skriver filen</translation>
     </message>
@@ -1304,12 +1520,40 @@
         <translation>ÅÅÅÅ-MM-DD</translation>
     </message>
     <message>
+        <source>bursts</source>
+        <translation>serier</translation>
+    </message>
+    <message>
         <source>comes with the scan</source>
         <translation>kommer med avbildningen</translation>
     </message>
     <message>
+        <source>frames</source>
+        <translation>bilder</translation>
+    </message>
+    <message>
         <source>height</source>
         <translation>höjd</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vänster</translation>
+    </message>
+    <message>
+        <source>markers {seen} of {wanted}</source>
+        <translation>markörer {seen} av {wanted}</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>höger</translation>
+    </message>
+    <message>
+        <source>warm in {minutes:.0f} min</source>
+        <translation>varm om {minutes:.0f} min</translation>
+    </message>
+    <message>
+        <source>{fps:.0f} frames/s, {lost} lost</source>
+        <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
     </message>
     <message>
         <source>{name} has changes that are not saved.</source>
@@ -1324,168 +1568,12 @@
         <translation>{seconds} s kvar</translation>
     </message>
     <message>
-        <source>{fps:.0f} frames/s, {lost} lost</source>
-        <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
-    </message>
-    <message>
-        <source>markers {seen} of {wanted}</source>
-        <translation>markörer {seen} av {wanted}</translation>
-    </message>
-    <message>
         <source>{share:.0%} measured</source>
         <translation>{share:.0%} uppmätt</translation>
     </message>
     <message>
-        <source>warm in {minutes:.0f} min</source>
-        <translation>varm om {minutes:.0f} min</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <translation>Hållen</translation>
-    </message>
-    <message>
-        <source>Somebody holds the foot</source>
-        <translation>Någon håller foten</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>bilder</translation>
-    </message>
-    <message>
-        <source>bursts</source>
-        <translation>serier</translation>
-    </message>
-    <message>
-        <source>Series a view, between which the sensor tilts by a degree</source>
-        <translation>Serier per vy, mellan vilka sensorn lutas en grad</translation>
-    </message>
-    <message>
-        <source>Capture all views (F5)</source>
-        <translation>Fånga alla vyer (F5)</translation>
-    </message>
-    <message>
-        <source>The sensor stands</source>
-        <translation>Sensorn står på plats</translation>
-    </message>
-    <message>
-        <source>Use this scan</source>
-        <translation>Använd denna skanning</translation>
-    </message>
-    <message>
-        <source>Keep, and capture the other foot</source>
-        <translation>Behåll och fånga den andra foten</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Sök igen</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>vänster</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>höger</translation>
-    </message>
-    <message>
-        <source>Not weight-bearing</source>
-        <translation>Obelastad</translation>
-    </message>
-    <message>
-        <source>Semi weight-bearing</source>
-        <translation>Halvbelastad</translation>
-    </message>
-    <message>
-        <source>Weight-bearing</source>
-        <translation>Belastad</translation>
-    </message>
-    <message>
-        <source>One after the other</source>
-        <translation>En efter en</translation>
-    </message>
-    <message>
-        <source>All at once</source>
-        <translation>Alla samtidigt</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Startar</translation>
-    </message>
-    <message>
-        <source>Capture anew</source>
-        <translation>Fånga på nytt</translation>
-    </message>
-    <message>
-        <source>Capture missing views</source>
-        <translation>Fånga saknade vyer</translation>
-    </message>
-    <message>
-        <source>All views are captured.</source>
-        <translation>Alla vyer är fångade.</translation>
-    </message>
-    <message>
-        <source>Checking the session</source>
-        <translation>Kontrollerar sessionen</translation>
-    </message>
-    <message>
         <source>{taken} of {wanted}</source>
         <translation>{taken} av {wanted}</translation>
-    </message>
-    <message>
-        <source>Looking for sensors</source>
-        <translation>Söker efter sensorer</translation>
-    </message>
-    <message>
-        <source>Capture again</source>
-        <translation>Fånga igen</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Rikta upp</translation>
-    </message>
-    <message>
-        <source>Level the sensor by its accelerometer</source>
-        <translation>Rikta upp sensorn efter dess accelerometer</translation>
-    </message>
-    <message>
-        <source>Identify</source>
-        <translation>Identifiera</translation>
-    </message>
-    <message>
-        <source>Let the light of this sensor blink</source>
-        <translation>Låt sensorns lampa blinka</translation>
-    </message>
-    <message>
-        <source>Tilt −</source>
-        <translation>Luta −</translation>
-    </message>
-    <message>
-        <source>Tilt the sensor down</source>
-        <translation>Luta sensorn nedåt</translation>
-    </message>
-    <message>
-        <source>Tilt +</source>
-        <translation>Luta +</translation>
-    </message>
-    <message>
-        <source>Tilt the sensor up</source>
-        <translation>Luta sensorn uppåt</translation>
-    </message>
-    <message>
-        <source>View of sensor {serial}</source>
-        <translation>Vy för sensor {serial}</translation>
-    </message>
-    <message>
-        <source>Sensor {serial}. Drag onto another to exchange views.</source>
-        <translation>Sensor {serial}. Dra till en annan för att byta vy.</translation>
-    </message>
-    <message>
-        <source>Capture…</source>
-        <translation>Fånga…</translation>
-    </message>
-    <message>
-        <source>Capture a foot with the sensors</source>
-        <translation>Fånga en fot med sensorerna</translation>
     </message>
     <message>
         <source>Calibrate sensors…</source>

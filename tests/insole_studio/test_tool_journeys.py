@@ -173,10 +173,11 @@ def test_a_heel_skive_is_prescribed_and_its_values_edited(
 def test_corrections_change_their_order_in_the_list(opened: Application) -> None:
     act(opened, "add_heel_skive")
     act(opened, "add_heel_cup")
+    case = opened.case
     up = next(
         b
         for b in opened.stage.patient.findChildren(QToolButton)
-        if b.toolTip() == "Move up" and b.isVisible()
+        if b.toolTip() == "Move up" and b.property("correction") == case.selection
     )
     up.click()
     assert opened.case.record.design is not None
@@ -233,7 +234,7 @@ def test_a_template_that_is_none_is_one_sentence(opened: Application, tmp_path: 
     opened.studio.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
     act(opened, "apply_template")
     (dialog,) = opened.studio.dialogs
-    assert "no design" in dialog.text()
+    assert "format is missing" in dialog.text()
 
 
 def test_the_outline_is_printed_in_true_size(
@@ -272,3 +273,21 @@ def test_the_steps_show_how_far_the_case_is(opened: Application) -> None:
     act(opened, "confirm_landmarks")
     texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
     assert texts[2].startswith("●")
+
+
+def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_path: Path) -> None:
+    act(opened, "copy_measures")
+    copied = QApplication.clipboard().text()
+    assert copied.splitlines()[0] == "measure,side,value,unit"
+    assert any(line.startswith("foot_length,left,") for line in copied.splitlines())
+    opened.studio.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
+    act(opened, "save_measures")
+    assert (tmp_path / "measures.csv").read_text() == copied
+
+
+def test_a_pad_of_the_library_is_taken_and_placed(opened: Application, foot: SceneView) -> None:
+    opened.window.pad_chosen.emit(4)
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 130.0))
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    assert (pad.shape, pad.length_mm, pad.width_mm, pad.height_mm) == ("drop", 22, 18, 4)

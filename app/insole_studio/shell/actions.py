@@ -59,12 +59,7 @@ class ActionRecord:
     needs_foot: bool = False
 
 
-SEPARATOR = ""
-MAPS = "maps"
-"""Where the toolbar offers the colour maps."""
 EXAMPLE = "example/example.insole"
-RECENT = "recent"
-"""Where the menu lists what was open lately."""
 
 
 def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: str) -> ActionRecord:
@@ -385,6 +380,21 @@ ACTIONS: tuple[ActionRecord, ...] = (
         needs_foot=True,
     ),
     ActionRecord(
+        "copy_measures",
+        lambda: tr("Copy the measures"),
+        lambda: tr("Put the table of measures onto the clipboard"),
+        lambda studio, _on: studio.prescribing.copy_measures(),
+        shortcut="Ctrl+Shift+M",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_measures",
+        lambda: tr("Save measures as CSV…"),
+        lambda: tr("Write the table of measures for a spreadsheet"),
+        lambda studio, _on: studio.prescribing.ask_save_measures(),
+        needs_foot=True,
+    ),
+    ActionRecord(
         "save_template",
         lambda: tr("Save as template…"),
         lambda: tr("Save the prescription without the patient, for other feet"),
@@ -425,93 +435,3 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda studio, _on: studio.show_about(),
     ),
 )
-
-MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit")
-TOOL_KEYS = (
-    "tool_orbit",
-    "tool_key_point",
-    "tool_pelott",
-    "tool_free_hand",
-    "tool_posting",
-    "tool_brush",
-    "tool_plane",
-    "tool_section",
-)
-
-MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
-    (
-        lambda: tr("&Case"),
-        (
-            "new_case",
-            "capture",
-            "open",
-            "open_session",
-            "open_archive",
-            "open_example",
-            RECENT,
-            SEPARATOR,
-            "save",
-            "save_as",
-            "export",
-            "print_outline",
-            SEPARATOR,
-            "quit",
-        ),
-    ),
-    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove")),
-    (
-        lambda: tr("&View"),
-        (
-            "look_plantar",
-            "look_medial",
-            "look_lateral",
-            "look_posterior",
-            "look_anterior",
-            "look_dorsal",
-            SEPARATOR,
-            "fit",
-            "linked",
-            SEPARATOR,
-            *MAP_KEYS,
-            "contours",
-            "wireframe",
-            SEPARATOR,
-            "dark",
-            "touch",
-            "language_system",
-            "language_en",
-            "language_sv",
-        ),
-    ),
-    (
-        lambda: tr("&Tools"),
-        (*TOOL_KEYS, SEPARATOR, "calibrate"),
-    ),
-    (
-        lambda: tr("&Prescribe"),
-        (
-            "add_posting",
-            "add_forefoot_twist",
-            "add_heel_skive",
-            "add_heel_lift",
-            "add_heel_cup",
-            "add_arch_raise",
-            SEPARATOR,
-            "confirm_landmarks",
-            "find_landmarks",
-            SEPARATOR,
-            "apply_template",
-            "save_template",
-            "repeat_design",
-        ),
-    ),
-    (lambda: tr("&Help"), ("tour", "about")),
-)
-
-TOOLBAR: tuple[tuple[str, ...], ...] = (
-    ("capture", "open_session", "open_archive", "save", "export"),
-    TOOL_KEYS,
-    ("fit", "linked", MAPS),
-    ("undo", "redo"),
-)
-"""Parts of the toolbar; the last stands at the right."""

@@ -16,16 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.shell.actions import (
-    ACTIONS,
-    MAP_KEYS,
-    MAPS,
-    MENUS,
-    RECENT,
-    SEPARATOR,
-    TOOLBAR,
-    ActionRecord,
-)
+from insole_studio.shell.actions import ACTIONS, ActionRecord
+from insole_studio.shell.menus import MAP_KEYS, MAPS, MENUS, RECENT, SEPARATOR, TOOLBAR
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr

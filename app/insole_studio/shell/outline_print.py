@@ -18,7 +18,7 @@ from insole_studio.texts import tr
 
 DPI = 600
 RULER_MM = 100.0
-_ROOM_MM = 14.0
+_ROOM_MM = 11.0
 _A4_MM = (210.0, 297.0)
 _A3_MM = (297.0, 420.0)
 

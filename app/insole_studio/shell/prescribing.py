@@ -2,32 +2,37 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
+
+from PySide6.QtGui import QGuiApplication
 
 from insole_core.cases.case_file import read_case
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import Correction, InsoleDesign
-from insole_core.insole.design_json import design_to_json, read_design
-from insole_core.insole.mirroring import mirrored, with_places
+from insole_core.insole.template import (
+    Template,
+    apply_template,
+    make_template,
+    read_template,
+    write_template,
+)
 from insole_studio.shell.questions import Questions
+from insole_studio.stages.design.measure_texts import as_csv, measures_of
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.landmarks import confirmed, found_anew
+from insole_studio.workbench.landmarks import confirmed, found_anew, landmarks_of
 from insole_studio.workbench.opening import CASE_SUFFIX
 from insole_studio.workbench.pad_library import LibraryPad
 
 TEMPLATE_SUFFIX = ".insole-template"
-_AS_TEMPLATE_MM = 250.0
-"""The length of foot that the places of a template are given for."""
 
 
 class Asking(Protocol):
@@ -86,6 +91,22 @@ class Prescribing:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))
 
+    def copy_measures(self) -> None:
+        """Put the table of measures onto the clipboard."""
+        QGuiApplication.clipboard().setText(self._measures_csv())
+
+    def ask_save_measures(self) -> None:
+        """Let the user choose where the table of measures goes."""
+        path = self._asking.questions.file_to_write("measures.csv", "CSV (*.csv)")
+        if path is not None:
+            with replacing_file(path.with_suffix(".csv")) as beside:
+                beside.write_text(self._measures_csv(), encoding="utf-8")
+            self._asking.say(tr("Written: {name}").format(name=path.name))
+
+    def _measures_csv(self) -> str:
+        record = self._case.record
+        return as_csv(measures_of(record), str(record.side))
+
     def confirm_landmarks(self) -> None:
         """Take all landmarks as they are shown."""
         self._case.apply(confirmed(self._case.record), tr("Confirm the landmarks"))
@@ -107,19 +128,19 @@ def template_kinds() -> str:
 
 
 def save_template(case: Case, path: Path) -> None:
-    """Write the prescription, scaled along to a foot of 250 mm, without author and date.
+    """Write the prescription with the places of the landmarks that it fits.
 
     Raises
     ------
-    OutputError
+    DesignError, OutputError
     """
-    design, foot = case.record.design, case.record.foot
+    design = case.record.design
     assert design is not None
-    assert foot is not None
     plain = tuple(replace(c, author="", created_at="") for c in design.corrections)
-    template = _moved(replace(design, corrections=plain), _AS_TEMPLATE_MM / foot.length_mm)
+    anonymous = replace(design, corrections=plain)
+    template = make_template(path.stem, anonymous, landmarks_of(case.record))
     with replacing_file(path) as beside:
-        beside.write_text(json.dumps(design_to_json(template), indent=1), encoding="utf-8")
+        write_template(template, beside)
 
 
 def template_for(case: Case, path: Path) -> InsoleDesign:
@@ -127,12 +148,10 @@ def template_for(case: Case, path: Path) -> InsoleDesign:
 
     Raises
     ------
-    InputError
-        When it is no design, or one of a newer version.
+    InputError, DesignError
+        When it is no template, one of a newer version, or the landmarks fit no foot.
     """
-    foot = case.record.foot
-    assert foot is not None
-    return _fitted(case, read_design(path), foot.length_mm / _AS_TEMPLATE_MM)
+    return _fitted(case, read_template(path))
 
 
 def design_of_case(case: Case, path: Path) -> InsoleDesign:
@@ -140,34 +159,18 @@ def design_of_case(case: Case, path: Path) -> InsoleDesign:
 
     Raises
     ------
-    InputError
+    InputError, DesignError
         When the file is no case, or holds no prescription.
     """
-    foot, earlier = case.record.foot, read_case(path)
-    assert foot is not None
-    if earlier.design is None or earlier.foot is None:
+    earlier = read_case(path)
+    if earlier.design is None:
         raise InputError(f"{path} holds no prescription yet; choose a case with a design.")
-    return _fitted(case, earlier.design, foot.length_mm / earlier.foot.length_mm)
+    return _fitted(case, make_template("", earlier.design, landmarks_of(earlier)))
 
 
-def _fitted(case: Case, design: InsoleDesign, share: float) -> InsoleDesign:
-    """Bring a prescription to the open foot; sizes and heights of pads stay as they are."""
-    if design.side is not case.side:
-        design = mirrored(design)
-    fresh = tuple(
-        case.stamped(replace(c, id=CorrectionBase().id)) for c in _moved(design, share).corrections
-    )
-    return replace(design, corrections=fresh, outline=_moved(design, share).outline)
-
-
-def _moved(design: InsoleDesign, share: float) -> InsoleDesign:
-    """Put all places where they belong on a foot `share` times as long."""
-
-    def move(place: tuple[float, float]) -> tuple[float, float]:
-        return round(place[0] * share, 2), round(place[1] * share, 2)
-
-    return replace(
-        design,
-        corrections=tuple(with_places(c, move) for c in design.corrections),
-        outline=with_places(design.outline, move),
-    )
+def _fitted(case: Case, template: Template) -> InsoleDesign:
+    """Bring a prescription to the open foot; it is prescribed anew."""
+    assert case.side is not None
+    design = apply_template(template, case.side, landmarks_of(case.record))
+    fresh = (case.stamped(replace(c, id=CorrectionBase().id)) for c in design.corrections)
+    return replace(design, corrections=tuple(fresh))

@@ -3,7 +3,8 @@ from __future__ import annotations
 from collections import Counter
 
 from insole_studio.bootstrap import Application
-from insole_studio.shell.actions import ACTIONS, MAPS, MENUS, RECENT, SEPARATOR, TOOLBAR
+from insole_studio.shell.actions import ACTIONS
+from insole_studio.shell.menus import MAPS, MENUS, RECENT, SEPARATOR, TOOLBAR
 
 KEYS = [record.key for record in ACTIONS]
 

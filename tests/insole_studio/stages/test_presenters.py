@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
+from insole_core.insole.rules import load_rules
 from insole_studio.bootstrap import make_tools
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
@@ -20,6 +21,7 @@ from insole_studio.stages.design.parameters_presenter import ParametersPresenter
 from insole_studio.stages.design.patient_presenter import PatientPresenter
 from insole_studio.stages.design.rows import FieldGroup
 from insole_studio.stages.design.section_presenter import SectionPresenter
+from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
@@ -140,7 +142,9 @@ class TestPatient:
         points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
         case.apply(Annotations(points), "Mark")
         values = {m.name: m.value for m in view.shown["show_measures"][0]}
-        assert values == {"Foot length": "250.0 mm", "Heel – Arch": "50.0 mm"}
+        assert float(values["Foot length"].removesuffix(" mm")) == pytest.approx(250.0, abs=0.5)
+        assert values["Heel – Arch"] == "50.0 mm"
+        assert values["Arch height"].endswith(" mm")
 
     def test_the_eye_switches_and_the_cross_removes(
         self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
@@ -372,3 +376,37 @@ class TestSection:
 def height_in(view: Any, along_mm: float) -> float:
     top = view.shown["show_cut"][0]
     return float(np.interp(along_mm, top[:, 0], top[:, 1]))
+
+
+class TestWarnings:
+    def test_what_breaks_a_rule_is_said_and_leads_there(
+        self,
+        view: Any,
+        case: Case,
+        surface: InsoleSurface,
+        hand: Hand,
+        open_foot: Any,
+        qtbot: QtBot,
+    ) -> None:
+        view.warning_chosen = MockSignal()
+        looked: list[tuple[float, float]] = []
+        presenter = WarningsPresenter(
+            view,
+            case=case,
+            surface=surface,
+            hand=hand,
+            rules=load_rules(),
+            look_at=looked.append,
+        )
+        open_foot()
+        qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
+        assert view.shown["show_warnings"] == ([],)
+        pad = Pelott(centre_mm=(70.0, 150.0))
+        assert case.record.design is not None
+        case.apply(case.record.design.with_added(pad), "Place")
+        presenter.show()
+        (row,) = [row for row in view.shown["show_warnings"][0] if "below the foot" in row.text]
+        assert row.leads
+        presenter.lead_to(view.shown["show_warnings"][0].index(row))
+        assert case.selection == pad.id
+        assert looked == [(70.0, 150.0)]

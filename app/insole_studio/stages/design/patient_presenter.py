@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 from insole_core.geometry.side import Side
+from insole_studio.stages.design.measure_texts import measures_of
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import describe
@@ -35,6 +36,7 @@ class PatientPresenter:
     def __init__(self, panel: PatientPanel, case: Case) -> None:
         self._panel = panel
         self._case = case
+        self._measured: tuple[object, list[Measure]] | None = None
         panel.field_edited.connect(self.edit_field)
         panel.correction_selected.connect(case.select)
         panel.correction_toggled.connect(self.toggle)
@@ -88,15 +90,14 @@ class PatientPresenter:
             self._case.apply(design.with_removed(correction_id), tr("Remove a correction"))
 
     def _measures(self) -> list[Measure]:
-        foot = self._case.foot
-        if foot is None:
-            return []
-        length = Measure(tr("Foot length"), f"{foot.length_mm:.1f} mm")
+        record = self._case.record
+        if self._measured is None or self._measured[0] != (record.foot, record.annotations):
+            self._measured = ((record.foot, record.annotations), measures_of(record))
         between = [
             Measure(f"{a} – {b}", f"{distance:.1f} mm")
-            for a, b, distance in distances(self._case.record.annotations)
+            for a, b, distance in distances(record.annotations)
         ]
-        return [length, *between]
+        return [*self._measured[1], *between]
 
     def _show_corrections(self) -> None:
         design = self._case.record.design

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QFocusEvent
@@ -21,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.side import Side
-from insole_studio.stages.design.rows import CorrectionRow, Measure
+from insole_studio.stages.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.side_badge import SideBadge, side_letter
@@ -35,6 +36,7 @@ class PatientView(QScrollArea):
     correction_toggled = Signal(str)
     correction_removed = Signal(str)
     correction_moved = Signal(str, int)
+    warning_chosen = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,6 +55,8 @@ class PatientView(QScrollArea):
         self._measures = QFormLayout()
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
+        self._warnings = QVBoxLayout()
+        self._warnings.setSpacing(4)
         self.setWidget(self._content())
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -80,7 +84,10 @@ class PatientView(QScrollArea):
         for measure in measures:
             value = QLabel(measure.value)
             value.setAlignment(Qt.AlignmentFlag.AlignRight)
-            self._measures.addRow(measure.name, value)
+            name = QLabel(measure.name)
+            for label in (name, value):
+                label.setToolTip(measure.tip)
+            self._measures.addRow(name, value)
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
         """Show the corrections, a line each."""
@@ -95,6 +102,24 @@ class PatientView(QScrollArea):
             empty.setWordWrap(True)
             empty.setObjectName("quiet")
             self._corrections.addWidget(empty)
+
+    def show_warnings(self, rows: Sequence[WarningRow]) -> None:
+        """Show what is unusual; a click leads to it."""
+        while (item := self._warnings.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for number, row in enumerate(rows):
+            label = QLabel(f'<a href="{number}" style="color: inherit">{escape(row.text)}</a>')
+            if not row.leads:
+                label.setText(escape(row.text))
+            label.setObjectName("warning")
+            label.setWordWrap(True)
+            label.linkActivated.connect(self._choose_warning)
+            self._warnings.addWidget(label)
+
+    def _choose_warning(self, number: str) -> None:
+        self.warning_chosen.emit(int(number))
 
     def _content(self) -> QWidget:
         form = QFormLayout()
@@ -114,10 +139,11 @@ class PatientView(QScrollArea):
         layout.setContentsMargins(8, 8, 8, 8)
         layout.setSpacing(8)
         layout.addLayout(form)
-        layout.addWidget(_heading(tr("Measures")))
-        layout.addLayout(self._measures)
         layout.addWidget(_heading(tr("Corrections")))
         layout.addLayout(self._corrections)
+        layout.addLayout(self._warnings)
+        layout.addWidget(_heading(tr("Measures")))
+        layout.addLayout(self._measures)
         layout.addStretch(1)
         return content
 

@@ -9,10 +9,20 @@ from insole_core.geometry.side import Side
 
 @dataclass(frozen=True)
 class Measure:
-    """One measure of the foot, ready to be read."""
+    """One measure of the foot, ready to be read; `tip` is its definition."""
 
     name: str
     value: str
+    tip: str = ""
+    key: str = ""
+
+
+@dataclass(frozen=True)
+class WarningRow:
+    """One warning: its sentence, and whether a click leads anywhere."""
+
+    text: str
+    leads: bool
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from insole_core.insole.rules import Rules
 from insole_studio.scene.camera import Camera, Preset, Subject
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
@@ -21,6 +22,7 @@ from insole_studio.stages.design.parameters_view import ParametersView
 from insole_studio.stages.design.patient_presenter import PatientPresenter
 from insole_studio.stages.design.patient_view import PatientView
 from insole_studio.stages.design.section_presenter import SectionPresenter
+from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.widgets.section_chart import SectionChart
@@ -46,6 +48,7 @@ class DesignStage(QObject):
         section: Section,
         hand: Hand,
         pads: Sequence[LibraryPad],
+        rules: Rules,
         dark: bool,
         parent: QObject | None = None,
     ) -> None:
@@ -66,6 +69,14 @@ class DesignStage(QObject):
             Subject.INSOLE: (self.insole, self.insole_presenter),
         }
         self._patient_presenter = PatientPresenter(self.patient, case)
+        self._warnings_presenter = WarningsPresenter(
+            self.patient,
+            case=case,
+            surface=surface,
+            hand=hand,
+            rules=rules,
+            look_at=self.look_at,
+        )
         self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, pads)
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
@@ -86,6 +97,12 @@ class DesignStage(QObject):
         if self.linked:
             self._link_to_larger()
         self._announce_cameras()
+
+    def look_at(self, place_mm: tuple[float, float]) -> None:
+        """Put a place into the middle of both views."""
+        for view, presenter in self._presenters.values():
+            there = np.array(presenter.place(*place_mm))
+            view.scene.set_camera(view.scene.camera.centred(there))
 
     def fit(self) -> None:
         """Show everything from where one looks now."""

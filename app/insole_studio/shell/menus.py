@@ -1,0 +1,106 @@
+"""Menus and toolbar: tables of the keys of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from insole_studio.texts import tr
+
+SEPARATOR = ""
+MAPS = "maps"
+"""Where the toolbar offers the colour maps."""
+RECENT = "recent"
+"""Where the menu lists what was open lately."""
+
+MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit")
+TOOL_KEYS = (
+    "tool_orbit",
+    "tool_key_point",
+    "tool_pelott",
+    "tool_free_hand",
+    "tool_posting",
+    "tool_brush",
+    "tool_plane",
+    "tool_section",
+)
+
+MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
+    (
+        lambda: tr("&Case"),
+        (
+            "new_case",
+            "capture",
+            "open",
+            "open_session",
+            "open_archive",
+            "open_example",
+            RECENT,
+            SEPARATOR,
+            "save",
+            "save_as",
+            "export",
+            "print_outline",
+            SEPARATOR,
+            "quit",
+        ),
+    ),
+    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove")),
+    (
+        lambda: tr("&View"),
+        (
+            "look_plantar",
+            "look_medial",
+            "look_lateral",
+            "look_posterior",
+            "look_anterior",
+            "look_dorsal",
+            SEPARATOR,
+            "fit",
+            "linked",
+            SEPARATOR,
+            *MAP_KEYS,
+            "contours",
+            "wireframe",
+            SEPARATOR,
+            "dark",
+            "touch",
+            "language_system",
+            "language_en",
+            "language_sv",
+        ),
+    ),
+    (
+        lambda: tr("&Tools"),
+        (*TOOL_KEYS, SEPARATOR, "calibrate"),
+    ),
+    (
+        lambda: tr("&Prescribe"),
+        (
+            "add_posting",
+            "add_forefoot_twist",
+            "add_heel_skive",
+            "add_heel_lift",
+            "add_heel_cup",
+            "add_arch_raise",
+            SEPARATOR,
+            "confirm_landmarks",
+            "find_landmarks",
+            SEPARATOR,
+            "copy_measures",
+            "save_measures",
+            SEPARATOR,
+            "apply_template",
+            "save_template",
+            "repeat_design",
+        ),
+    ),
+    (lambda: tr("&Help"), ("tour", "about")),
+)
+
+TOOLBAR: tuple[tuple[str, ...], ...] = (
+    ("capture", "open_session", "open_archive", "save", "export"),
+    TOOL_KEYS,
+    ("fit", "linked", MAPS),
+    ("undo", "redo"),
+)
+"""Parts of the toolbar; the last stands at the right."""

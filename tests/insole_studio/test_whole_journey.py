@@ -1,0 +1,136 @@
+"""The standard case from the opened scan to the file for the shop, counted action by action.
+
+With ``INSOLE_STUDIO_MANUAL=docs/manual/images`` (and Xvfb) it also writes the pictures of the
+manual.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott, Posting
+from insole_studio.bootstrap import Places, ScriptedStudio
+from insole_studio.scene.view import SceneView
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.workbench.landmarks import metatarsal_line
+
+LEFT = Qt.MouseButton.LeftButton
+MOST_ACTIONS = 12
+MANUAL = os.environ.get("INSOLE_STUDIO_MANUAL")
+
+
+class Hands:
+    """Does what a user does, by real events, and counts it."""
+
+    def __init__(self, studio: ScriptedStudio, pictures: Path) -> None:
+        self.studio = studio
+        self.app = studio.app
+        self.actions = 0
+        self._pictures = pictures
+
+    @property
+    def view(self) -> SceneView:
+        return self.app.stage.foot.scene
+
+    def choose(self, key: str) -> None:
+        """Click a button of the toolbar, or press its shortcut."""
+        self.app.window.actions_by_key[key].trigger()
+        self._done()
+
+    def click(self, place: tuple[float, ...]) -> None:
+        QTest.mouseClick(self.view.surface, LEFT, pos=self._pixel(place))
+        self._done()
+
+    def drag(self, start: tuple[float, ...], end: tuple[float, ...]) -> None:
+        pixels = [self._pixel(start), self._pixel(end)]
+        QTest.mousePress(self.view.surface, LEFT, pos=pixels[0])
+        for share in (0.5, 1.0):
+            QTest.mouseMove(self.view.surface, pixels[0] + (pixels[1] - pixels[0]) * share)
+            QApplication.processEvents()
+        QTest.mouseRelease(self.view.surface, LEFT, pos=pixels[1])
+        self._done()
+
+    def type(self, key: str, text: str) -> None:
+        panel = self.app.stage.parameters
+        field = next(f for f in panel.findChildren(NumberField) if f.property("key") == key)
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        self._done()
+
+    def picture(self, name: str) -> None:
+        self.studio.screenshot(self._pictures / f"{name}.png")
+
+    def _pixel(self, place: tuple[float, ...]) -> QPoint:
+        x, y = self.view.look.pixels_of(np.array([*place, 0.0, 0.0][:3]))[0]
+        return QPoint(round(x), round(y))
+
+    def _done(self) -> None:
+        self.actions += 1
+        self.studio.settle()
+
+
+@pytest.fixture
+def hands(qapp: QApplication, places: Places, tmp_path: Path) -> Iterator[Hands]:
+    pictures = Path(MANUAL) if MANUAL else tmp_path
+    with ScriptedStudio(places, (1366, 768)) as studio:
+        yield Hands(studio, pictures)
+
+
+def test_the_standard_case_takes_few_actions(
+    hands: Hands, small_session: Path, tmp_path: Path
+) -> None:
+    hands.studio.open(small_session)
+    case = hands.app.case
+    assert case.side is Side.LEFT
+    hands.picture("1-opened")
+
+    hands.choose("tool_key_point")
+    hands.picture("2-landmarks")
+    hands.choose("confirm_landmarks")
+
+    hands.choose("tool_pelott")
+    line = metatarsal_line(case.record)
+    assert line is not None
+    x, y, _ = line[1]
+    hands.click((x, y - 45.0))
+    hands.drag((x, y - 45.0), (x, y - 42.0))
+    hands.picture("3-pelott")
+
+    hands.choose("tool_posting")
+    case.select(None)
+    hands.type("posting.rearfoot_deg", "4")
+    hands.picture("4-posting")
+
+    hands.type("insole.thickness_mm", "4")
+    hands.choose("tool_section")
+    hands.click((x, y - 42.0))
+    hands.app.window.actions_by_key["map_thickness"].trigger()
+    hands.picture("5-section")
+
+    hands.studio.app.studio.questions.file_to_write = (  # type: ignore[method-assign]
+        lambda *_: tmp_path / "insole.stl"
+    )
+    hands.choose("export")
+    hands.picture("6-exported")
+
+    design = case.record.design
+    assert design is not None
+    pad, posting = design.corrections
+    assert isinstance(pad, Pelott)
+    assert isinstance(posting, Posting)
+    assert posting.rearfoot_deg == 4.0
+    assert design.thickness_mm == 4.0
+    assert (tmp_path / "insole.stl").stat().st_size > 1e6
+    assert hands.actions <= MOST_ACTIONS
+    print(f"{hands.actions} actions")
