@@ -127,6 +127,8 @@ def check_design(design: InsoleDesign) -> None:
         _check_zone(correction, where)
         if isinstance(correction, Pelott):
             _check_pad(correction, where)
+        if isinstance(correction, BrushStroke) and correction.mode == "smooth":
+            _check_smoothing(correction, where)
     ids = [c.id for c in design.corrections]
     if len(set(ids)) < len(ids):
         twice = next(i for i in ids if ids.count(i) > 1)
@@ -174,6 +176,14 @@ def _check_zone(correction: Correction, where: str) -> None:
                 f"{name}_end{where} is {end:g}, and must lie at least 0.05 beyond {name}_start"
                 f" ({start:g}), or the surface gets a step."
             )
+
+
+def _check_smoothing(stroke: BrushStroke, where: str) -> None:
+    if stroke.strength > 1:
+        raise DesignError(
+            f"strength{where} is {stroke.strength:g}, and for smoothing must be 0 to 1;"
+            " 1 evens out all it can."
+        )
 
 
 def _check_pad(pad: Pelott, where: str) -> None:

@@ -87,6 +87,7 @@ FREE_PADS = correction(
 )
 STROKES = correction(
     BrushStroke,
+    strength=st.floats(0, 1),
     points_mm=st.lists(
         place(CORRECTION_RANGES[BrushStroke]["points_mm"]), min_size=1, max_size=4
     ).map(tuple),

@@ -135,6 +135,12 @@ def test_crossing_outlines_are_refused(left_foot):
         build_insole(left_foot, InsoleDesign(Side.LEFT, (away,)))
 
 
+def test_smoothing_beyond_even_is_refused(left_foot):
+    stroke = BrushStroke(mode="smooth", strength=1.5, points_mm=((0.0, 50.0),))
+    with pytest.raises(DesignError, match=r"strength of corrections\[0\].*must be 0 to 1"):
+        build_insole(left_foot, InsoleDesign(Side.LEFT, (stroke,)))
+
+
 PRESCRIBED = InsoleDesign(
     Side.LEFT, (EGG, Posting(rearfoot_deg=4), BrushStroke(points_mm=((0.0, 50.0), (5.0, 60.0))))
 )
