@@ -26,9 +26,11 @@ from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.questions import Questions
+from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
+from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import load_language, tr
@@ -150,6 +152,7 @@ def build_application(
         capture=CaptureWindow(
             partial(_make_capture, settings, places, Place(_sensor_store(places), emulate))
         ),
+        calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
         pads=pads,
         remember=partial(_remember, settings, places.settings_file),
     )
