@@ -88,6 +88,7 @@ class DesignStage(QObject):
         case.changed.connect(self._show_hint)
         case.preview_changed.connect(self._show_hint)
         hand.tool_changed.connect(self._show_hint)
+        section.changed.connect(self._show_hint)
 
     def look(self, preset: Preset) -> None:
         """Look at both subjects from a named direction, whole."""
