@@ -43,11 +43,11 @@ def is_border(mesh: TriangleMesh) -> BoolArray:
     return border
 
 
-def large_pieces(mesh: TriangleMesh, least_share: float) -> TriangleMesh:
-    """Keep the connected pieces that have at least such a share of all triangles."""
+def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
+    """Tell which vertices (n,) lie in connected pieces with such a share of all triangles."""
     count, piece = connected_components(adjacency(mesh), directed=False)
     size = np.bincount(piece[mesh.triangles[:, 0]], minlength=count)
-    return mesh.part(size[piece] > least_share * len(mesh.triangles))
+    return np.asarray(size[piece] > least_share * len(mesh.triangles))
 
 
 def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:

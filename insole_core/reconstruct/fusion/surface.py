@@ -8,8 +8,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.spatial import cKDTree
 
+from insole_core.geometry.arrays import BoolArray
+from insole_core.geometry.border_growth import grown
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import large_pieces, relaxed
+from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
@@ -21,6 +23,7 @@ from insole_core.reconstruct.fusion.texture import color_vertices
 from insole_core.reconstruct.result import Surface
 
 _RELAXING_ROUNDS = 10
+_EVENING_ROUNDS = 3
 _LEAST_PIECE = 0.05
 """Share of the surface that a piece must have: a tendon that no view joins to the sole has it."""
 
@@ -33,12 +36,18 @@ class FusionLimits:
     ----------
     lattice, refinement
     reach_mm
-        The surface ends so far from the nearest reading.
+        The mesh that is refined ends so far from the nearest reading.
+    border_mm
+        By so much it is first grown: the lattice ends a cell before the readings do.
+    support_mm
+        The refined surface ends so far from the nearest reading.
     """
 
     lattice: FieldLimits = field(default_factory=FieldLimits)
     refinement: RefinementLimits = field(default_factory=RefinementLimits)
     reach_mm: float = 3.5
+    border_mm: float = 1.2
+    support_mm: float = 1.5
 
 
 def fuse(
@@ -65,17 +74,27 @@ def fuse(
         on_preview(replace(coarse, colors=color_vertices(coarse, readings)))
     progress.step(0.4, "Refining the surface")
     refined = refine(coarse, readings, [reading.pixels for reading in readings], limits.refinement)
+    kept = _near_readings(refined.mesh, readings, limits.support_mm)
+    kept[kept] = in_large_pieces(refined.mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
-    fine, ends = subdivided(refined.mesh)
+    fine, ends = subdivided(refined.mesh.part(kept))
     colors = color_vertices(fine, readings)
-    return Surface(replace(fine, colors=colors), refined.deviation_mm[ends].mean(1))
+    return Surface(replace(fine, colors=colors), refined.deviation_mm[kept][ends].mean(1))
 
 
 def _mesh(readings: list[Reading], limits: FusionLimits) -> TriangleMesh:
     mesh = mesh_views(readings, [smooth_depth(reading) for reading in readings], limits.lattice)
+    mesh = mesh.part(_near_readings(mesh, readings, limits.reach_mm))
+    mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
+    mesh = TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
+    mesh = grown(mesh, limits.border_mm)
+    return TriangleMesh(relaxed(mesh, _EVENING_ROUNDS), mesh.triangles)
+
+
+def _near_readings(mesh: TriangleMesh, readings: list[Reading], reach_mm: float) -> BoolArray:
+    """Tell which vertices (n,) have a reading near them."""
     points = np.concatenate(
         [reading.points(reading.raw)[np.isfinite(reading.raw)] for reading in readings]
     )
-    distance, _ = cKDTree(points).query(mesh.vertices, distance_upper_bound=limits.reach_mm)
-    mesh = large_pieces(mesh.part(np.isfinite(distance)), _LEAST_PIECE)
-    return TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
+    distance, _ = cKDTree(points).query(mesh.vertices, distance_upper_bound=reach_mm)
+    return np.isfinite(distance)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry import mesh_graph
+from insole_core.geometry.border_growth import grown
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.subdivision import subdivided
 from insole_core.geometry.surface_nets import surface_nets
@@ -45,9 +46,10 @@ def test_a_ball_has_no_border_and_half_of_it_has_one(ball: TriangleMesh) -> None
 
 def test_only_large_pieces_remain(ball: TriangleMesh) -> None:
     low, high = ball.vertices[:, 2] < -8, ball.vertices[:, 2] > 0
-    kept = mesh_graph.large_pieces(ball.part(low | high), 0.2)
-    assert kept.vertices[:, 2].min() > 0
-    assert len(mesh_graph.large_pieces(ball.part(low | high), 0.001).vertices) == (low | high).sum()
+    parts = ball.part(low | high)
+    kept = mesh_graph.in_large_pieces(parts, 0.2)
+    np.testing.assert_array_equal(kept, parts.vertices[:, 2] > 0)
+    assert mesh_graph.in_large_pieces(parts, 0.001).all()
 
 
 def test_relaxing_takes_steps_away_without_shrinking(ball: TriangleMesh) -> None:
@@ -58,6 +60,22 @@ def test_relaxing_takes_steps_away_without_shrinking(ball: TriangleMesh) -> None
     assert relaxed.volume_mm3 == pytest.approx(ball.volume_mm3, rel=0.01)
     before, after = (np.linalg.norm(m.vertices, axis=1).std() for m in (rough, relaxed))
     assert after < before / 2
+
+
+def test_a_flat_mesh_grows_in_its_plane_on_all_sides() -> None:
+    values = np.broadcast_to(np.arange(8.0) - 3.5, (8, 8, 8)).copy()
+    mesh = surface_nets(values, np.ones(values.shape, bool), np.zeros(3), 1.0)
+    larger = grown(mesh, 0.5)
+    np.testing.assert_array_equal(larger.vertices[: len(mesh.vertices)], mesh.vertices)
+    np.testing.assert_allclose(larger.vertices[:, 2], 3.5)
+    np.testing.assert_allclose(larger.triangle_normals[:, 2], 1.0)
+    added = larger.area_mm2 - mesh.area_mm2
+    side = np.ptp(mesh.vertices[:, 0])
+    assert added == pytest.approx(4 * 0.5 * side, rel=0.1)
+
+
+def test_a_closed_mesh_does_not_grow(ball: TriangleMesh) -> None:
+    assert len(grown(ball, 1.0).triangles) == len(ball.triangles)
 
 
 def test_subdivision_rounds_edges_and_keeps_vertices(ball: TriangleMesh) -> None:
