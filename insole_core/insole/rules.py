@@ -11,6 +11,7 @@ import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
 from insole_core.insole.build import Insole
+from insole_core.insole.clearance import clearance
 from insole_core.insole.design import HeelCup, HeelLift, HeelSkive, InsoleDesign, Pelott, Place
 from insole_core.insole.outline_curve import inside_curve
 from insole_core.insole.pads import pad_outline
@@ -96,11 +97,8 @@ def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
 
     Snapping a pad means to move it ahead by what this exceeds the wanted distance.
     """
-    heads = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
-    heads = heads[np.argsort(heads[:, 0])]
-    outline = pad_outline(pad)
-    line = np.interp(outline[:, 0], heads[:, 0], heads[:, 1])
-    return float((line - outline[:, 1]).min())
+    line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
+    return clearance(pad, line).distance_mm
 
 
 def _of_posting(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:

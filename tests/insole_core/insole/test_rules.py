@@ -44,8 +44,11 @@ def warnings(foot, *corrections, **keys) -> list[str]:
 
 
 def snapped(foot, pad: Pelott, behind: float) -> Pelott:
-    ahead = behind_heads_mm(pad, find_landmarks(foot)) - behind
-    return replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + ahead))
+    # The distance is square to the line of the heads, the steps are along y: a few of them.
+    for _ in range(5):
+        ahead = behind_heads_mm(pad, find_landmarks(foot)) - behind
+        pad = replace(pad, centre_mm=(pad.centre_mm[0], pad.centre_mm[1] + ahead))
+    return pad
 
 
 def test_usual_prescription_has_no_warning(left_foot):

@@ -1,0 +1,55 @@
+"""How far behind the metatarsal heads a pad ends: one measure for warnings, snap and display."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.corrections import Pelott
+from insole_core.insole.pads import pad_outline
+
+_OUTLINE_POINTS = 180
+
+
+@dataclass(frozen=True, eq=False)
+class Clearance:
+    """How a pad's front edge lies to the line of the heads.
+
+    Parameters
+    ----------
+    line : (3, 2) float64, mm, insole frame
+        The heads 2, 3 and 4.
+    front, nearest : (2,) float64, mm
+        The foremost place of the pad and the place of the line before it.
+    distance_mm
+        From the one to the other; > 0 while the pad ends behind the heads.
+    """
+
+    line: FloatArray
+    front: FloatArray
+    nearest: FloatArray
+    distance_mm: float
+
+
+def clearance(pad: Pelott, line: FloatArray) -> Clearance:
+    """Measure a pad against the line of the metatarsal heads 2 to 4.
+
+    Parameters
+    ----------
+    pad
+    line : (3, 2) float64, mm, insole frame
+    """
+    across = line[2] - line[0]
+    across = across / np.hypot(*across)
+    ahead = np.array([-across[1], across[0]])
+    ahead = ahead * np.sign(ahead[1])
+    outline = pad_outline(pad, _OUTLINE_POINTS)
+    front = outline[(outline @ ahead).argmax()]
+    # The heads stand in a bow: the line is taken at the place before the pad's front.
+    along = (line - line[0]) @ across
+    height = (line - front) @ ahead
+    order = along.argsort()
+    distance = float(np.interp((front - line[0]) @ across, along[order], height[order]))
+    return Clearance(line, front, front + distance * ahead, distance)
