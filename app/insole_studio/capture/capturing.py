@@ -217,7 +217,7 @@ class Capturing:
                 self._draft.add_depth(view, index, used)
             self._views[view] = series.status()
         frame = series.sensor.poll_color()
-        if frame is not None and series.wants_color():
+        if frame is not None and series.wants_color(frame.host_time_s):
             picture = series.sensor.color_picture(frame)
             self._watcher.show(serial, picture)
             series.light = judge_light(picture)

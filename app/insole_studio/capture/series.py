@@ -17,6 +17,8 @@ _LEAST_VALID_SHARE = 0.01
 _MOVED_RAW = 4.0
 """Twice the depth steps at 1 m, and far above the noise of a median of some frames."""
 _MOVED_SHARE = 0.1
+_CHECK_STEP_PX = 3
+"""Every ninth pixel tells whether something moved."""
 
 
 class Series:
@@ -40,6 +42,7 @@ class Series:
         """Of the last colour picture."""
         self.settling = Settling(plan.settle, started_s)
         self._plan = plan
+        self._started_s = started_s
         self._discarded_before = sensor.depth_counts.discarded
 
     @property
@@ -66,9 +69,9 @@ class Series:
         self.depth += used
         return list(enumerate(used, start=first))
 
-    def wants_color(self) -> bool:
-        """Whether the next colour frame is used."""
-        return self.settled and self.color_count < self._plan.color_frames
+    def wants_color(self, time_s: float) -> bool:
+        """Whether a colour frame of some time is used; no emitter disturbs colour."""
+        return time_s > self._started_s and self.color_count < self._plan.color_frames
 
     def status(self, finished: bool = False, warnings: tuple[str, ...] = ()) -> ViewStatus:
         """Say how far it is."""
@@ -119,6 +122,7 @@ def _moved_share(frames: list[RawArray]) -> float:
     half = len(frames) // 2
     if half < 2:
         return 0.0
-    change = np.abs(median_raw(frames[:half]) - median_raw(frames[half:]))
+    coarse = [image[::_CHECK_STEP_PX, ::_CHECK_STEP_PX] for image in frames]
+    change = np.abs(median_raw(coarse[:half]) - median_raw(coarse[half:]))
     measured = np.isfinite(change)
     return float(np.mean(change[measured] > _MOVED_RAW)) if measured.any() else 0.0

@@ -1,0 +1,137 @@
+"""How long a capture of three views × 10 frames takes, beside the thesis's 5 s by hand.
+
+Emulated sensors at real frame rate whose projectors need 200 ms after they are switched on. From
+the order to the last frame, which is how long the foot has to be still, and to the last view whole
+on the disk. "Live" sensors stream already, as in the window; from "dark" ones the start of all
+streams counts too, as on the command line. The emulated sensors compute in this process too.
+
+Limits to the last frame: one emitter after the other 2.5 s; simultaneous, sensors live, 0.5 s.
+"""
+
+from __future__ import annotations
+
+import statistics
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks._measure import print_table
+from insole_core.calibration.reference_file import load_reference_system
+from insole_core.geometry.side import Side
+from insole_core.recording.session import Manifest
+from insole_core.resources import resource_path
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
+from insole_studio.capture.draft import Draft
+from insole_studio.capture.plan import make_plan
+from insole_studio.capture.rig import OpenSensor, Rig
+from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.capture.workplace import DEFAULT_SYSTEM, Workplace
+from kinect_v1.emulation.bus import EmulatedBus
+from kinect_v1.emulation.device import EmulatedKinect
+from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
+from kinect_v1.models import Model
+from kinect_v1.usb_bus import UsbBus
+
+VIEWS = (("left", "A1"), ("right", "B2"), ("top", "C3"))
+SETTLE_FRAMES = 6  # 200 ms
+FRAMES = 10
+PLAYED = 120
+LIVE_S = 1.0
+REPEATS = 3
+TURNS_LIMIT_S, TOGETHER_LIMIT_S = 2.5, 0.5
+THESIS_S = 5.0
+
+
+class NothingStored:
+    def load(self, _serial: str) -> Sensor | None:
+        return None
+
+
+def scene() -> np.ndarray[Any, np.dtype[np.uint16]]:
+    """A foot's worth of depth before an empty ground."""
+    rows, columns = np.mgrid[:480, :640]
+    inside = ((rows - 240) / 150) ** 2 + ((columns - 320) / 60) ** 2 < 1
+    return np.where(inside, 600 + rows // 8, 2047).astype(np.uint16)
+
+
+def footage() -> dict[str, list[bytes]]:
+    steady = scene()
+    warming = []
+    for index in range(SETTLE_FRAMES):
+        frame = steady.copy()
+        frame[100 + 280 * index // SETTLE_FRAMES :] = 2047
+        warming.append(frame)
+    rows, columns = np.mgrid[:1024, :1280]
+    noise = np.random.default_rng(1).normal(0, 1.5, (1024, 1280))
+    color = (80 + rows / 20 + columns / 30 + noise).astype(np.uint8)
+    return make_footage([*warming, *[steady] * PLAYED], [color])
+
+
+def wait_until_live(sensors: dict[str, OpenSensor]) -> None:
+    for sensor in sensors.values():
+        sensor.start()
+    end = time.monotonic() + LIVE_S
+    while time.monotonic() < end:
+        for sensor in sensors.values():
+            sensor.poll_depth()
+            sensor.poll_color()
+        time.sleep(0.005)
+
+
+def capture_s(
+    played: dict[str, list[bytes]], simultaneous: bool, live: bool
+) -> tuple[float, float]:
+    """Give the seconds until the last frame was taken, and until the last view was on the disk."""
+    kinects = [
+        EmulatedKinect(Model.XBOX_1414, serial, TYPICAL_CALIBRATION, played) for _, serial in VIEWS
+    ]
+    rig = Rig(UsbBus(EmulatedBus(kinects)))
+    system = load_reference_system(resource_path(DEFAULT_SYSTEM))
+    manifest = Manifest("2026-11-20T10:00:00+00:00", Side.LEFT, system, ())
+    plan = make_plan(VIEWS, frames=FRAMES, simultaneous=simultaneous)
+    sensors = open_sensors(rig, plan.serials)
+    with tempfile.TemporaryDirectory() as folder:
+        draft = Draft(Path(folder) / "draft", manifest, plan.views)
+        try:
+            if live:
+                wait_until_live(sensors)
+            taken: list[float] = []
+
+            def note(status: CaptureStatus) -> None:
+                if status.phase is not Phase.VERIFYING:
+                    taken.append(time.monotonic())
+
+            workplace = Workplace(system, NothingStored())
+            start = time.monotonic()
+            Capturing(sensors, plan, workplace, draft, Watcher(note)).run()
+            return taken[-1] - start, time.monotonic() - start
+        finally:
+            close_sensors(sensors.values())
+            draft.close()
+
+
+def main() -> None:
+    played = footage()
+    rows = []
+    for name, simultaneous, live, limit_s in (
+        ("one after the other, live", False, True, TURNS_LIMIT_S),
+        ("one after the other, dark", False, False, TURNS_LIMIT_S),
+        ("simultaneous, live", True, True, TOGETHER_LIMIT_S),
+        ("simultaneous, dark", True, False, None),
+    ):
+        runs = [capture_s(played, simultaneous, live) for _ in range(REPEATS)]
+        taken_s, whole_s = (statistics.median(times) for times in zip(*runs, strict=True))
+        verdict = "" if limit_s is None else "kept" if taken_s <= limit_s else "BROKEN"
+        rows.append((name, f"{taken_s:.2f}", f"{whole_s:.2f}", limit_s or "–", verdict))
+    rows.append(("thesis, emitters blocked by hand", f"{THESIS_S:.2f}", "", "", ""))
+    print_table(
+        ("three views × 10 frames (median)", "last frame s", "on disk s", "limit s", ""), rows
+    )
+
+
+if __name__ == "__main__":
+    main()
