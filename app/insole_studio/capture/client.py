@@ -63,11 +63,6 @@ class CaptureService:
         """Give the newest picture of a sensor if it is newer than number `after`."""
         return self._board.read(slot, kind, after)
 
-    @property
-    def has_ended(self) -> bool:
-        """Whether the service is gone."""
-        return self._ended
-
     def close(self) -> None:
         """End the service; it switches every emitter off first. Does nothing the second time."""
         if self._closed:
