@@ -31,10 +31,13 @@ class MarkerView:
     name
         Of the picture.
     pixels : marker id to (2,) float64, px
+    camera
+        That took it.
     """
 
     name: str
     pixels: dict[str, FloatArray]
+    camera: Camera
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,7 @@ class MarkerSurvey:
 
 
 def survey_markers(
-    plan: ReferenceSystem, views: Sequence[MarkerView], camera: Camera, length: KnownLength
+    plan: ReferenceSystem, views: Sequence[MarkerView], length: KnownLength
 ) -> MarkerSurvey:
     """Measure where the markers of a built system really are.
 
@@ -89,8 +92,7 @@ def survey_markers(
     plan
         Where they should be.
     views
-        Pictures of one camera from many sides; each shows four markers or more.
-    camera
+        Pictures from many sides; each shows four markers or more.
     length
         A length measured by hand.
 
@@ -99,11 +101,12 @@ def survey_markers(
     CalibrationError
         With too few pictures or markers, or a length between markers that were not seen.
     """
-    sighted = [view for view in views if len(view.pixels) >= _LEAST_SEEN]
+    planned = {marker.id for marker in plan.markers}
+    sighted = [view for view in views if len(planned & view.pixels.keys()) >= _LEAST_SEEN]
     counts = {m.id: sum(m.id in view.pixels for view in sighted) for m in plan.markers}
     known = [marker for marker in plan.markers if counts[marker.id] >= 2]
     _check(len(sighted), known, length)
-    problem = _Problem([m.id for m in known], sighted, camera, length)
+    problem = _Problem([m.id for m in known], sighted, length)
     start = problem.start(positions(known))
     found = adjust(problem.residuals, start, problem.blocks(), robust=_OUTLIER_PX)
     free = found.values[: 3 * len(known)].reshape(-1, 3)
@@ -130,9 +133,7 @@ class _Problem:
     Three weak conditions hold the frame near the plan, one strong one the scale.
     """
 
-    def __init__(
-        self, ids: list[str], views: Sequence[MarkerView], camera: Camera, length: KnownLength
-    ) -> None:
+    def __init__(self, ids: list[str], views: Sequence[MarkerView], length: KnownLength) -> None:
         place = {name: i for i, name in enumerate(ids)}
         self._seen: list[IntArray] = []
         self._pixels: list[FloatArray] = []
@@ -140,7 +141,7 @@ class _Problem:
             names = [name for name in view.pixels if name in place]
             self._seen.append(np.array([place[name] for name in names]))
             self._pixels.append(np.array([view.pixels[name] for name in names], dtype=float))
-        self._camera, self._count = camera, len(ids)
+        self._cameras, self._count = [view.camera for view in views], len(ids)
         self._ends = [place[length.first], place[length.second]]
         self._length = length.length_mm
         self._plan = np.zeros((len(ids), 3))
@@ -154,8 +155,8 @@ class _Problem:
         # The plan is scaled to the known length first; the frame stays that of the plan.
         self._plan = planned * (self._length / np.linalg.norm(a - b))
         poses = [
-            _picture_pose(self._plan[seen], pixels, self._camera)
-            for seen, pixels in zip(self._seen, self._pixels, strict=True)
+            _picture_pose(self._plan[seen], pixels, camera)
+            for seen, pixels, camera in zip(self._seen, self._pixels, self._cameras, strict=True)
         ]
         return np.concatenate([self._plan.ravel(), *[pose_vector(one) for one in poses]])
 
@@ -163,9 +164,10 @@ class _Problem:
         points = unknowns[: 3 * self._count].reshape(-1, 3)
         poses = unknowns[3 * self._count :].reshape(-1, 6)
         parts = []
-        for seen, pixels, vector in zip(self._seen, self._pixels, poses, strict=True):
+        seen_by = zip(self._seen, self._pixels, self._cameras, poses, strict=True)
+        for seen, pixels, camera, vector in seen_by:
             inside = transform(pose(vector), points[seen])
-            parts.append((pixels - self._camera.project(inside)).ravel())
+            parts.append((pixels - camera.project(inside)).ravel())
         return np.concatenate([*parts, self._conditions(points)])
 
     def blocks(self) -> Blocks:

@@ -12,15 +12,25 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.horn import absolute_orientation
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import rotation_angle_deg, transform
 from insole_core.json_object import JsonObject
 from insole_core.recording.session import Marker, ReferenceSystem
 
 _LEAST_MARKERS = 4
 _SYMMETRY_MM = 8.0
-"""Nearer to itself than this after a half or quarter turn, a face could be taken the wrong way."""
+"""Nearer to itself than this after a turn, a face could be taken the wrong way."""
+_LEAST_TURN_DEG = 20.0
+"""Of a turn that counts; a face always looks like itself when it hardly turns."""
+_SAME_MM = 25.0
+_SAME_AREA = 0.5
+_MATCHED_SHARE = 0.75
+"""Of the markers that a turn must bring near to another one each."""
+_MARKER_MM = 16.0
+_LEAST_CLEAR_DEG = 20.0
+"""A sensor that is put up by eye stands as far from where it should."""
+_MOST_TILT_DEG = 60
 _LEAST_RELIEF_MM = 5.0
 _NEAREST_MM = 20.0
 
@@ -72,12 +82,20 @@ class FaceCheck:
     face
     markers
     symmetry_mm
-        Root mean square distance of the markers from themselves after the turn that comes nearest
-        to mapping the face onto itself: large is good.
+        Root mean square distance of the markers from themselves after the turn, about any axis,
+        that comes nearest to mapping the face onto itself: large is good.
+    symmetry_turn_deg
+        The angle of that turn.
     relief_mm
         Depth of the face across its best plane; a flat face tells a tilt poorly.
     nearest_mm
         Distance of its two nearest markers.
+    seen_from
+        Unit vector, reference frame, towards the sensor that sees the face best: across its plane,
+        away from the markers of the other faces (or the origin), between which the foot is.
+    clear_to_deg
+        So far may a sensor stand beside that direction, to any side, before two of the markers
+        hide each other.
     problems
         Sentences; empty when the face is fit.
     """
@@ -85,15 +103,25 @@ class FaceCheck:
     face: str
     markers: int
     symmetry_mm: float
+    symmetry_turn_deg: float
     relief_mm: float
     nearest_mm: float
+    seen_from: tuple[float, float, float]
+    clear_to_deg: float
     problems: tuple[str, ...]
 
 
 def check_reference_system(system: ReferenceSystem) -> tuple[FaceCheck, ...]:
     """Check every face: enough markers, asymmetric enough, not flat, not too near together."""
     faces = dict.fromkeys(marker.face for marker in system.markers)
-    return tuple(_check_face(face, positions(system.facing((face,)))) for face in faces)
+    return tuple(
+        _check_face(
+            face,
+            positions(system.facing((face,))),
+            positions([marker for marker in system.markers if marker.face != face]),
+        )
+        for face in faces
+    )
 
 
 def positions(markers: Sequence[Marker]) -> FloatArray:
@@ -106,17 +134,19 @@ def _marker(item: JsonObject) -> Marker:
     return Marker(item.text("id"), (x, y, z), item.text("face"))
 
 
-def _check_face(face: str, points: FloatArray) -> FaceCheck:
+def _check_face(face: str, points: FloatArray, others: FloatArray) -> FaceCheck:
     if len(points) < _LEAST_MARKERS:
         problem = f"the face has {len(points)} markers, but at least {_LEAST_MARKERS} are needed"
-        return FaceCheck(face, len(points), 0.0, 0.0, 0.0, (problem,))
-    symmetry, relief = _symmetry_mm(points), _relief_mm(points)
+        return FaceCheck(face, len(points), 0.0, 0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 0.0, (problem,))
+    (symmetry, turn), relief = _symmetry(points), _relief_mm(points)
     nearest = min(float(np.linalg.norm(a - b)) for a, b in combinations(points, 2))
+    normal = _towards_sensor(points, others)
+    clear = _clear_to_deg(points, normal)
     problems = []
     if symmetry < _SYMMETRY_MM:
         problems.append(
-            f"turned, it looks like itself within {symmetry:.1f} mm; move some markers by a few "
-            "studs so that it is less regular"
+            f"turned by {turn:.0f}°, it looks like itself within {symmetry:.1f} mm; move some "
+            "markers by a few studs so that it is less regular"
         )
     if relief < _LEAST_RELIEF_MM:
         problems.append(
@@ -124,27 +154,93 @@ def _check_face(face: str, points: FloatArray) -> FaceCheck:
         )
     if nearest < _NEAREST_MM:
         problems.append(f"two of its markers are only {nearest:.0f} mm apart; move them apart")
-    return FaceCheck(face, len(points), symmetry, relief, nearest, tuple(problems))
+    elif clear < _LEAST_CLEAR_DEG:
+        problems.append(
+            f"two of its markers hide each other when it is seen from {clear:.0f}° aside; move "
+            "them apart across the face"
+        )
+    x, y, z = normal.tolist()
+    return FaceCheck(
+        face, len(points), symmetry, turn, relief, nearest, (x, y, z), clear, tuple(problems)
+    )
 
 
 def _relief_mm(points: FloatArray) -> float:
-    centred = points - points.mean(0)
-    off = centred @ np.linalg.svd(centred)[2][2]
-    return float(np.ptp(off))
+    return float(np.ptp((points - points.mean(0)) @ _across(points)))
 
 
-def _symmetry_mm(points: FloatArray) -> float:
-    """Turn the face in its plane by 90, 180 and 270 degrees and match it with itself."""
-    centred = points - points.mean(0)
-    axes = np.linalg.svd(centred)[2]
-    flat = centred @ axes.T
-    worst = np.inf
-    for turn in (90, 180, 270):
-        a = np.radians(turn)
-        turned = flat @ np.array([[np.cos(a), np.sin(a), 0], [-np.sin(a), np.cos(a), 0], [0, 0, 1]])
-        distance = np.linalg.norm(turned[:, None] - flat[None], axis=-1)
-        worst = min(worst, float(np.sqrt((distance.min(1) ** 2).mean())))
-    return worst
+def _across(points: FloatArray) -> FloatArray:
+    """Give the normal (3,) of the plane that fits best."""
+    return np.asarray(np.linalg.svd(points - points.mean(0))[2][2])
+
+
+def _towards_sensor(points: FloatArray, others: FloatArray) -> FloatArray:
+    normal, behind = _across(points), others.mean(0) if len(others) else np.zeros(3)
+    return normal if normal @ (points.mean(0) - behind) > 0 else -normal
+
+
+def _clear_to_deg(points: FloatArray, normal: FloatArray) -> float:
+    """Step aside until the nearest two markers, as seen from there, come within a marker."""
+    first = np.linalg.svd(normal[None])[2][1]
+    sides = [
+        np.cos(a) * first + np.sin(a) * np.cross(normal, first)
+        for a in np.radians(np.arange(0, 360, 15))
+    ]
+    between = np.array([a - b for a, b in combinations(points, 2)])
+    for tilt in range(0, _MOST_TILT_DEG + 1, 5):
+        a = np.radians(tilt)
+        looks = np.array([np.cos(a) * normal + np.sin(a) * side for side in sides])
+        apart = np.linalg.norm(np.cross(between[:, None], looks[None]), axis=-1)
+        if apart.min() < _MARKER_MM:
+            return float(max(tilt - 5, 0))
+    return float(_MOST_TILT_DEG)
+
+
+def _symmetry(points: FloatArray) -> tuple[float, float]:
+    """Find the turn about any axis that maps the markers best onto themselves: mm and degrees.
+
+    Every such turn takes the widest triangle to three markers that lie as far apart; each of
+    those is tried.
+    """
+    centred, across = points - points.mean(0), _across(points)
+    base = _widest_triangle(centred)
+    best, best_turn = np.inf, 0.0
+    for triple in _congruent(centred, base):
+        turned = transform(absolute_orientation(centred[base], centred[triple]).a2b, centred)
+        nearest = np.linalg.norm(turned[:, None] - centred[None], axis=-1).argmin(1)
+        if len(np.unique(nearest)) < _MATCHED_SHARE * len(points):
+            continue
+        fitted = absolute_orientation(centred, centred[nearest]).a2b
+        turn = rotation_angle_deg(fitted[:3, :3])
+        if turn < _LEAST_TURN_DEG or (fitted[:3, :3] @ across) @ across < 0:
+            continue  # hardly a turn, or one that turns the face away from its sensor
+        distance = np.linalg.norm(transform(fitted, centred)[:, None] - centred[None], axis=-1).min(
+            1
+        )
+        rms = float(np.sqrt((distance**2).mean()))
+        if rms < best:
+            best, best_turn = rms, turn
+    return best, best_turn
+
+
+def _widest_triangle(points: FloatArray) -> IntArray:
+    triples = np.array(list(combinations(range(len(points)), 3)))
+    return np.asarray(triples[np.argmax(_areas(points, triples))])
+
+
+def _congruent(points: FloatArray, base: IntArray) -> IntArray:
+    """(k, 3) ordered triples of markers whose distances are those of the base, roughly."""
+    distance = np.linalg.norm(points[:, None] - points[None], axis=-1)
+    i, j, k = base
+    close = [np.abs(distance - distance[p, q]) < _SAME_MM for p, q in ((i, j), (j, k), (i, k))]
+    triples = np.argwhere(close[0][:, :, None] & close[1][None] & close[2][:, None])
+    # Three markers in one line determine no turn.
+    return np.asarray(triples[_areas(points, triples) > _SAME_AREA * _areas(points, base[None])])
+
+
+def _areas(points: FloatArray, triples: IntArray) -> FloatArray:
+    a, b, c = (points[triples[:, corner]] for corner in range(3))
+    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=-1) / 2)
 
 
 @dataclass(frozen=True)

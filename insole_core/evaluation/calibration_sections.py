@@ -25,6 +25,10 @@ from insole_core.geometry.transforms import transform
 from insole_core.recording.session import ReferenceSystem
 from insole_core.sensing.camera import Camera
 
+_FACE_HEADINGS = (
+    "face", "markers", "asymmetry mm", "relief mm", "nearest mm", "seen from x y z", "aside up to",
+)  # fmt: skip
+
 
 def camera_section(calibration: CameraCalibration, title: str = "Colour camera") -> Section:
     """Report the intrinsic calibration of a camera."""
@@ -128,9 +132,11 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
         (
             c.face,
             str(c.markers),
-            f"{c.symmetry_mm:.1f}",
+            f"{c.symmetry_mm:.1f} at {c.symmetry_turn_deg:.0f}°",
             f"{c.relief_mm:.1f}",
             f"{c.nearest_mm:.1f}",
+            " ".join(f"{value:+.2f}" for value in c.seen_from),
+            f"{c.clear_to_deg:.0f}°",
         )
         for c in checks
     )
@@ -138,9 +144,7 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
         key="reference",
         title=f"Reference system {system.name}",
         sentences=problems or ("Every face is fit to tell where a sensor stands.",),
-        tables=(
-            Table("Faces", ("face", "markers", "asymmetry mm", "relief mm", "nearest mm"), rows),
-        ),
+        tables=(Table("Faces", _FACE_HEADINGS, rows),),
         plots=(Plot("Markers, mm", lambda figure: draw_reference(figure, system)),),
     )
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -17,34 +16,17 @@ from insole_core.reconstruct.registration import register
 from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
-from insole_core.sensing.camera import Camera
-
-
-@dataclass(frozen=True, eq=False)
-class MarkerViews:
-    """What one sensor saw of a reference system.
-
-    Parameters
-    ----------
-    serial
-        Of the sensor with the most views.
-    camera
-        Its colour camera.
-    views
-    left_out
-        Sentences about views that could not be used.
-    """
-
-    serial: str
-    camera: Camera
-    views: tuple[MarkerView, ...]
-    left_out: tuple[str, ...]
 
 
 def read_marker_views(
     sessions: Sequence[Path], system: ReferenceSystem, progress: Progress = SILENT
-) -> MarkerViews:
-    """Find the markers in every view that the most used sensor recorded.
+) -> tuple[list[MarkerView], tuple[str, ...]]:
+    """Find the markers in every view of recorded sessions.
+
+    Returns
+    -------
+    list of MarkerView, tuple of str
+        And a sentence for every view that could not be used.
 
     Raises
     ------
@@ -53,22 +35,20 @@ def read_marker_views(
     CalibrationError
         When no view shows the system.
     """
-    views = list(_views(sessions))
-    serials = [view.sensor.serial for _, view in views]
-    serial = max(dict.fromkeys(serials), key=serials.count)
     found: list[MarkerView] = []
     left_out: list[str] = []
-    own = [(name, view) for name, view in views if view.sensor.serial == serial]
-    for done, (name, view) in enumerate(own):
-        progress.step(done / len(own), f"Finding the markers of {name}")
+    views = list(_views(sessions))
+    for done, (name, view) in enumerate(views):
+        progress.step(done / len(views), f"Finding the markers of {name}")
         try:
-            found.append(MarkerView(name, _marker_pixels(view, system)))
+            pixels = _marker_pixels(view, system)
         except ReconstructionError as error:
             left_out.append(f"{name} is left out: {error}.")
+        else:
+            found.append(MarkerView(name, pixels, view.sensor.color_camera))
     if not found:
         raise CalibrationError(left_out[0])
-    camera = own[0][1].sensor.color_camera
-    return MarkerViews(serial, camera, tuple(found), tuple(left_out))
+    return found, tuple(left_out)
 
 
 def _views(sessions: Sequence[Path]) -> Iterator[tuple[str, View]]:

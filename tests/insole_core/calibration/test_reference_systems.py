@@ -53,6 +53,39 @@ def test_a_regular_flat_face_is_named() -> None:
     assert not any("one plane" in p for p in check_reference_system(grid(20.0))[0].problems)
 
 
+def ring(count: int) -> ReferenceSystem:
+    """Markers in two rings above each other, `count` in each: alike after a turn of 360 / count."""
+    angles = np.radians(360 / count * np.arange(2 * count) + [0, 15] * count)
+    return ReferenceSystem(
+        "ring",
+        tuple(
+            Marker(f"M{i}", (90 * float(np.cos(a)), 90 * float(np.sin(a)), 20.0 * (i % 2)), "sole")
+            for i, a in enumerate(angles)
+        ),
+    )
+
+
+@pytest.mark.parametrize("count", [3, 5])
+def test_a_face_that_is_alike_after_any_turn_is_named(count: int) -> None:
+    (check,) = check_reference_system(ring(count))
+    assert check.symmetry_mm < 0.01
+    assert round(check.symmetry_turn_deg * count / 360, 3) in range(1, count)
+
+
+def test_where_the_faces_are_seen_from(lego: ReferenceSystem) -> None:
+    from_ = {check.face: np.array(check.seen_from) for check in check_reference_system(lego)}
+    assert from_["sole"] @ [0, 0, -1] > 0.99
+    assert from_["achilles"] @ [0, -1, 0] > 0.99
+
+
+def test_markers_that_hide_each_other(lego: ReferenceSystem) -> None:
+    behind = replace(lego.markers[0], id="behind", position_mm=(-80.0, -110.0, 60.0))
+    system = ReferenceSystem("s", (*lego.markers, behind))
+    (sole, _) = check_reference_system(system)
+    assert sole.clear_to_deg < 20
+    assert any("hide each other" in problem for problem in sole.problems)
+
+
 def test_few_or_crowded_markers_are_named() -> None:
     few = ReferenceSystem("few", grid().markers[:3])
     assert "3 markers" in check_reference_system(few)[0].problems[0]
@@ -99,7 +132,7 @@ def views(true: dict[str, FloatArray], count: int, noise_px: float) -> list[Mark
             + generator.normal(0, noise_px, 2)
             for name, point in true.items()
         }
-        pictures.append(MarkerView(f"picture {i}", pixels))
+        pictures.append(MarkerView(f"picture {i}", pixels, COLOR_CAMERA))
     return pictures
 
 
@@ -111,7 +144,7 @@ def built(plan: ReferenceSystem) -> dict[str, FloatArray]:
 def test_the_survey_finds_the_built_positions(lego: ReferenceSystem) -> None:
     true = built(lego)
     known = KnownLength("S1", "S12", float(np.linalg.norm(true["S1"] - true["S12"])))
-    survey = survey_markers(lego, views(true, 12, 0.1), COLOR_CAMERA, known)
+    survey = survey_markers(lego, views(true, 12, 0.1), known)
     truth = np.array([true[m.id] for m in lego.markers])
     found = positions(survey.system.markers)
     error = transform(absolute_orientation(found, truth).a2b, found) - truth
@@ -127,10 +160,10 @@ def test_the_survey_finds_the_built_positions(lego: ReferenceSystem) -> None:
 def test_markers_that_are_not_seen_keep_their_place(lego: ReferenceSystem) -> None:
     true = built(lego)
     hidden = [
-        MarkerView(v.name, {k: p for k, p in v.pixels.items() if k != "A8"})
+        MarkerView(v.name, {k: p for k, p in v.pixels.items() if k != "A8"}, v.camera)
         for v in views(true, 6, 0.1)
     ]
-    survey = survey_markers(lego, hidden, COLOR_CAMERA, KnownLength("S1", "S12", 312.0))
+    survey = survey_markers(lego, hidden, KnownLength("S1", "S12", 312.0))
     assert survey.unseen == ("A8",)
     assert survey.system.markers[-1] == lego.markers[-1]
 
@@ -138,11 +171,11 @@ def test_markers_that_are_not_seen_keep_their_place(lego: ReferenceSystem) -> No
 def test_surveys_that_cannot_be_made(lego: ReferenceSystem) -> None:
     pictures = views(built(lego), 4, 0.1)
     with pytest.raises(CalibrationError, match="2 pictures"):
-        survey_markers(lego, pictures[:2], COLOR_CAMERA, KnownLength("S1", "S2", 40))
+        survey_markers(lego, pictures[:2], KnownLength("S1", "S2", 40))
     with pytest.raises(CalibrationError, match="ends at X9"):
-        survey_markers(lego, pictures, COLOR_CAMERA, KnownLength("S1", "X9", 40))
+        survey_markers(lego, pictures, KnownLength("S1", "X9", 40))
     with pytest.raises(CalibrationError, match="two different markers"):
-        survey_markers(lego, pictures, COLOR_CAMERA, KnownLength("S1", "S1", 40))
+        survey_markers(lego, pictures, KnownLength("S1", "S1", 40))
 
 
 def test_a_bumped_marker_is_named(lego: ReferenceSystem) -> None:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.progress import Progress
@@ -27,10 +30,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--sessions", type=Path, nargs="+", default=[], metavar="SESSION",
-        help="recordings of the built system by one sensor, from many sides",
+        help="recordings of the built system by calibrated sensors, from many sides",
     )  # fmt: skip
     parser.add_argument(
-        "--length", nargs=3, metavar=("ID", "ID", "MM"), help="a distance measured by hand"
+        "--length",
+        nargs=3,
+        metavar=("ID", "ID", "MM"),
+        help="a distance measured by hand; the face that holds its ends is measured",
     )
     parser.add_argument(
         "--out", type=Path, metavar="built.json", help="write the system as it was measured"
@@ -89,21 +95,46 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
 
     first, second, length = arguments.length
     known = KnownLength(first, second, _length_mm(length))
-    seen = read_marker_views(arguments.sessions, system, progress.part(0, 0.7))
-    for sentence in seen.left_out:
+    views, left_out = read_marker_views(arguments.sessions, system, progress.part(0, 0.7))
+    for sentence in left_out:
         print(f"Warning: {sentence}", file=sys.stderr)
-    progress.step(0.7, f"Measuring the markers in {len(seen.views)} views")
-    survey: MarkerSurvey = survey_markers(system, seen.views, seen.camera, known)
-    bump = check_for_bump(system, survey.measured_mm, arguments.moved)
+    progress.step(0.7, f"Measuring the markers in {len(views)} views")
+    face = _face_of(system, first, second)
+    survey = survey_markers(face, views, known)
+    _check_certain(survey, arguments.moved)
+    bump = check_for_bump(face, survey.measured_mm, arguments.moved)
     section = survey_section(survey, bump)
-    write_reports(make_report(section.title, seen.serial, [section]), arguments.report)
+    write_reports(make_report(section.title, "", [section]), arguments.report)
     if arguments.out:
-        save_reference_system(survey.system, arguments.out)
+        measured = {marker.id: marker for marker in survey.system.markers}
+        markers = tuple(measured.get(marker.id, marker) for marker in system.markers)
+        save_reference_system(replace(system, markers=markers), arguments.out)
     print("\n".join(section_lines(section)))
     if bump.bumped and not arguments.out:
         raise CalibrationError(
             f"The reference system was bumped: {', '.join(bump.moved)} moved; put them back, or "
             "keep the measured places with --out."
+        )
+
+
+def _face_of(system: ReferenceSystem, first: str, second: str) -> ReferenceSystem:
+    """Give the markers that one sensor can see together with both ends of the known length."""
+    faces = {marker.face for marker in system.markers if marker.id in (first, second)}
+    if len(faces) != 1:
+        raise UsageError(
+            f"{first} and {second} are not two markers of one face of {system.name}; measure the "
+            "length between two markers that face the same way."
+        )
+    return replace(system, markers=system.facing((faces.pop(),)))
+
+
+def _check_certain(survey: MarkerSurvey, moved_mm: float) -> None:
+    worst = max(float(np.linalg.norm(one)) for one in survey.deviation_mm.values())
+    if worst > moved_mm:
+        raise CalibrationError(
+            f"The views lie too near together to measure the markers: a standard deviation of "
+            f"{worst:.1f} mm is more than the {moved_mm:g} mm asked for; record the system from "
+            "sides that lie 30 degrees or more apart."
         )
 
 

@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
+from insole_studio.bootstrap import Application
 from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.workbench.sensor_store import SensorStore
@@ -186,3 +187,14 @@ def test_a_place_that_cannot_be_written(
     settle()
     assert "cannot be written" in stage.view.error_text()
     assert stage.view.save.isEnabled()
+
+
+def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> None:
+    app.studio.run_action("calibrate", False)
+    opened = app.studio.calibrate.stage
+    assert opened is not None
+    assert opened.isVisible()
+    app.studio.run_action("calibrate", False)
+    assert app.studio.calibrate.stage is opened
+    app.studio.calibrate.close()
+    assert app.studio.calibrate.stage is None
