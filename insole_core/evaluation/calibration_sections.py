@@ -132,7 +132,7 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
         (
             c.face,
             str(c.markers),
-            f"{c.symmetry_mm:.1f} at {c.symmetry_turn_deg:.0f}°",
+            _likeness(c),
             f"{c.relief_mm:.1f}",
             f"{c.nearest_mm:.1f}",
             " ".join(f"{value:+.2f}" for value in c.seen_from),
@@ -147,6 +147,12 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
         tables=(Table("Faces", _FACE_HEADINGS, rows),),
         plots=(Plot("Markers, mm", lambda figure: draw_reference(figure, system)),),
     )
+
+
+def _likeness(check: FaceCheck) -> str:
+    if not np.isfinite(check.symmetry_mm):
+        return "like itself after no turn"
+    return f"{check.symmetry_mm:.1f} at {check.symmetry_turn_deg:.0f}°"
 
 
 def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
