@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -251,6 +252,7 @@ def run_application(
         QTimer.singleShot(0, app.window, app.studio.begin_tour)
     if paths:
         QTimer.singleShot(0, app.window, lambda: app.studio.open_path(paths[0], side))
+    _quit_on_signals(qt)
     try:
         return int(qt.exec())
     finally:
@@ -352,6 +354,16 @@ def _qt_application() -> QApplication:
     application.setApplicationName("Insole Studio")
     application.setApplicationDisplayName("Insole Studio")
     return application
+
+
+def _quit_on_signals(qt: QApplication) -> None:
+    """End on SIGTERM and Ctrl-C; the case stays in the autosave folder and is offered again."""
+    for name in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(name, lambda _number, _frame: qt.quit())
+    # Inside Qt's loop Python only handles a signal when it gets a turn.
+    turn = QTimer(qt)
+    turn.timeout.connect(lambda: None)
+    turn.start(200)
 
 
 def _show_unexpected(

@@ -89,6 +89,8 @@ def describe(path: Path, error: OSError) -> str:
         (IsADirectoryError, "a folder of that name is there; choose another name"),
         (NotADirectoryError, "a file is there where a folder is needed; choose another name"),
     ]
+    if isinstance(error, FileNotFoundError) and path.parent.is_dir():
+        return f"{path} cannot be written: this place takes no files; choose another place."
     for kind, reason in reasons:
         if isinstance(error, kind):
             return f"{path} cannot be written: {reason}."

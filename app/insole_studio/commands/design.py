@@ -14,6 +14,7 @@ from insole_studio.commands import shop
 from insole_studio.commands.foot_source import read_foot
 
 if TYPE_CHECKING:
+    from insole_core.insole.build import Insole
     from insole_core.insole.design import InsoleDesign
 
 NAME = "design"
@@ -53,6 +54,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         for note in foot.notes:
             print(note, file=sys.stderr)
         insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
+        _print_warnings(insole)
         shop.deliver(insole, arguments, paths, progress.part(0.9, 1.0))
     progress.step(1.0, f"Done: {arguments.out}")
 
@@ -74,6 +76,16 @@ def _agreed_side(named: str | None, design: InsoleDesign | None) -> Side | None:
             "correct one of the two."
         )
     return design.side
+
+
+def _print_warnings(insole: Insole) -> None:
+    """Say what is unusual in the prescription, by the rules of the clinic."""
+    from insole_core.foot.landmarks import find_landmarks
+    from insole_core.insole.rules import design_warnings, load_rules
+
+    landmarks = find_landmarks(insole.foot)
+    for warning in design_warnings(insole, landmarks, load_rules()):
+        print(f"Warning: {warning.text}", file=sys.stderr)
 
 
 def _plain(side: Side) -> InsoleDesign:

@@ -38,8 +38,8 @@ def _foot_of_session(path: Path, side: Side | None, force: bool, progress: Progr
     recorded = session.manifest.side
     if side not in (None, recorded):
         raise UsageError(
-            f"The {side} side is asked for, but {path} was recorded as the {recorded} foot; "
-            "correct the call or the manifest."
+            f"The {side} foot is asked for, by --side or the prescription, but {path} was "
+            f"recorded as the {recorded} foot; correct the call."
         )
     result = reconstruct(session, "fused", progress.part(0.1, 0.9))
     for warning in result.warnings:

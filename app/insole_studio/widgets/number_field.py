@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
 COARSE = 10.0
 FINE = 0.1
+_OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
+"""With Ctrl these mean undo, redo and export of the whole case, not something inside the field."""
 
 
 class NumberField(QDoubleSpinBox):
@@ -41,6 +43,16 @@ class NumberField(QDoubleSpinBox):
         if self.value() != value:
             with QSignalBlocker(self):
                 self.setValue(value)
+
+    def event(self, event: QEvent) -> bool:
+        """Leave the window's own shortcuts to the window; the typed number is taken first."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+            if control and event.key() in _OF_THE_WINDOW:
+                self.interpretText()
+                event.ignore()
+                return False
+        return super().event(event)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
         """Accept comma and point alike."""

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from insole_studio.widgets.number_field import NumberField
 
@@ -61,3 +62,22 @@ def test_only_the_user_edits(field: NumberField) -> None:
     assert heard == []
     QTest.keyClick(field, Qt.Key.Key_Down)
     assert heard == [8.5]
+
+
+def test_undo_and_export_are_the_windows_own(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    field = NumberField("mm", least=0, greatest=20, step=0.5)
+    QVBoxLayout(window).addWidget(field)
+    asked: list[str] = []
+    for keys in ("Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+E"):
+        QShortcut(QKeySequence(keys), window).activated.connect(lambda k=keys: asked.append(k))
+    window.show()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field.setFocus()
+    control, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+    QTest.keyClick(field, Qt.Key.Key_Z, control)
+    QTest.keyClick(field, Qt.Key.Key_Z, control | shift)
+    QTest.keyClick(field, Qt.Key.Key_E, control)
+    assert asked == ["Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+E"]
