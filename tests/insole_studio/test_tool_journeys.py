@@ -131,11 +131,9 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
     found = clearance(opened.case.record, pad)
     assert found is not None
     # Carried to within a millimetre of the usual distance, it takes exactly that one.
-    short = found.distance_mm - USUAL_MM - 1.0
-    start, end = (
-        pixel(foot, *pad.centre_mm),
-        pixel(foot, pad.centre_mm[0], pad.centre_mm[1] + short),
-    )
+    ahead = (found.nearest - found.front) / found.distance_mm
+    near = np.array(pad.centre_mm) + (found.distance_mm - USUAL_MM - 1.0) * ahead
+    start, end = pixel(foot, *pad.centre_mm), pixel(foot, *near)
     drag(foot, [start, start + (end - start) * 0.5, end])
     settled = last(opened)
     assert isinstance(settled, Pelott)

@@ -88,6 +88,9 @@ class Autosave(QObject):
 
     def close(self) -> None:
         """End, once the jobs have ended; unsaved work that nobody gave up stays on the disk."""
+        # A field that loses its focus while the window goes still changes the case.
+        self._case.changed.disconnect(self._timer.start)
+        self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
             self.write_now()
         else:
