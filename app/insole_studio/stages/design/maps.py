@@ -8,7 +8,6 @@ from enum import StrEnum
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.height_field import HeightField
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 from insole_studio.workbench.insole_surface import InsoleSurface
@@ -23,25 +22,12 @@ class MapKind(StrEnum):
     HEIGHT = "height"
     THICKNESS = "thickness"
     FIT = "fit"
-    CHANGE = "change"
 
 
-def color_by(
-    kind: MapKind, surface: InsoleSurface, compared: HeightField | None = None
-) -> Coloring | None:
-    """Give the colours of the shown insole; None where there is nothing to tell.
-
-    Parameters
-    ----------
-    kind
-    surface
-    compared
-        The contact surface that CHANGE is counted from.
-    """
+def color_by(kind: MapKind, surface: InsoleSurface) -> Coloring | None:
+    """Give the colours of the shown insole; None where there is nothing to tell."""
     if surface.mesh is None or surface.contact is None or surface.base is None:
         return None
-    if kind is MapKind.CHANGE:
-        return None if compared is None else _change(surface, compared)
     maker = _MAKERS.get(kind)
     return None if maker is None else maker(surface)
 
@@ -64,23 +50,14 @@ def _thickness(surface: InsoleSurface) -> Coloring:
 
 def _fit(surface: InsoleSurface) -> Coloring:
     """How far the insole stands over the sole of the foot as it was scanned, before pads."""
-    base = surface.base
-    assert base is not None
-    return _signed(surface, base.surface, tr("Insole over foot"))
-
-
-def _change(surface: InsoleSurface, compared: HeightField) -> Coloring:
-    return _signed(surface, compared, tr("Difference"))
-
-
-def _signed(surface: InsoleSurface, from_field: HeightField, title: str) -> Coloring:
     assert surface.mesh is not None
+    assert surface.base is not None
     bottom = surface.bottom_heights_mm
     assert bottom is not None
     top = surface.mesh.vertices[: len(bottom)]
-    over = np.nan_to_num(top[:, 2] - from_field.height_at(top[:, :2]))
+    over = np.nan_to_num(top[:, 2] - surface.base.surface.height_at(top[:, :2]))
     everywhere = surface.values_everywhere(over, np.zeros(len(bottom)))
-    return Coloring(everywhere, _symmetric(over), title, signed=True)
+    return Coloring(everywhere, _symmetric(over), tr("Insole over foot"), signed=True)
 
 
 def _symmetric(values: FloatArray) -> tuple[float, float]:

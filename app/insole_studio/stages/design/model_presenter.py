@@ -13,7 +13,6 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
-from insole_core.insole.height_field import HeightField
 from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
@@ -279,7 +278,6 @@ class InsolePresenter(ModelPresenter):
         super().__init__(panel, case, surface, section, hand)
         self._map = MapKind.NONE
         self._contours = False
-        self._compared: HeightField | None = None
         surface.failed.connect(self.panel.show_warning)
         hand.gesture_ended.connect(self._show_contours)
 
@@ -327,7 +325,7 @@ class InsolePresenter(ModelPresenter):
         self.show_marks()
 
     def _coloring(self) -> Coloring | None:
-        return color_by(self._map, self._surface, self._compared)
+        return color_by(self._map, self._surface)
 
     def _show_contours(self) -> None:
         """Draw the lines, unless the hand is moving the surface."""
