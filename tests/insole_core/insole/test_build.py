@@ -17,7 +17,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole
 from insole_core.insole.contact import base_key, contact_base
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
-from insole_core.insole.egg import egg_outline
+from insole_core.insole.pads import pad_outline
 from insole_core.progress import Cancelled, Progress
 
 PAD = Pelott(centre_mm=(12.3, 150.4), height_mm=6.0, turn_deg=10)
@@ -137,7 +137,7 @@ def test_pad_changes_nothing_outside_and_is_exact_at_the_nodes(left_foot, grid_m
     place = np.array([without.x_mm[column], without.y_mm[row]])
     assert np.linalg.norm(place - PAD.centre_mm) <= grid_mm * np.sqrt(0.5) + 1e-9
     assert added.max() == pytest.approx(6, abs=0.01)
-    (left, back), (right, front) = egg_outline(PAD).min(axis=0), egg_outline(PAD).max(axis=0)
+    (left, back), (right, front) = pad_outline(PAD).min(axis=0), pad_outline(PAD).max(axis=0)
     x, y = np.meshgrid(without.x_mm, without.y_mm)
     outside = (x < left) | (x > right) | (y < back) | (y > front)
     assert np.array_equal(with_pad.heights_mm[outside], without.heights_mm[outside])
