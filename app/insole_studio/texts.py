@@ -15,12 +15,15 @@ def tr(text: str) -> str:
 
 
 def load_language(application: QCoreApplication, language: str) -> None:
-    """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay."""
+    """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay.
+
+    A language is a folder of resources/translations; one without a folder is English.
+    """
     for translator in application.findChildren(QTranslator):
         application.removeTranslator(translator)
         translator.deleteLater()
     wanted = QLocale.system().name()[:2] if language == "system" else language
-    if wanted == "sv":
+    for catalogue in sorted((resource_path("translations") / wanted).glob("*.qm")):
         translator = QTranslator(application)
-        translator.load(str(resource_path("translations/insole_studio_sv.qm")))
+        translator.load(str(catalogue))
         application.installTranslator(translator)

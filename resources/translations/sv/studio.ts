@@ -1,0 +1,1587 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>&amp;Case</source>
+            <translation>&amp;Fall</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Redigera</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Hjälp</translation>
+        </message>
+        <message>
+            <source>&amp;Prescribe</source>
+            <translation>&amp;Ordinera</translation>
+        </message>
+        <message>
+            <source>&amp;Tools</source>
+            <translation>Ver&amp;ktyg</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Visa</translation>
+        </message>
+        <message>
+            <source>1st head</source>
+            <translation>1:a huvudet</translation>
+        </message>
+        <message>
+            <source>1st toe</source>
+            <translation>Stortån</translation>
+        </message>
+        <message>
+            <source>1st-ray cut-out</source>
+            <translation>Urtag första strålen</translation>
+        </message>
+        <message>
+            <source>2nd head</source>
+            <translation>2:a huvudet</translation>
+        </message>
+        <message>
+            <source>2nd toe</source>
+            <translation>2:a tån</translation>
+        </message>
+        <message>
+            <source>5th head</source>
+            <translation>5:e huvudet</translation>
+        </message>
+        <message>
+            <source>&gt; 0 raises the medial edge, &lt; 0 the lateral edge</source>
+            <translation>&gt; 0 höjer den mediala kanten, &lt; 0 den laterala</translation>
+        </message>
+        <message>
+            <source>A plane to look at the foot against</source>
+            <translation>Ett plan att betrakta foten mot</translation>
+        </message>
+        <message>
+            <source>A wedge in the heel cup, medial or lateral</source>
+            <translation>En kil i hälskålen, medialt eller lateralt</translation>
+        </message>
+        <message>
+            <source>About Insole Studio</source>
+            <translation>Om Insole Studio</translation>
+        </message>
+        <message>
+            <source>Achilles lean</source>
+            <translation>Akilles lutning</translation>
+        </message>
+        <message>
+            <source>Achilles to sole</source>
+            <translation>Akilles mot sula</translation>
+        </message>
+        <message>
+            <source>Achilles, lower</source>
+            <translation>Akilles, nedre</translation>
+        </message>
+        <message>
+            <source>Achilles, upper</source>
+            <translation>Akilles, övre</translation>
+        </message>
+        <message>
+            <source>Add: {name}</source>
+            <translation>Lägg till: {name}</translation>
+        </message>
+        <message>
+            <source>All at once</source>
+            <translation>Alla på en gång</translation>
+        </message>
+        <message>
+            <source>All views are captured.</source>
+            <translation>Alla vyer är avbildade.</translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation>Vinkel</translation>
+        </message>
+        <message>
+            <source>Anterior</source>
+            <translation>Framifrån</translation>
+        </message>
+        <message>
+            <source>Apex x</source>
+            <translation>Topp x</translation>
+        </message>
+        <message>
+            <source>Apex y</source>
+            <translation>Topp y</translation>
+        </message>
+        <message>
+            <source>Apply a template</source>
+            <translation>Använd en mall</translation>
+        </message>
+        <message>
+            <source>Apply template…</source>
+            <translation>Använd mall…</translation>
+        </message>
+        <message>
+            <source>Arch apex</source>
+            <translation>Valvets topp</translation>
+        </message>
+        <message>
+            <source>Arch height</source>
+            <translation>Valvhöjd</translation>
+        </message>
+        <message>
+            <source>Arch height index</source>
+            <translation>Valvhöjdsindex</translation>
+        </message>
+        <message>
+            <source>Arch index</source>
+            <translation>Valvindex</translation>
+        </message>
+        <message>
+            <source>Arch raise</source>
+            <translation>Valvhöjning</translation>
+        </message>
+        <message>
+            <source>Arch support</source>
+            <translation>Valvstöd</translation>
+        </message>
+        <message>
+            <source>Ball</source>
+            <translation>Trampdyna</translation>
+        </message>
+        <message>
+            <source>Ball girth</source>
+            <translation>Bollomfång</translation>
+        </message>
+        <message>
+            <source>Ball length</source>
+            <translation>Bollängd</translation>
+        </message>
+        <message>
+            <source>Ball width</source>
+            <translation>Bollbredd</translation>
+        </message>
+        <message>
+            <source>Ball width across</source>
+            <translation>Bollbredd tvärs</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>Bas</translation>
+        </message>
+        <message>
+            <source>Begin</source>
+            <translation>Börja</translation>
+        </message>
+        <message>
+            <source>Begin with an empty case</source>
+            <translation>Börja med ett tomt fall</translation>
+        </message>
+        <message>
+            <source>Blend from</source>
+            <translation>Övergång från</translation>
+        </message>
+        <message>
+            <source>Blend to</source>
+            <translation>Övergång till</translation>
+        </message>
+        <message>
+            <source>Born</source>
+            <translation>Född</translation>
+        </message>
+        <message>
+            <source>Bottom</source>
+            <translation>Undersida</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>Pensel</translation>
+        </message>
+        <message>
+            <source>Brush stroke</source>
+            <translation>Penseldrag</translation>
+        </message>
+        <message>
+            <source>Calcaneus, lower</source>
+            <translation>Hälben, nedre</translation>
+        </message>
+        <message>
+            <source>Calcaneus, upper</source>
+            <translation>Hälben, övre</translation>
+        </message>
+        <message>
+            <source>Calibrate sensors…</source>
+            <translation>Kalibrera sensorer…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Avbryt</translation>
+        </message>
+        <message>
+            <source>Capture</source>
+            <translation>Avbildning</translation>
+        </message>
+        <message>
+            <source>Capture a foot with the sensors</source>
+            <translation>Avbilda en fot med sensorerna</translation>
+        </message>
+        <message>
+            <source>Capture again</source>
+            <translation>Avbilda igen</translation>
+        </message>
+        <message>
+            <source>Capture all views (F5)</source>
+            <translation>Avbilda alla vyer (F5)</translation>
+        </message>
+        <message>
+            <source>Capture anew</source>
+            <translation>Avbilda på nytt</translation>
+        </message>
+        <message>
+            <source>Capture missing views</source>
+            <translation>Avbilda saknade vyer</translation>
+        </message>
+        <message>
+            <source>Capture…</source>
+            <translation>Avbilda…</translation>
+        </message>
+        <message>
+            <source>Change the order of the corrections</source>
+            <translation>Ändra korrigeringarnas ordning</translation>
+        </message>
+        <message>
+            <source>Change the outline of the pad</source>
+            <translation>Ändra pelottens kontur</translation>
+        </message>
+        <message>
+            <source>Check &amp; export</source>
+            <translation>Kontroll &amp; export</translation>
+        </message>
+        <message>
+            <source>Checking the session</source>
+            <translation>Kontrollerar sessionen</translation>
+        </message>
+        <message>
+            <source>Choose the section tool and click on the sole.</source>
+            <translation>Välj snittverktyget och klicka på fotsulan.</translation>
+        </message>
+        <message>
+            <source>Click on the foot to place it.</source>
+            <translation>Klicka på foten för att placera det.</translation>
+        </message>
+        <message>
+            <source>Click on the foot to put the reference plane through that place</source>
+            <translation>Klicka på foten för att lägga referensplanet genom den punkten</translation>
+        </message>
+        <message>
+            <source>Click on the sole to cut the insole there</source>
+            <translation>Klicka på fotsulan för att snitta inlägget där</translation>
+        </message>
+        <message>
+            <source>Click on the sole to place: {name}</source>
+            <translation>Klicka på fotsulan för att placera: {name}</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Stäng</translation>
+        </message>
+        <message>
+            <source>Close Insole Studio</source>
+            <translation>Stäng Insole Studio</translation>
+        </message>
+        <message>
+            <source>Colour by height</source>
+            <translation>Färglägg efter höjd</translation>
+        </message>
+        <message>
+            <source>Colour by the distance of the insole from the foot</source>
+            <translation>Färglägg efter inläggets avstånd från foten</translation>
+        </message>
+        <message>
+            <source>Colour by thickness</source>
+            <translation>Färglägg efter tjocklek</translation>
+        </message>
+        <message>
+            <source>Colour maps, contour lines and wireframe</source>
+            <translation>Färgkartor, höjdkurvor och trådmodell</translation>
+        </message>
+        <message>
+            <source>Confirm landmarks</source>
+            <translation>Bekräfta landmärken</translation>
+        </message>
+        <message>
+            <source>Confirm the landmarks</source>
+            <translation>Bekräfta landmärkena</translation>
+        </message>
+        <message>
+            <source>Contour lines</source>
+            <translation>Höjdkurvor</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopiera</translation>
+        </message>
+        <message>
+            <source>Copy the measures</source>
+            <translation>Kopiera måtten</translation>
+        </message>
+        <message>
+            <source>Corrections</source>
+            <translation>Korrigeringar</translation>
+        </message>
+        <message>
+            <source>Cover</source>
+            <translation>Överdrag</translation>
+        </message>
+        <message>
+            <source>Cut the insole and measure its thickness</source>
+            <translation>Snitta inlägget och mät dess tjocklek</translation>
+        </message>
+        <message>
+            <source>Cut the insole anywhere and read its thickness. Then export: Ctrl+E.</source>
+            <translation>Snitta inlägget var som helst och läs av tjockleken. Exportera sedan: Ctrl+E.</translation>
+        </message>
+        <message>
+            <source>Cut-out</source>
+            <translation>Urtag</translation>
+        </message>
+        <message>
+            <source>Dark theme</source>
+            <translation>Mörkt tema</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Djup</translation>
+        </message>
+        <message>
+            <source>Design</source>
+            <translation>Design</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Skillnad</translation>
+        </message>
+        <message>
+            <source>Discard changes</source>
+            <translation>Kasta ändringar</translation>
+        </message>
+        <message>
+            <source>Do not open</source>
+            <translation>Öppna inte</translation>
+        </message>
+        <message>
+            <source>Do the last undone step again</source>
+            <translation>Gör det senast ångrade steget igen</translation>
+        </message>
+        <message>
+            <source>Dorsal</source>
+            <translation>Dorsalt</translation>
+        </message>
+        <message>
+            <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
+            <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att vrida vyn</translation>
+        </message>
+        <message>
+            <source>Drag a landmark to where it belongs; click on the skin to mark a further point</source>
+            <translation>Dra ett landmärke dit det hör hemma; klicka på huden för att märka en punkt till</translation>
+        </message>
+        <message>
+            <source>Drag heel or forefoot up to raise the medial edge, down to raise the lateral</source>
+            <translation>Dra häl eller framfot uppåt för att höja den mediala kanten, nedåt för den laterala</translation>
+        </message>
+        <message>
+            <source>Drag over the sole to lower the surface there</source>
+            <translation>Dra över fotsulan för att sänka ytan där</translation>
+        </message>
+        <message>
+            <source>Drag over the sole to raise the surface there</source>
+            <translation>Dra över fotsulan för att höja ytan där</translation>
+        </message>
+        <message>
+            <source>Drag over the sole to smooth the surface there</source>
+            <translation>Dra över fotsulan för att jämna ut ytan där</translation>
+        </message>
+        <message>
+            <source>Drag the middle to move the section, its end to turn it</source>
+            <translation>Dra mitten för att flytta snittet, dess ände för att vrida det</translation>
+        </message>
+        <message>
+            <source>Drag the middle up or down to raise the plane, its ends to turn it</source>
+            <translation>Dra mitten upp eller ned för att höja planet, dess ändar för att vrida det</translation>
+        </message>
+        <message>
+            <source>Drag to change the outline</source>
+            <translation>Dra för att ändra konturen</translation>
+        </message>
+        <message>
+            <source>Drag to make it longer or shorter</source>
+            <translation>Dra för att göra den längre eller kortare</translation>
+        </message>
+        <message>
+            <source>Drag to make it wider or narrower</source>
+            <translation>Dra för att göra den bredare eller smalare</translation>
+        </message>
+        <message>
+            <source>Drag to move the pad</source>
+            <translation>Dra för att flytta pelotten</translation>
+        </message>
+        <message>
+            <source>Drag to move the section</source>
+            <translation>Dra för att flytta snittet</translation>
+        </message>
+        <message>
+            <source>Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm</source>
+            <translation>Dra för att flytta, handtag för att sträcka, vrida och höja, hjul höjer 0,5 mm</translation>
+        </message>
+        <message>
+            <source>Drag to turn the pad</source>
+            <translation>Dra för att vrida pelotten</translation>
+        </message>
+        <message>
+            <source>Drag to turn the section</source>
+            <translation>Dra för att vrida snittet</translation>
+        </message>
+        <message>
+            <source>Drag to turn, Shift and drag to move, wheel to zoom, double click to centre</source>
+            <translation>Dra för att vrida, Skift och dra för att flytta, hjul för att zooma, dubbelklicka för att centrera</translation>
+        </message>
+        <message>
+            <source>Drag up or down to change the forefoot angle</source>
+            <translation>Dra upp eller ned för att ändra framfotens vinkel</translation>
+        </message>
+        <message>
+            <source>Drag up or down to change the rearfoot angle</source>
+            <translation>Dra upp eller ned för att ändra bakfotens vinkel</translation>
+        </message>
+        <message>
+            <source>Drag up or down to raise or lower the plane</source>
+            <translation>Dra upp eller ned för att höja eller sänka planet</translation>
+        </message>
+        <message>
+            <source>Drag up or down to tilt the plane sideways</source>
+            <translation>Dra upp eller ned för att luta planet i sidled</translation>
+        </message>
+        <message>
+            <source>Drag up or down to tilt the toe end</source>
+            <translation>Dra upp eller ned för att luta tåänden</translation>
+        </message>
+        <message>
+            <source>Drag up to raise the pad, down to lower it</source>
+            <translation>Dra uppåt för att höja pelotten, nedåt för att sänka</translation>
+        </message>
+        <message>
+            <source>Draw a pad</source>
+            <translation>Rita en pelott</translation>
+        </message>
+        <message>
+            <source>Draw the outline of a pad on the sole</source>
+            <translation>Rita konturen av en pelott på fotsulan</translation>
+        </message>
+        <message>
+            <source>Draw the outline of a pad round its place, in one go</source>
+            <translation>Rita konturen av en pelott runt dess plats, i ett drag</translation>
+        </message>
+        <message>
+            <source>Drawn</source>
+            <translation>Ritad</translation>
+        </message>
+        <message>
+            <source>Drop</source>
+            <translation>Droppe</translation>
+        </message>
+        <message>
+            <source>EU size</source>
+            <translation>EU-storlek</translation>
+        </message>
+        <message>
+            <source>Edge</source>
+            <translation>Kant</translation>
+        </message>
+        <message>
+            <source>Edit the insole</source>
+            <translation>Ändra inlägget</translation>
+        </message>
+        <message>
+            <source>Edit the layers</source>
+            <translation>Ändra lagren</translation>
+        </message>
+        <message>
+            <source>Edit the outline</source>
+            <translation>Ändra konturen</translation>
+        </message>
+        <message>
+            <source>Edit the patient's fields</source>
+            <translation>Ändra patientuppgifterna</translation>
+        </message>
+        <message>
+            <source>Edit the posting</source>
+            <translation>Ändra kilningen</translation>
+        </message>
+        <message>
+            <source>Edit: {name}</source>
+            <translation>Ändra: {name}</translation>
+        </message>
+        <message>
+            <source>Egg ratio</source>
+            <translation>Äggform</translation>
+        </message>
+        <message>
+            <source>End the tour</source>
+            <translation>Avsluta rundturen</translation>
+        </message>
+        <message>
+            <source>Export insole…</source>
+            <translation>Exportera inlägg…</translation>
+        </message>
+        <message>
+            <source>Exported {name}</source>
+            <translation>Exporterade {name}</translation>
+        </message>
+        <message>
+            <source>Extent</source>
+            <translation>Omfång</translation>
+        </message>
+        <message>
+            <source>Extrinsic</source>
+            <translation>Extern</translation>
+        </message>
+        <message>
+            <source>Find landmarks anew</source>
+            <translation>Sök landmärken på nytt</translation>
+        </message>
+        <message>
+            <source>Find the landmarks anew</source>
+            <translation>Sök landmärkena på nytt</translation>
+        </message>
+        <message>
+            <source>Fit map</source>
+            <translation>Passformskarta</translation>
+        </message>
+        <message>
+            <source>Flank height</source>
+            <translation>Kanthöjd</translation>
+        </message>
+        <message>
+            <source>Flat</source>
+            <translation>Plan</translation>
+        </message>
+        <message>
+            <source>Following</source>
+            <translation>Följande</translation>
+        </message>
+        <message>
+            <source>Foot</source>
+            <translation>Fot</translation>
+        </message>
+        <message>
+            <source>Foot and insole turn together</source>
+            <translation>Fot och inlägg vrids tillsammans</translation>
+        </message>
+        <message>
+            <source>Foot in colour</source>
+            <translation>Fot i färg</translation>
+        </message>
+        <message>
+            <source>Foot length</source>
+            <translation>Fotlängd</translation>
+        </message>
+        <message>
+            <source>Forefoot</source>
+            <translation>Framfot</translation>
+        </message>
+        <message>
+            <source>Forefoot angle</source>
+            <translation>Framfotsvinkel</translation>
+        </message>
+        <message>
+            <source>Forefoot twist</source>
+            <translation>Framfotsvridning</translation>
+        </message>
+        <message>
+            <source>Forget the landmarks that were set by hand</source>
+            <translation>Glöm landmärken som satts för hand</translation>
+        </message>
+        <message>
+            <source>Free-hand pad</source>
+            <translation>Frihandspelott</translation>
+        </message>
+        <message>
+            <source>From patient to insole in five steps. Click on a step to go there.</source>
+            <translation>Från patient till inlägg i fem steg. Klicka på ett steg för att gå dit.</translation>
+        </message>
+        <message>
+            <source>From the foot</source>
+            <translation>Från foten</translation>
+        </message>
+        <message>
+            <source>Front edge {distance} mm behind the metatarsal heads</source>
+            <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
+        </message>
+        <message>
+            <source>Full length</source>
+            <translation>Hel längd</translation>
+        </message>
+        <message>
+            <source>Go on working</source>
+            <translation>Fortsätt arbeta</translation>
+        </message>
+        <message>
+            <source>Grid</source>
+            <translation>Rutnät</translation>
+        </message>
+        <message>
+            <source>Heel</source>
+            <translation>Häl</translation>
+        </message>
+        <message>
+            <source>Heel centre</source>
+            <translation>Hälcentrum</translation>
+        </message>
+        <message>
+            <source>Heel cup</source>
+            <translation>Hälskål</translation>
+        </message>
+        <message>
+            <source>Heel lift</source>
+            <translation>Hälhöjning</translation>
+        </message>
+        <message>
+            <source>Heel skive</source>
+            <translation>Hälskivning</translation>
+        </message>
+        <message>
+            <source>Heel width</source>
+            <translation>Hälbredd</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Höjd</translation>
+        </message>
+        <message>
+            <source>Height map</source>
+            <translation>Höjdkarta</translation>
+        </message>
+        <message>
+            <source>Held</source>
+            <translation>Hålls</translation>
+        </message>
+        <message>
+            <source>Horseshoe</source>
+            <translation>Hästsko</translation>
+        </message>
+        <message>
+            <source>Identify</source>
+            <translation>Visa vilken</translation>
+        </message>
+        <message>
+            <source>Insole</source>
+            <translation>Inlägg</translation>
+        </message>
+        <message>
+            <source>Insole Studio</source>
+            <translation>Insole Studio</translation>
+        </message>
+        <message>
+            <source>Insole Studio case</source>
+            <translation>Insole Studio-fall</translation>
+        </message>
+        <message>
+            <source>Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence.</source>
+            <translation>Insole Studio: från avbildning av en fot till dess inlägg. BSD 3-Clause-licens.</translation>
+        </message>
+        <message>
+            <source>Insole over foot</source>
+            <translation>Inlägg över fot</translation>
+        </message>
+        <message>
+            <source>Instep height</source>
+            <translation>Vristhöjd</translation>
+        </message>
+        <message>
+            <source>Intrinsic</source>
+            <translation>Intern</translation>
+        </message>
+        <message>
+            <source>It follows at once. The same handles work here; keys 1 to 6 look from all sides.</source>
+            <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
+        </message>
+        <message>
+            <source>Keep, and capture the other foot</source>
+            <translation>Behåll, och avbilda andra foten</translation>
+        </message>
+        <message>
+            <source>L</source>
+            <translation>V</translation>
+        </message>
+        <message>
+            <source>LEFT</source>
+            <translation>VÄNSTER</translation>
+        </message>
+        <message>
+            <source>LEFT foot</source>
+            <translation>VÄNSTER fot</translation>
+        </message>
+        <message>
+            <source>Landmarks</source>
+            <translation>Landmärken</translation>
+        </message>
+        <message>
+            <source>Language of the system</source>
+            <translation>Systemets språk</translation>
+        </message>
+        <message>
+            <source>Large targets for fingers</source>
+            <translation>Stora mål för fingrar</translation>
+        </message>
+        <message>
+            <source>Lateral</source>
+            <translation>Lateralt</translation>
+        </message>
+        <message>
+            <source>Layers</source>
+            <translation>Lager</translation>
+        </message>
+        <message>
+            <source>Left foot</source>
+            <translation>Vänster fot</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Längd</translation>
+        </message>
+        <message>
+            <source>Let the light of this sensor blink</source>
+            <translation>Låt denna sensors lampa blinka</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>Räta upp</translation>
+        </message>
+        <message>
+            <source>Level the sensor by its accelerometer</source>
+            <translation>Räta upp sensorn med dess accelerometer</translation>
+        </message>
+        <message>
+            <source>Light text on a dark ground</source>
+            <translation>Ljus text på mörk botten</translation>
+        </message>
+        <message>
+            <source>Lines of equal height, a millimetre apart</source>
+            <translation>Linjer med lika höjd, en millimeter isär</translation>
+        </message>
+        <message>
+            <source>Linked views</source>
+            <translation>Länkade vyer</translation>
+        </message>
+        <message>
+            <source>Look again</source>
+            <translation>Titta igen</translation>
+        </message>
+        <message>
+            <source>Look from here, in both views</source>
+            <translation>Titta härifrån, i båda vyerna</translation>
+        </message>
+        <message>
+            <source>Looking for sensors</source>
+            <translation>Söker sensorer</translation>
+        </message>
+        <message>
+            <source>Lower</source>
+            <translation>Sänk</translation>
+        </message>
+        <message>
+            <source>Lower with the brush</source>
+            <translation>Sänk med penseln</translation>
+        </message>
+        <message>
+            <source>Maps</source>
+            <translation>Kartor</translation>
+        </message>
+        <message>
+            <source>Mark a point</source>
+            <translation>Märk en punkt</translation>
+        </message>
+        <message>
+            <source>Measures</source>
+            <translation>Mått</translation>
+        </message>
+        <message>
+            <source>Medial</source>
+            <translation>Medialt</translation>
+        </message>
+        <message>
+            <source>Metatarsal bar</source>
+            <translation>Tvärbalk</translation>
+        </message>
+        <message>
+            <source>Mondopoint</source>
+            <translation>Mondopoint</translation>
+        </message>
+        <message>
+            <source>Morton's extension</source>
+            <translation>Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation>Flytta ned</translation>
+        </message>
+        <message>
+            <source>Move the pad</source>
+            <translation>Flytta pelotten</translation>
+        </message>
+        <message>
+            <source>Move up</source>
+            <translation>Flytta upp</translation>
+        </message>
+        <message>
+            <source>Move: {name}</source>
+            <translation>Flytta: {name}</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Namn</translation>
+        </message>
+        <message>
+            <source>Navicular height</source>
+            <translation>Navikularhöjd</translation>
+        </message>
+        <message>
+            <source>New case</source>
+            <translation>Nytt fall</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Nästa</translation>
+        </message>
+        <message>
+            <source>Next stroke</source>
+            <translation>Nästa penseldrag</translation>
+        </message>
+        <message>
+            <source>Next: {name}</source>
+            <translation>Nästa: {name}</translation>
+        </message>
+        <message>
+            <source>No scan yet. Open a recorded session, or the mesh of a foot.</source>
+            <translation>Ingen avbildning än. Öppna en inspelad session, eller en ytmodell av en fot.</translation>
+        </message>
+        <message>
+            <source>None yet. Choose the pelott tool and click on the sole.</source>
+            <translation>Inga än. Välj pelottverktyget och klicka på fotsulan.</translation>
+        </message>
+        <message>
+            <source>Not weight-bearing</source>
+            <translation>Utan belastning</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Anteckningar</translation>
+        </message>
+        <message>
+            <source>One after the other</source>
+            <translation>En efter en</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öppna</translation>
+        </message>
+        <message>
+            <source>Open a case that was saved</source>
+            <translation>Öppna ett sparat fall</translation>
+        </message>
+        <message>
+            <source>Open a scan here. Drag the landmarks to where they belong; click on the sole with the pelott tool to place a pad.</source>
+            <translation>Öppna en avbildning här. Dra landmärkena dit de hör hemma; klicka på fotsulan med pelottverktyget för att placera en pelott.</translation>
+        </message>
+        <message>
+            <source>Open a session in a zip archive, or a foot from a .ply, .stl or .obj file</source>
+            <translation>Öppna en session i ett zip-arkiv, eller en fot från en .ply-, .stl- eller .obj-fil</translation>
+        </message>
+        <message>
+            <source>Open anyway</source>
+            <translation>Öppna ändå</translation>
+        </message>
+        <message>
+            <source>Open case…</source>
+            <translation>Öppna fall…</translation>
+        </message>
+        <message>
+            <source>Open mesh…</source>
+            <translation>Öppna ytmodell…</translation>
+        </message>
+        <message>
+            <source>Open recent</source>
+            <translation>Öppna senaste</translation>
+        </message>
+        <message>
+            <source>Open session</source>
+            <translation>Öppna session</translation>
+        </message>
+        <message>
+            <source>Open session archive or mesh…</source>
+            <translation>Öppna sessionsarkiv eller ytmodell…</translation>
+        </message>
+        <message>
+            <source>Open session…</source>
+            <translation>Öppna session…</translation>
+        </message>
+        <message>
+            <source>Open the case that comes with Insole Studio</source>
+            <translation>Öppna fallet som följer med Insole Studio</translation>
+        </message>
+        <message>
+            <source>Open the example</source>
+            <translation>Öppna exemplet</translation>
+        </message>
+        <message>
+            <source>Open the folder of a recorded session and reconstruct its foot</source>
+            <translation>Öppna mappen med en inspelad session och rekonstruera foten</translation>
+        </message>
+        <message>
+            <source>Opening the case</source>
+            <translation>Öppnar fallet</translation>
+        </message>
+        <message>
+            <source>Orbit</source>
+            <translation>Vrid</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>Kontur</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>Parametrar</translation>
+        </message>
+        <message>
+            <source>Patient</source>
+            <translation>Patient</translation>
+        </message>
+        <message>
+            <source>Pelott</source>
+            <translation>Pelott</translation>
+        </message>
+        <message>
+            <source>Place a pelott</source>
+            <translation>Placera en pelott</translation>
+        </message>
+        <message>
+            <source>Place and shape pelotts</source>
+            <translation>Placera och forma pelotter</translation>
+        </message>
+        <message>
+            <source>Place the reference plane</source>
+            <translation>Placera referensplanet</translation>
+        </message>
+        <message>
+            <source>Place x</source>
+            <translation>Läge x</translation>
+        </message>
+        <message>
+            <source>Place y</source>
+            <translation>Läge y</translation>
+        </message>
+        <message>
+            <source>Place: {name}</source>
+            <translation>Placera: {name}</translation>
+        </message>
+        <message>
+            <source>Plantar</source>
+            <translation>Plantart</translation>
+        </message>
+        <message>
+            <source>Point {number}</source>
+            <translation>Punkt {number}</translation>
+        </message>
+        <message>
+            <source>Posterior</source>
+            <translation>Bakifrån</translation>
+        </message>
+        <message>
+            <source>Posting</source>
+            <translation>Kilning</translation>
+        </message>
+        <message>
+            <source>Prescribe on this scan what an earlier case prescribes</source>
+            <translation>Ordinera på denna avbildning det som ett tidigare fall ordinerar</translation>
+        </message>
+        <message>
+            <source>Prescribe what a template holds; one of the other side is mirrored</source>
+            <translation>Ordinera det som en mall innehåller; en mall för andra sidan speglas</translation>
+        </message>
+        <message>
+            <source>Print outline 1:1…</source>
+            <translation>Skriv ut kontur 1:1…</translation>
+        </message>
+        <message>
+            <source>Pronation</source>
+            <translation>Pronation</translation>
+        </message>
+        <message>
+            <source>Pronation / supination</source>
+            <translation>Pronation / supination</translation>
+        </message>
+        <message>
+            <source>Pronation / supination: tilt rear- and forefoot</source>
+            <translation>Pronation / supination: luta bak- och framfot</translation>
+        </message>
+        <message>
+            <source>Put right the landmarks of the foot</source>
+            <translation>Rätta till fotens landmärken</translation>
+        </message>
+        <message>
+            <source>Put the table of measures onto the clipboard</source>
+            <translation>Lägg tabellen med mått på urklipp</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>Avsluta</translation>
+        </message>
+        <message>
+            <source>R</source>
+            <translation>H</translation>
+        </message>
+        <message>
+            <source>RIGHT</source>
+            <translation>HÖGER</translation>
+        </message>
+        <message>
+            <source>RIGHT foot</source>
+            <translation>HÖGER fot</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Radie</translation>
+        </message>
+        <message>
+            <source>Raise</source>
+            <translation>Höj</translation>
+        </message>
+        <message>
+            <source>Raise the medial arch about its apex</source>
+            <translation>Höj det mediala fotvalvet kring dess högsta punkt</translation>
+        </message>
+        <message>
+            <source>Raise the pad</source>
+            <translation>Höj pelotten</translation>
+        </message>
+        <message>
+            <source>Raise the whole heel</source>
+            <translation>Höj hela hälen</translation>
+        </message>
+        <message>
+            <source>Raise with the brush</source>
+            <translation>Höj med penseln</translation>
+        </message>
+        <message>
+            <source>Raise, lower or smooth the surface with strokes</source>
+            <translation>Höj, sänk eller jämna ut ytan med penseldrag</translation>
+        </message>
+        <message>
+            <source>Rearfoot</source>
+            <translation>Bakfot</translation>
+        </message>
+        <message>
+            <source>Rearfoot angle</source>
+            <translation>Bakfotsvinkel</translation>
+        </message>
+        <message>
+            <source>Rearmost point</source>
+            <translation>Bakersta punkten</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Gör om</translation>
+        </message>
+        <message>
+            <source>Reference plane</source>
+            <translation>Referensplan</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Ta bort</translation>
+        </message>
+        <message>
+            <source>Remove a correction</source>
+            <translation>Ta bort en korrigering</translation>
+        </message>
+        <message>
+            <source>Remove correction</source>
+            <translation>Ta bort korrigering</translation>
+        </message>
+        <message>
+            <source>Remove the reference plane</source>
+            <translation>Ta bort referensplanet</translation>
+        </message>
+        <message>
+            <source>Repeat the design of a case…</source>
+            <translation>Upprepa ett falls design…</translation>
+        </message>
+        <message>
+            <source>Repeat the design of an earlier case</source>
+            <translation>Upprepa designen från ett tidigare fall</translation>
+        </message>
+        <message>
+            <source>Right foot</source>
+            <translation>Höger fot</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Spara</translation>
+        </message>
+        <message>
+            <source>Save as template…</source>
+            <translation>Spara som mall…</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>Spara som…</translation>
+        </message>
+        <message>
+            <source>Save measures as CSV…</source>
+            <translation>Spara mått som CSV…</translation>
+        </message>
+        <message>
+            <source>Save the case</source>
+            <translation>Spara fallet</translation>
+        </message>
+        <message>
+            <source>Save the case under another name</source>
+            <translation>Spara fallet under ett annat namn</translation>
+        </message>
+        <message>
+            <source>Save the prescription without the patient, for other feet</source>
+            <translation>Spara ordinationen utan patienten, för andra fötter</translation>
+        </message>
+        <message>
+            <source>Saving the case</source>
+            <translation>Sparar fallet</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Snitt</translation>
+        </message>
+        <message>
+            <source>Semi weight-bearing</source>
+            <translation>Halv belastning</translation>
+        </message>
+        <message>
+            <source>Sensor {serial}. Drag onto another to exchange views.</source>
+            <translation>Sensor {serial}. Dra till en annan för att byta vyer.</translation>
+        </message>
+        <message>
+            <source>Series a view, between which the sensor tilts by a degree</source>
+            <translation>Serier per vy, mellan vilka sensorn lutas en grad</translation>
+        </message>
+        <message>
+            <source>Session or mesh</source>
+            <translation>Session eller ytmodell</translation>
+        </message>
+        <message>
+            <source>Set the depth of the heel cup</source>
+            <translation>Ange hälskålens djup</translation>
+        </message>
+        <message>
+            <source>Shaded</source>
+            <translation>Skuggat</translation>
+        </message>
+        <message>
+            <source>Shell</source>
+            <translation>Skal</translation>
+        </message>
+        <message>
+            <source>Shoe size</source>
+            <translation>Skostorlek</translation>
+        </message>
+        <message>
+            <source>Shoe size EU</source>
+            <translation>Skostorlek EU</translation>
+        </message>
+        <message>
+            <source>Shoe size UK</source>
+            <translation>Skostorlek UK</translation>
+        </message>
+        <message>
+            <source>Shoe size US</source>
+            <translation>Skostorlek US</translation>
+        </message>
+        <message>
+            <source>Show all</source>
+            <translation>Visa allt</translation>
+        </message>
+        <message>
+            <source>Show the edges of the insole's triangles alone</source>
+            <translation>Visa bara kanterna av inläggets trianglar</translation>
+        </message>
+        <message>
+            <source>Show the insole in its material</source>
+            <translation>Visa inlägget i sitt material</translation>
+        </message>
+        <message>
+            <source>Show the whole foot and the whole insole</source>
+            <translation>Visa hela foten och hela inlägget</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Sida</translation>
+        </message>
+        <message>
+            <source>Sideways</source>
+            <translation>Sidled</translation>
+        </message>
+        <message>
+            <source>Sigma across</source>
+            <translation>Sigma tvärs</translation>
+        </message>
+        <message>
+            <source>Sigma along</source>
+            <translation>Sigma längs</translation>
+        </message>
+        <message>
+            <source>Slope</source>
+            <translation>Lutning</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Jämna ut</translation>
+        </message>
+        <message>
+            <source>Smooth with the brush</source>
+            <translation>Jämna ut med penseln</translation>
+        </message>
+        <message>
+            <source>Somebody holds the foot</source>
+            <translation>Någon håller foten</translation>
+        </message>
+        <message>
+            <source>Something unexpected happened; your work is kept. Please report it.</source>
+            <translation>Något oväntat hände; ditt arbete finns kvar. Rapportera det gärna.</translation>
+        </message>
+        <message>
+            <source>Starting</source>
+            <translation>Startar</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Steg</translation>
+        </message>
+        <message>
+            <source>Strength</source>
+            <translation>Styrka</translation>
+        </message>
+        <message>
+            <source>Stretch the pad</source>
+            <translation>Sträck pelotten</translation>
+        </message>
+        <message>
+            <source>Switch a correction off</source>
+            <translation>Slå av en korrigering</translation>
+        </message>
+        <message>
+            <source>Switch a correction on</source>
+            <translation>Slå på en korrigering</translation>
+        </message>
+        <message>
+            <source>Switch on or off</source>
+            <translation>Slå på eller av</translation>
+        </message>
+        <message>
+            <source>Take a size of the library</source>
+            <translation>Ta en storlek ur biblioteket</translation>
+        </message>
+        <message>
+            <source>Take all landmarks as they are shown</source>
+            <translation>Godta alla landmärken som de visas</translation>
+        </message>
+        <message>
+            <source>Take the last step back</source>
+            <translation>Ta tillbaka det senaste steget</translation>
+        </message>
+        <message>
+            <source>Take the selected correction out of the design</source>
+            <translation>Ta bort den valda korrigeringen ur designen</translation>
+        </message>
+        <message>
+            <source>Take the tour</source>
+            <translation>Ta rundturen</translation>
+        </message>
+        <message>
+            <source>Template of a prescription</source>
+            <translation>Mall för ordination</translation>
+        </message>
+        <message>
+            <source>That outline crosses itself; draw it again in one round</source>
+            <translation>Den konturen korsar sig själv; rita den igen i ett varv</translation>
+        </message>
+        <message>
+            <source>That outline is too small for a pad; draw round its place</source>
+            <translation>Den konturen är för liten för en pelott; rita runt dess plats</translation>
+        </message>
+        <message>
+            <source>The foot</source>
+            <translation>Foten</translation>
+        </message>
+        <message>
+            <source>The insole</source>
+            <translation>Inlägget</translation>
+        </message>
+        <message>
+            <source>The insole appears here as soon as there is a foot.</source>
+            <translation>Inlägget visas här så snart det finns en fot.</translation>
+        </message>
+        <message>
+            <source>The insole is being built…</source>
+            <translation>Inlägget byggs…</translation>
+        </message>
+        <message>
+            <source>The language of the window, from the next start on</source>
+            <translation>Fönstrets språk, från nästa start</translation>
+        </message>
+        <message>
+            <source>The numbers</source>
+            <translation>Siffrorna</translation>
+        </message>
+        <message>
+            <source>The numbers of the design appear here.</source>
+            <translation>Designens siffror visas här.</translation>
+        </message>
+        <message>
+            <source>The path</source>
+            <translation>Vägen</translation>
+        </message>
+        <message>
+            <source>The section</source>
+            <translation>Snittet</translation>
+        </message>
+        <message>
+            <source>The section lies beside the insole.</source>
+            <translation>Snittet ligger bredvid inlägget.</translation>
+        </message>
+        <message>
+            <source>The sensor stands</source>
+            <translation>Sensorn står</translation>
+        </message>
+        <message>
+            <source>The window in five steps</source>
+            <translation>Fönstret i fem steg</translation>
+        </message>
+        <message>
+            <source>The window speaks this language from the next start on.</source>
+            <translation>Fönstret talar detta språk från nästa start.</translation>
+        </message>
+        <message>
+            <source>There is no insole to export yet; open a session or a mesh.</source>
+            <translation>Det finns inget inlägg att exportera än; öppna en session eller en ytmodell.</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Tjocklek</translation>
+        </message>
+        <message>
+            <source>Thickness map</source>
+            <translation>Tjocklekskarta</translation>
+        </message>
+        <message>
+            <source>This line is 100 mm long. If not, print without scaling.</source>
+            <translation>Denna linje är 100 mm lång. Om inte: skriv ut utan skalning.</translation>
+        </message>
+        <message>
+            <source>Three-quarter</source>
+            <translation>Trekvarts</translation>
+        </message>
+        <message>
+            <source>Tilt +</source>
+            <translation>Luta +</translation>
+        </message>
+        <message>
+            <source>Tilt rear- and forefoot by degrees</source>
+            <translation>Luta bak- och framfot i grader</translation>
+        </message>
+        <message>
+            <source>Tilt the forefoot</source>
+            <translation>Luta framfoten</translation>
+        </message>
+        <message>
+            <source>Tilt the rearfoot</source>
+            <translation>Luta bakfoten</translation>
+        </message>
+        <message>
+            <source>Tilt the sensor down</source>
+            <translation>Luta sensorn nedåt</translation>
+        </message>
+        <message>
+            <source>Tilt the sensor up</source>
+            <translation>Luta sensorn uppåt</translation>
+        </message>
+        <message>
+            <source>Tilt −</source>
+            <translation>Luta −</translation>
+        </message>
+        <message>
+            <source>Toe end up</source>
+            <translation>Tåände upp</translation>
+        </message>
+        <message>
+            <source>Toes</source>
+            <translation>Tår</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Verktyg</translation>
+        </message>
+        <message>
+            <source>Touch mode</source>
+            <translation>Pekläge</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Vridning</translation>
+        </message>
+        <message>
+            <source>Turn a sensor from the box into a measuring device</source>
+            <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
+        </message>
+        <message>
+            <source>Turn the forefoot against the rearfoot</source>
+            <translation>Vrid framfoten mot bakfoten</translation>
+        </message>
+        <message>
+            <source>Turn the pad</source>
+            <translation>Vrid pelotten</translation>
+        </message>
+        <message>
+            <source>Turn the reference plane</source>
+            <translation>Vrid referensplanet</translation>
+        </message>
+        <message>
+            <source>Turn the view; click on a pelott to select it</source>
+            <translation>Vrid vyn; klicka på en pelott för att välja den</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Ångra</translation>
+        </message>
+        <message>
+            <source>Use this scan</source>
+            <translation>Använd denna avbildning</translation>
+        </message>
+        <message>
+            <source>Version and licence</source>
+            <translation>Version och licens</translation>
+        </message>
+        <message>
+            <source>View of sensor {serial}</source>
+            <translation>Vy för sensor {serial}</translation>
+        </message>
+        <message>
+            <source>Visit</source>
+            <translation>Besök</translation>
+        </message>
+        <message>
+            <source>Weight-bearing</source>
+            <translation>Belastad</translation>
+        </message>
+        <message>
+            <source>What is selected, in mm and degrees: type, scroll, or use the arrow keys.</source>
+            <translation>Det som är valt, i mm och grader: skriv, rulla, eller använd piltangenterna.</translation>
+        </message>
+        <message>
+            <source>Which foot is {name}?</source>
+            <translation>Vilken fot är {name}?</translation>
+        </message>
+        <message>
+            <source>Widen the pad</source>
+            <translation>Bredda pelotten</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Bredd</translation>
+        </message>
+        <message>
+            <source>Wireframe</source>
+            <translation>Trådmodell</translation>
+        </message>
+        <message>
+            <source>Work that was not saved when Insole Studio ended last time is open again.</source>
+            <translation>Arbete som inte var sparat när Insole Studio senast avslutades är öppet igen.</translation>
+        </message>
+        <message>
+            <source>Write the insole for the shop: STL, 3MF, OBJ or PLY</source>
+            <translation>Skriv inlägget för verkstaden: STL, 3MF, OBJ eller PLY</translation>
+        </message>
+        <message>
+            <source>Write the outline of the insole in true size as a PDF</source>
+            <translation>Skriv inläggets kontur i naturlig storlek som PDF</translation>
+        </message>
+        <message>
+            <source>Write the table of measures for a spreadsheet</source>
+            <translation>Skriv tabellen med mått för ett kalkylblad</translation>
+        </message>
+        <message>
+            <source>Writing the file</source>
+            <translation>Skriver filen</translation>
+        </message>
+        <message>
+            <source>Written: {name}</source>
+            <translation>Skrivet: {name}</translation>
+        </message>
+        <message>
+            <source>YYYY-MM-DD</source>
+            <translation>ÅÅÅÅ-MM-DD</translation>
+        </message>
+        <message>
+            <source>bursts</source>
+            <translation>serier</translation>
+        </message>
+        <message>
+            <source>comes with the scan</source>
+            <translation>kommer med avbildningen</translation>
+        </message>
+        <message>
+            <source>frames</source>
+            <translation>bilder</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>höjd</translation>
+        </message>
+        <message>
+            <source>left</source>
+            <translation>vänster</translation>
+        </message>
+        <message>
+            <source>markers {seen} of {wanted}</source>
+            <translation>markörer {seen} av {wanted}</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>höger</translation>
+        </message>
+        <message>
+            <source>warm in {minutes:.0f} min</source>
+            <translation>varm om {minutes:.0f} min</translation>
+        </message>
+        <message>
+            <source>{fps:.0f} frames/s, {lost} lost</source>
+            <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
+        </message>
+        <message>
+            <source>{name} has changes that are not saved.</source>
+            <translation>{name} har ändringar som inte är sparade.</translation>
+        </message>
+        <message>
+            <source>{name}: {sure} % sure. Drag to move it</source>
+            <translation>{name}: {sure} % säker. Dra för att flytta</translation>
+        </message>
+        <message>
+            <source>{seconds} s left</source>
+            <translation>{seconds} s kvar</translation>
+        </message>
+        <message>
+            <source>{share:.0%} measured</source>
+            <translation>{share:.0%} uppmätt</translation>
+        </message>
+        <message>
+            <source>{taken} of {wanted}</source>
+            <translation>{taken} av {wanted}</translation>
+        </message>
+    </context>
+</TS>
