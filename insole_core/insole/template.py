@@ -95,21 +95,34 @@ def read_template(path: Path) -> Template:
         Names the file and what is wrong with it.
     """
     try:
-        content = JsonObject.parse(path.name, path.read_bytes())
+        content = JsonObject.parse(str(path), path.read_bytes())
     except OSError as error:
         raise InputError(
             f"{path} cannot be read: {error.strerror}; check the name of the file."
         ) from error
+    return template_from_json(content)
+
+
+def template_from_json(content: JsonObject) -> Template:
+    """Build a template from what a file holds.
+
+    Raises
+    ------
+    InputError
+        Names the file and what is wrong with it.
+    """
     content.choice("format", [FORMAT])
     if content.integer("version", 1, 10**6) > VERSION:
-        raise InputError(f"{path} is a template of a newer version; install a newer Insole Studio.")
+        raise InputError(
+            f"{content.file} holds a template of a newer version; install a newer Insole Studio."
+        )
     anchors = content.object("anchors_mm")
     heel, first, fifth = (_pair(anchors, name) for name in ANCHORS)
     try:
         design = design_from_json(content.value("design"))
         check_anchors(design.side, dict(zip(ANCHORS, (heel, first, fifth), strict=True)))
     except DesignError as error:
-        raise InputError(f"{path}: {error}") from error
+        raise InputError(f"{content.file}: {error}") from error
     return Template(content.text("name"), design, (heel, first, fifth))
 
 

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.record import CaseRecord, Patient, Source
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
@@ -29,12 +29,9 @@ def main() -> None:
     pelott = Pelott(id="pelott", centre_mm=(-3.0, 0.595 * foot.length_mm))
     posting = Posting(id="posting", rearfoot_deg=4.0)
     patient = Patient("Example, Anna", "1971-04-02", "2026-11-20", "Forefoot pain when walking.")
-    record = CaseRecord(
-        patient=patient,
-        source=_source(simulated.session),
-        foot=foot,
-        design=InsoleDesign(Side.RIGHT, (pelott, posting)),
-    )
+    design = InsoleDesign(Side.RIGHT, (pelott, posting))
+    begun = FootRecord.begun(foot, _source(simulated.session), design)
+    record = CaseRecord.of_foot(begun, patient)
     write_case(record, Path(__file__).with_name("example.insole"))
 
 

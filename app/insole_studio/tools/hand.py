@@ -23,7 +23,7 @@ class Hand(QObject):
         self.tools = {tool.key: tool for tool in tools}
         self._gesture: Gesture | None = None
         self.tool = tools[0]
-        case.opened.connect(self.cancel)
+        case.foot_changed.connect(self.cancel)
 
     def take(self, key: str) -> None:
         """Take another tool."""

@@ -9,14 +9,14 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.record import Annotations, CaseRecord, Patient, Source
+from insole_core.cases.record import Annotations, CaseRecord, FootRecord, Patient, Source
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import InsoleDesign
 from insole_studio.workbench.history import History
 
-Changeable = InsoleDesign | Annotations | Patient
+Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord
 Prescribed = TypeVar("Prescribed", bound=CorrectionBase)
 
 
@@ -28,7 +28,9 @@ class Case(QObject):
     """
 
     opened = Signal()
-    """Another case, or another foot, is there."""
+    """Another case is there."""
+    foot_changed = Signal()
+    """Another foot is at hand: of another case, or the other foot of this one."""
     changed = Signal()
     """The record is another one: applied, undone, redone."""
     preview_changed = Signal()
@@ -74,13 +76,13 @@ class Case(QObject):
 
     @property
     def has_unsaved_changes(self) -> bool:
-        """Whether the record differs from the file."""
-        return self._record is not self._saved_record
+        """Whether the record differs from the file; which foot is at hand is no difference."""
+        return not self._record.holds_the_same(self._saved_record)
 
     @property
     def is_empty(self) -> bool:
         """Whether nothing would be lost by leaving this case."""
-        return self._record.foot is None and self._record.patient == Patient()
+        return not self._record.feet and self._record.patient == Patient()
 
     def stamped(self, correction: Prescribed) -> Prescribed:
         """Note who prescribes a correction, and when."""
@@ -93,7 +95,8 @@ class Case(QObject):
         Parameters
         ----------
         value
-            The new design, annotations or patient.
+            The new design or annotations of the foot at hand, the new patient; or a foot, which is
+            added or replaced and comes to hand; or the whole record.
         sentence
             What was done, for the menu: "Move the pelott".
         merge_key
@@ -104,7 +107,9 @@ class Case(QObject):
         if after is self._record:
             self.preview_changed.emit()
             return
-        self._history.push(self._record, after, sentence, merge_key)
+        # Undo leads to the foot that was changed, also when another was at hand.
+        before = self._record if after.at_hand is None else self._record.at(after.at_hand)
+        self._history.push(before, after, sentence, merge_key)
         self._set(after)
 
     def preview(self, value: Changeable) -> None:
@@ -118,6 +123,13 @@ class Case(QObject):
             self._shown = None
             self._forget_lost_selection()
             self.preview_changed.emit()
+
+    def take_foot(self, side: Side) -> None:
+        """Take the foot of a side to hand; that is no change of the case."""
+        if self._record.at(side) is not self._record:
+            self._shown = None
+            self._history.end_merging()
+            self._put(self._record.at(side))
 
     def undo(self) -> None:
         """Take the last step back."""
@@ -147,17 +159,13 @@ class Case(QObject):
         self._record = record
         self._saved_record = CaseRecord() if unsaved else record
         self.opened.emit()
+        self.foot_changed.emit()
         self.selection_changed.emit()
         self.saved_changed.emit()
 
     def open_foot(self, foot: Foot, source: Source) -> None:
-        """Begin a design on a new foot; the patient stays."""
-        record = CaseRecord(
-            patient=self._record.patient,
-            source=source,
-            foot=foot,
-            design=InsoleDesign(side=foot.side),
-        )
+        """Begin a design on a new foot alone; the patient stays."""
+        record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
         self.open(record, self.path, unsaved=True)
 
     def mark_saved(self, record: CaseRecord, path: Path) -> None:
@@ -172,10 +180,16 @@ class Case(QObject):
             self._set(record)
 
     def _set(self, record: CaseRecord) -> None:
+        self._put(record)
+        self.saved_changed.emit()
+
+    def _put(self, record: CaseRecord) -> None:
+        is_same_foot = record.foot is self._record.foot
         self._record = record
         self._forget_lost_selection()
+        if not is_same_foot:
+            self.foot_changed.emit()
         self.changed.emit()
-        self.saved_changed.emit()
 
     def _forget_lost_selection(self) -> None:
         design = self._record.design
@@ -185,7 +199,16 @@ class Case(QObject):
 
 def _with(record: CaseRecord, value: Changeable) -> CaseRecord:
     """Put `value` into the record; the same record when nothing differs."""
-    name = {InsoleDesign: "design", Annotations: "annotations", Patient: "patient"}[type(value)]
-    if getattr(record, name) == value:
-        return record
-    return replace(record, **{name: value})  # type: ignore[arg-type]
+    match value:
+        case CaseRecord():
+            return value
+        case Patient():
+            return record if value == record.patient else replace(record, patient=value)
+        case FootRecord():
+            return record if value is record.of_side(value.side) else record.with_foot(value)
+    foot = record.current
+    assert foot is not None, "a design and annotations need a foot"
+    if isinstance(value, Annotations):
+        same = value == foot.annotations
+        return record if same else record.with_foot(replace(foot, annotations=value))
+    return record if value == foot.design else record.with_foot(foot.with_design(value))

@@ -54,6 +54,10 @@ class History(Generic[Value]):
         self._done.append(self._undone.pop())
         return self._done[-1].after
 
+    def end_merging(self) -> None:
+        """Let the next step be one of its own, whatever its key."""
+        self._open_key = ""
+
     def clear(self) -> None:
         """Forget all steps."""
         self._undone.clear()

@@ -126,7 +126,7 @@ class InsoleSurface(QObject):
         self.moved: IntArray | None = None
         """The vertices that the last change moved; None when the mesh is another one."""
         self.problem = ""
-        case.opened.connect(self._forget)
+        case.foot_changed.connect(self._forget)
         case.changed.connect(self._refresh)
         case.preview_changed.connect(self._refresh)
 

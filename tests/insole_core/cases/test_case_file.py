@@ -4,20 +4,23 @@ import io
 import json
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from insole_core.cases.case_file import CASE_NAME, FOOT_NAME, read_case, write_case
+from insole_core.cases.case_file import CASE_NAME, FOOT_NAMES, read_case, write_case
 from insole_core.cases.record import (
     Annotations,
     CaseRecord,
+    FootRecord,
     KeyPoint,
     Patient,
     ReferencePlane,
     Source,
+    Variant,
 )
 from insole_core.errors import InputError, OutputError
 from insole_core.foot.foot import Foot
@@ -25,8 +28,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.template import Template
 
-SAMPLE = Path(__file__).parents[2] / "data" / "cases" / "version_1.insole"
+SAMPLES = Path(__file__).parents[2] / "data" / "cases"
+FOOT_NAME = FOOT_NAMES[Side.LEFT]
 
 
 def wedge() -> TriangleMesh:
@@ -38,19 +43,24 @@ def wedge() -> TriangleMesh:
 @pytest.fixture
 def record() -> CaseRecord:
     pose = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), 3.0), np.array([1.0, 2.0, 3.0]))
-    return CaseRecord(
-        patient=Patient("Änna B.", "1970-01-02", "2026-11-20", "first\nsecond"),
+    source = Source("session", "/clinic/left_a", "0f" * 32, "2026-11-20T10:00:00Z")
+    design = InsoleDesign(
+        Side.LEFT,
+        (Pelott(centre_mm=(12.0, 150.0), sigma_mm=(9.0, 12.0)), Posting(rearfoot_deg=4.0)),
+        thickness_mm=4.0,
+    )
+    left = FootRecord.begun(
+        Foot(Side.LEFT, wedge(), pose, 241.5, ("Placed by its markers.",)),
+        source,
+        design,
         annotations=Annotations(
             (KeyPoint("Heel", (0.0, 1.5, 2.0)),), ReferencePlane((0.0, 100.0, 5.0), 2.0, -3.5)
         ),
-        source=Source("session", "/clinic/left_a", "0f" * 32, "2026-11-20T10:00:00Z"),
-        foot=Foot(Side.LEFT, wedge(), pose, 241.5, ("Placed by its markers.",)),
-        design=InsoleDesign(
-            Side.LEFT,
-            (Pelott(centre_mm=(12.0, 150.0), sigma_mm=(9.0, 12.0)), Posting(rearfoot_deg=4.0)),
-            thickness_mm=4.0,
-        ),
-    )
+        earlier=Template("A", design, ((0.0, 30.0), (25.0, 170.0), (-30.0, 150.0))),
+    ).with_variant(Variant("B", replace(design, thickness_mm=3.0)))
+    right = FootRecord.begun(Foot(Side.RIGHT, wedge(), np.eye(4), 243.0), source)
+    patient = Patient("Änna B.", "1970-01-02", "2026-11-20", "first\nsecond")
+    return CaseRecord(patient).with_foot(right).with_foot(left)
 
 
 @pytest.fixture
@@ -62,15 +72,18 @@ def case(record: CaseRecord, tmp_path: Path) -> Path:
 
 def test_what_is_written_comes_back_to_the_bit(record: CaseRecord, case: Path) -> None:
     again = read_case(case)
-    assert (again.patient, again.annotations) == (record.patient, record.annotations)
-    assert (again.source, again.design) == (record.source, record.design)
-    assert again.foot is not None
-    assert record.foot is not None
-    for name in ("vertices", "triangles", "colors"):
-        assert np.array_equal(getattr(again.foot.mesh, name), getattr(record.foot.mesh, name))
-    assert np.array_equal(again.foot.source2insole, record.foot.source2insole)
-    assert again.foot.notes == record.foot.notes
-    assert again.side is Side.LEFT
+    assert (again.patient, again.at_hand) == (record.patient, Side.LEFT)
+    assert [foot.side for foot in again.feet] == [Side.LEFT, Side.RIGHT]
+    for read, written in zip(again.feet, record.feet, strict=True):
+        assert (read.source, read.variants) == (written.source, written.variants)
+        assert (read.chosen, read.annotations) == (written.chosen, written.annotations)
+        assert read.earlier == written.earlier
+        for name in ("vertices", "triangles", "colors"):
+            assert np.array_equal(getattr(read.foot.mesh, name), getattr(written.foot.mesh, name))
+        assert np.array_equal(read.foot.source2insole, written.foot.source2insole)
+        assert read.foot.notes == written.foot.notes
+    assert again.current is again.feet[0]
+    assert again.design == record.design
 
 
 def test_a_case_without_a_foot_is_a_case(tmp_path: Path) -> None:
@@ -86,7 +99,7 @@ def test_equal_cases_are_equal_files(record: CaseRecord, case: Path, tmp_path: P
 
 
 def test_a_case_of_version_1_is_read() -> None:
-    record = read_case(SAMPLE)
+    record = read_case(SAMPLES / "version_1.insole")
     assert record.patient.name == "Sample of version 1"
     assert record.side is Side.RIGHT
     assert record.foot is not None
@@ -94,6 +107,21 @@ def test_a_case_of_version_1_is_read() -> None:
     assert record.design is not None
     assert [c.type for c in record.design.corrections] == ["pelott", "posting"]
     assert record.annotations.plane is not None
+    assert [variant.name for variant in record.feet[0].variants] == ["A"]
+
+
+def test_a_case_of_version_2_is_read() -> None:
+    record = read_case(SAMPLES / "version_2.insole")
+    assert record.patient.name == "Sample of version 2"
+    left, right = record.feet
+    assert (left.side, right.side, record.side) == (Side.LEFT, Side.RIGHT, Side.RIGHT)
+    assert [variant.name for variant in left.variants] == ["A", "softer"]
+    assert left.chosen == "softer"
+    assert [c.type for c in left.design.corrections] == ["pelott", "posting"]
+    assert left.earlier is not None
+    assert left.earlier.design.thickness_mm == 5.0
+    assert left.annotations.plane is not None
+    assert right.foot.mesh.is_closed
 
 
 def test_a_full_or_missing_place_leaves_the_old_file(record: CaseRecord, tmp_path: Path) -> None:
@@ -120,33 +148,65 @@ def pack(case: Path, parts: dict[str, bytes]) -> None:
 BAD: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "another format": (lambda c: c.update(format="other"), "format"),
     "no version": (lambda c: c.pop("version"), "version is missing"),
-    "a newer version": (lambda c: c.update(version=2), "version 2.*newer Insole Studio"),
+    "a newer version": (lambda c: c.update(version=3), "version 3.*newer Insole Studio"),
     "no patient": (lambda c: c.pop("patient"), "patient is missing"),
     "a name that is a number": (lambda c: c["patient"].update(name=5), "patient.name"),
     "a point in 2-D": (
-        lambda c: c["annotations"]["key_points"][0].update(position_mm=[1, 2]),
+        lambda c: c["feet"][0]["annotations"]["key_points"][0].update(position_mm=[1, 2]),
         "position_mm has 2 numbers",
     ),
     "two points of a name": (
-        lambda c: c["annotations"]["key_points"].append(c["annotations"]["key_points"][0]),
+        lambda c: c["feet"][0]["annotations"]["key_points"].append(
+            c["feet"][0]["annotations"]["key_points"][0]
+        ),
         "twice",
     ),
-    "a side that is none": (lambda c: c["foot"].update(side="both"), "foot.side"),
+    "a side that is none": (lambda c: c["feet"][0].update(side="both"), r"feet\[0\].side"),
     "a mirrored pose": (
-        lambda c: c["foot"]["source2insole"][0].__setitem__(0, -1.0),
+        lambda c: c["feet"][0]["source2insole"][0].__setitem__(0, -1.0),
         "source2insole is no rigid transform",
     ),
-    "three rows": (lambda c: c["foot"]["source2insole"].pop(), "source2insole must have four"),
+    "three rows": (lambda c: c["feet"][0]["source2insole"].pop(), "source2insole must have four"),
     "a pelott out of range": (
-        lambda c: c["design"]["corrections"][0].update(height_mm=500),
+        lambda c: c["feet"][0]["variants"][0]["design"]["corrections"][0].update(height_mm=500),
         "height_mm",
     ),
-    "a source of no kind": (lambda c: c["source"].update(kind="dream"), "source.kind"),
+    "a source of no kind": (lambda c: c["feet"][0]["source"].update(kind="dream"), "source.kind"),
     "a foot of another side than the design": (
-        lambda c: c["foot"].update(side="right"),
+        lambda c: c["feet"].pop() and c["feet"][0].update(side="right"),
         "design is for a left foot",
     ),
-    "a foot without a design": (lambda c: c.pop("design"), "design is missing"),
+    "an earlier design of the other side": (
+        lambda c: c["feet"][1].update(earlier=c["feet"][0]["earlier"]),
+        "design is for a left foot",
+    ),
+    "a newer earlier design": (
+        lambda c: c["feet"][0]["earlier"].update(version=2),
+        "template of a newer version",
+    ),
+    "a newer design": (
+        lambda c: c["feet"][0]["variants"][0]["design"].update(version=2),
+        "newer",
+    ),
+    "a foot without a design": (
+        lambda c: c["feet"][0]["variants"][0].pop("design"),
+        "design is missing",
+    ),
+    "a foot without variants": (lambda c: c["feet"][0].update(variants=[]), "at least one"),
+    "two variants of a name": (
+        lambda c: c["feet"][0]["variants"][1].update(name="A"),
+        "same name twice",
+    ),
+    "a variant without a name": (
+        lambda c: c["feet"][0]["variants"][1].update(name=""),
+        "must be a text that is not empty",
+    ),
+    "a variant chosen that is not there": (lambda c: c["feet"][0].update(chosen="C"), "chosen"),
+    "two left feet": (lambda c: c["feet"].__setitem__(1, c["feet"][0]), "same side"),
+    "a foot at hand that is not there": (
+        lambda c: (c["feet"].pop(0), c.update(at_hand="left")),
+        "at_hand",
+    ),
 }
 
 
@@ -196,7 +256,7 @@ def test_a_case_that_lost_its_foot_is_refused(case: Path) -> None:
     with zipfile.ZipFile(case) as archive:
         text = archive.read(CASE_NAME)
     pack(case, {CASE_NAME: text})
-    with pytest.raises(InputError, match=r"lost its foot\.npz"):
+    with pytest.raises(InputError, match=r"lost its left\.npz"):
         read_case(case)
 
 
@@ -227,5 +287,5 @@ def test_a_damaged_foot_is_refused(case: Path, name: str) -> None:
     with zipfile.ZipFile(case) as archive:
         text = archive.read(CASE_NAME)
     pack(case, {CASE_NAME: text, FOOT_NAME: BAD_FEET[name]})
-    with pytest.raises(InputError, match=r"foot\.npz is damaged"):
+    with pytest.raises(InputError, match=r"left\.npz is damaged"):
         read_case(case)

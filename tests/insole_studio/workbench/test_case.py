@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from insole_core.cases.record import Annotations, KeyPoint, Patient, Source
+from insole_core.cases.record import Annotations, CaseRecord, FootRecord, KeyPoint, Patient, Source
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott
 from insole_studio.workbench.case import Case
@@ -104,3 +104,79 @@ def test_ten_thousand_edits_and_back(case: Case) -> None:
     for _ in range(10_000):
         case.undo()
     assert case.record is first
+
+
+@pytest.fixture
+def two_feet(case: Case, make_foot: Any) -> Case:
+    case.apply(FootRecord.begun(make_foot(Side.RIGHT), SOURCE), "Add the right foot")
+    return case
+
+
+def test_a_second_foot_comes_to_hand_and_goes_with_undo(two_feet: Case) -> None:
+    assert two_feet.side is Side.RIGHT
+    assert len(two_feet.record.feet) == 2
+    two_feet.undo()
+    assert two_feet.side is Side.LEFT
+    assert len(two_feet.record.feet) == 1
+    two_feet.redo()
+    assert two_feet.side is Side.RIGHT
+
+
+def test_undo_leads_to_the_foot_where_the_change_was(two_feet: Case) -> None:
+    two_feet.apply(with_height(two_feet.record.design, 6), "Place on the right")
+    two_feet.take_foot(Side.LEFT)
+    two_feet.apply(with_height(two_feet.record.design, 7), "Place on the left")
+    two_feet.take_foot(Side.RIGHT)
+    two_feet.undo()
+    assert two_feet.side is Side.LEFT
+    assert two_feet.record.design == InsoleDesign(Side.LEFT)
+    two_feet.undo()
+    assert two_feet.side is Side.RIGHT
+    assert two_feet.record.design == InsoleDesign(Side.RIGHT)
+    two_feet.redo()
+    assert two_feet.side is Side.RIGHT
+
+
+def test_taking_the_other_foot_is_no_change(two_feet: Case, tmp_path: Any) -> None:
+    two_feet.mark_saved(two_feet.record, tmp_path / "a.insole")
+    two_feet.take_foot(Side.LEFT)
+    assert two_feet.side is Side.LEFT
+    assert len(two_feet.history) == 1
+    assert not two_feet.has_unsaved_changes
+    two_feet.apply(with_height(two_feet.record.design, 6), "Place")
+    assert two_feet.has_unsaved_changes
+    two_feet.undo()
+    assert not two_feet.has_unsaved_changes
+
+
+def test_steps_on_two_feet_never_merge(two_feet: Case) -> None:
+    two_feet.apply(with_height(two_feet.record.design, 6), "Raise", "pad")
+    two_feet.take_foot(Side.LEFT)
+    two_feet.apply(with_height(two_feet.record.design, 6), "Raise", "pad")
+    assert len(two_feet.history) == 3
+
+
+def test_a_change_of_the_other_foot_shows_it(two_feet: Case) -> None:
+    left = two_feet.record.other
+    assert left is not None
+    two_feet.apply(left.with_design(with_height(left.design, 6)), "Copy to the left")
+    assert two_feet.side is Side.LEFT
+    two_feet.take_foot(Side.RIGHT)
+    two_feet.undo()
+    assert two_feet.side is Side.LEFT
+    assert two_feet.record.design == InsoleDesign(Side.LEFT)
+
+
+def test_the_selection_stays_on_its_foot(two_feet: Case) -> None:
+    two_feet.apply(with_height(two_feet.record.design, 6), "Place")
+    two_feet.select("pad")
+    two_feet.take_foot(Side.LEFT)
+    assert two_feet.selection is None
+
+
+def test_the_whole_record_is_replaced_in_one_step(two_feet: Case) -> None:
+    before = two_feet.record
+    two_feet.apply(CaseRecord(patient=Patient(name="Anna")), "Clear")
+    assert two_feet.foot is None
+    two_feet.undo()
+    assert two_feet.record is before

@@ -86,7 +86,7 @@ class ModelPresenter:
         self._hand = hand
         self._marked: tuple[object, ...] = _NOTHING
         """What the marks were drawn for: several facts may change at once."""
-        case.opened.connect(self.show_all)
+        case.foot_changed.connect(self.show_all)
         case.changed.connect(self.show_marks)
         case.preview_changed.connect(self.show_marks)
         case.selection_changed.connect(self.show_marks)

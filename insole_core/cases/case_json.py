@@ -1,0 +1,221 @@
+"""What `case.json` says, and the case that it says (docs/formats/case.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from insole_core.cases.record import (
+    Annotations,
+    CaseRecord,
+    FootRecord,
+    KeyPoint,
+    Patient,
+    Point,
+    ReferencePlane,
+    Source,
+    Variant,
+)
+from insole_core.errors import DesignError, InputError
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import is_rotation
+from insole_core.insole.design import InsoleDesign
+from insole_core.insole.design_json import design_from_json, design_to_json
+from insole_core.insole.template import Template, template_from_json, template_to_json
+from insole_core.json_object import JsonObject
+
+FORMAT, VERSION = "insole-case", 2
+_SIDES = [side.value for side in Side]
+
+
+def case_to_json(record: CaseRecord) -> dict[str, Any]:
+    """Give everything but the surfaces as plain values for `json.dump`."""
+    content: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "patient": vars(record.patient).copy(),
+        "feet": [_foot_to_json(foot) for foot in record.feet],
+    }
+    if record.at_hand is not None:
+        content["at_hand"] = str(record.at_hand)
+    return content
+
+
+def check_version(case: JsonObject) -> int:
+    """Give the version of a case.
+
+    Raises
+    ------
+    InputError
+        When it is no case, or one of a newer version.
+    """
+    if case.values.get("format") != FORMAT:
+        raise case.fail("format", f'must be "{FORMAT}", so this is no case')
+    version = case.integer("version", 1, 10**6)
+    if version > VERSION:
+        raise InputError(
+            f"{case.file} is of version {version}, and this program reads up to {VERSION}; "
+            "open it with a newer Insole Studio."
+        )
+    return version
+
+
+def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> CaseRecord:
+    """Build a case from what `json.load` gave, and the surfaces of its feet.
+
+    Raises
+    ------
+    InputError
+        One sentence that names the file and the key.
+    """
+    patient = _patient(case.object("patient"))
+    feet = [_foot_record(foot, mesh_of) for foot in case.objects("feet")]
+    sides = [foot.side for foot in feet]
+    if len(set(sides)) < len(sides):
+        raise case.fail("feet", "has two feet of the same side")
+    record = CaseRecord(patient)
+    for foot in feet:
+        record = record.with_foot(foot)
+    if not feet:
+        return record
+    at_hand = Side(case.choice("at_hand", [side.value for side in sides]))
+    return record.at(at_hand)
+
+
+def _foot_to_json(record: FootRecord) -> dict[str, Any]:
+    foot = record.foot
+    content: dict[str, Any] = {
+        "side": str(foot.side),
+        "length_mm": foot.length_mm,
+        "source2insole": foot.source2insole.tolist(),
+        "notes": list(foot.notes),
+        "source": vars(record.source).copy(),
+        "annotations": _annotations_to_json(record.annotations),
+        "variants": [
+            {"name": variant.name, "design": design_to_json(variant.design)}
+            for variant in record.variants
+        ],
+        "chosen": record.chosen,
+    }
+    if record.earlier is not None:
+        content["earlier"] = template_to_json(record.earlier)
+    return content
+
+
+def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
+    content: dict[str, Any] = {
+        "key_points": [
+            {"name": point.name, "position_mm": list(point.position_mm)}
+            for point in annotations.key_points
+        ]
+    }
+    if annotations.plane is not None:
+        plane = annotations.plane
+        content["plane"] = {
+            "origin_mm": list(plane.origin_mm),
+            "pitch_deg": plane.pitch_deg,
+            "roll_deg": plane.roll_deg,
+        }
+    return content
+
+
+def _foot_record(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> FootRecord:
+    side = Side(foot.choice("side", _SIDES))
+    variants = tuple(_variant(variant, side) for variant in foot.objects("variants"))
+    names = [variant.name for variant in variants]
+    if not names:
+        raise foot.fail("variants", "must hold at least one prescription")
+    if len(set(names)) < len(names):
+        raise foot.fail("variants", "have the same name twice")
+    return FootRecord(
+        foot=_foot(foot, side, mesh_of),
+        source=_source(foot.object("source")),
+        variants=variants,
+        chosen=foot.choice("chosen", names),
+        annotations=_annotations(foot.object("annotations")),
+        earlier=_earlier(foot, side),
+    )
+
+
+def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh]) -> Foot:
+    rows = foot.items("source2insole")
+    if len(rows) != 4:
+        raise foot.fail("source2insole", "must have four rows")
+    numbered = JsonObject(foot.file, {f"row {i}": row for i, row in enumerate(rows)}, foot.place)
+    matrix = np.array([numbered.numbers(key, 4) for key in numbered.values])
+    if not is_rotation(matrix[:3, :3]) or not np.array_equal(matrix[3], [0, 0, 0, 1]):
+        raise foot.fail("source2insole", "is no rigid transform")
+    return Foot(
+        side=side,
+        mesh=mesh_of(side),
+        source2insole=matrix,
+        length_mm=foot.number("length_mm", 50, 500),
+        notes=tuple(str(note) for note in foot.items("notes")),
+    )
+
+
+def _variant(variant: JsonObject, side: Side) -> Variant:
+    try:
+        design = design_from_json(variant.value("design"))
+    except DesignError as error:
+        raise InputError(f"{variant.file}: {variant.place}design: {error}") from error
+    return Variant(variant.text("name"), _of_side(variant, design, side))
+
+
+def _earlier(foot: JsonObject, side: Side) -> Template | None:
+    if not foot.has("earlier"):
+        return None
+    template = template_from_json(foot.object("earlier"))
+    _of_side(foot, template.design, side)
+    return template
+
+
+def _of_side(place: JsonObject, design: InsoleDesign, side: Side) -> InsoleDesign:
+    if design.side is not side:
+        raise InputError(
+            f"{place.file}: the design is for a {design.side} foot and the foot is a {side} one; "
+            "restore the file from a backup."
+        )
+    return design
+
+
+def _patient(patient: JsonObject) -> Patient:
+    texts = {}
+    for key in ("name", "born", "visit", "notes"):
+        value = patient.value(key)
+        if not isinstance(value, str):
+            raise patient.fail(key, "must be a text")
+        texts[key] = value
+    return Patient(**texts)
+
+
+def _annotations(annotations: JsonObject) -> Annotations:
+    points = tuple(
+        KeyPoint(point.text("name"), _point(point, "position_mm"))
+        for point in annotations.objects("key_points")
+    )
+    names = [point.name for point in points]
+    if len(set(names)) < len(names):
+        raise annotations.fail("key_points", "name the same point twice")
+    if not annotations.has("plane"):
+        return Annotations(points)
+    plane = annotations.object("plane")
+    pitch, roll = plane.number("pitch_deg", -90, 90), plane.number("roll_deg", -90, 90)
+    return Annotations(points, ReferencePlane(_point(plane, "origin_mm"), pitch, roll))
+
+
+def _source(source: JsonObject) -> Source:
+    recorded_at = source.value("recorded_at")
+    if not isinstance(recorded_at, str):
+        raise source.fail("recorded_at", "must be a text")
+    kind = source.choice("kind", ["session", "mesh"])
+    return Source(kind, source.text("path"), source.text("sha256"), recorded_at)
+
+
+def _point(values: JsonObject, key: str) -> Point:
+    x, y, z = values.numbers(key, 3)
+    return x, y, z
