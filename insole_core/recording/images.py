@@ -14,6 +14,8 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.disparity import NO_READING
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_QUICK = (cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_RLE)
+"""Colour becomes smaller than by zlib's level 6, in an eighth of its time; depth a third larger."""
 _KINDS = {0: "grey", 2: "RGB", 3: "palette", 4: "grey with alpha", 6: "RGB with alpha"}
 
 
@@ -84,13 +86,10 @@ def decode_color(name: str, content: bytes) -> ByteArray:
     return np.ascontiguousarray(_decode(name, content, cv2.IMREAD_COLOR)[..., ::-1])
 
 
-def encode_png(image: RawArray | ByteArray, compression: int = 6) -> bytes:
-    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB.
-
-    `compression` goes from 0 (fast) to 9 (small).
-    """
-    stored = image if image.ndim == 2 else image[..., ::-1]
-    return bytes(cv2.imencode(".png", stored, [cv2.IMWRITE_PNG_COMPRESSION, compression])[1])
+def encode_png(image: RawArray | ByteArray) -> bytes:
+    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB."""
+    stored = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
+    return bytes(cv2.imencode(".png", stored, _QUICK)[1])
 
 
 def _decode(name: str, content: bytes, flags: int) -> RawArray | ByteArray:

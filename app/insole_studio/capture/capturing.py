@@ -193,7 +193,7 @@ class Capturing:
 
     def _collect(self, taken: list[Series], names: str) -> None:
         for series in taken:
-            self._draft.begin_view(series.shot.view)
+            self._draft.begin_view(series.shot.view, self._calibrated[series.shot.view])
         while not all(series.complete for series in taken):
             if self._watcher.is_cancelled():
                 raise Cancelled(names)

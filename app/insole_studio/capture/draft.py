@@ -29,8 +29,6 @@ from insole_studio.capture.workplace import Calibrated
 _FACTS = "capture"
 """The key of the manifest that tells of the capture of each view."""
 _WRITERS = 2
-_FAST = 1
-"""PNG compression: pictures are stored while the next ones come."""
 _DEPTH_BYTES, _COLOR_BYTES = 120_000, 2_600_000
 """What a compressed picture takes, generously."""
 
@@ -128,11 +126,12 @@ class Draft:
             full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             raise OutputError(describe(self.folder, full))
 
-    def begin_view(self, view: str) -> None:
-        """Prepare to take the frames of a view."""
-        shutil.rmtree(self._taking(view), ignore_errors=True)
-        self._taking(view).mkdir()
-        self._writing[view] = []
+    def begin_view(self, view: str, calibrated: Calibrated) -> None:
+        """Prepare to take the frames of a view from a sensor."""
+        taking = self._taking(view)
+        shutil.rmtree(taking, ignore_errors=True)
+        taking.mkdir()
+        self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
         """Store depth frame number `index`."""
@@ -154,7 +153,6 @@ class Draft:
         try:
             for writing in self._writing.pop(view):
                 writing.result()
-            write_sensor(calibrated.sensor, self._taking(view))
             with replacing_folder(target) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
@@ -221,4 +219,4 @@ class Draft:
 
 
 def _write(path: Path, image: RawArray | ByteArray) -> None:
-    path.write_bytes(encode_png(image, _FAST))
+    path.write_bytes(encode_png(image))

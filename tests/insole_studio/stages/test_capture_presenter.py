@@ -242,7 +242,7 @@ def write_draft(bench: Bench) -> None:
     sensor = next(iter(bench.workplace.recorded.values()))
     width, height = sensor.color_camera.width, sensor.color_camera.height
     for view in start.order:
-        draft.begin_view(view)
+        draft.begin_view(view, Calibrated(sensor, "recording"))
         draft.add_depth(view, 0, np.full((480, 640), 700, np.uint16))
         draft.add_color(view, 0, np.full((height, width, 3), 90, np.uint8))
         draft.finish_view(view, Calibrated(sensor, "recording"), ViewFacts(0.1, 0, 10.0))
