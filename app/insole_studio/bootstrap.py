@@ -157,6 +157,7 @@ def build_application(
         pads=pads,
         remember=partial(_remember, settings, places.settings_file),
     )
+    window.check_action("contours", True)
     window.check_action("dark", dark)
     window.check_action("touch", settings.touch)
     window.check_action(f"language_{settings.language}", True)

@@ -168,18 +168,55 @@ def test_a_heel_skive_is_prescribed_and_its_values_edited(
     assert skive.created_at != ""
 
 
-def test_corrections_change_their_order_in_the_list(opened: Application) -> None:
-    act(opened, "add_heel_skive")
-    act(opened, "add_heel_cup")
-    case = opened.case
-    up = next(
-        b
-        for b in opened.stage.patient.findChildren(QToolButton)
-        if b.toolTip() == "Move up" and b.property("correction") == case.selection
+def row_button(app: Application, tip: str) -> QToolButton | None:
+    """The button of the selected correction's row in the list."""
+    return next(
+        (
+            b
+            for b in app.stage.patient.findChildren(QToolButton)
+            if b.toolTip() == tip and b.property("correction") == app.case.selection
+        ),
+        None,
     )
-    up.click()
+
+
+def test_pads_change_their_order_past_what_has_none(opened: Application) -> None:
+    design = opened.case.record.design
+    assert design is not None
+    first, second = Pelott(centre_mm=(0.0, 140.0)), Pelott(centre_mm=(0.0, 100.0))
+    for correction in (first, HeelCup(), second):
+        design = design.with_added(correction)
+    opened.case.apply(design, "three")
+    opened.case.select(second.id)
+    up = row_button(opened, "Move up")
+    assert up is not None
+    QTest.mouseClick(up, LEFT)
     assert opened.case.record.design is not None
-    assert isinstance(opened.case.record.design.corrections[0], HeelCup)
+    assert [c.type for c in opened.case.record.design.corrections] == [
+        "pelott", "heel_cup", "pelott",
+    ]  # fmt: skip
+    assert opened.case.record.design.corrections[0] == second
+
+
+def test_what_shapes_the_whole_cannot_be_moved_in_the_list(opened: Application) -> None:
+    act(opened, "add_heel_cup")
+    assert row_button(opened, "Move up") is None
+    assert row_button(opened, "Copy") is not None
+
+
+def test_a_pad_is_copied_beside_itself(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_pelott")
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 120.0))
+    first = last(opened)
+    copy = row_button(opened, "Copy")
+    assert copy is not None
+    QTest.mouseClick(copy, LEFT)
+    second = last(opened)
+    assert isinstance(first, Pelott)
+    assert isinstance(second, Pelott)
+    assert second.id != first.id
+    assert second.centre_mm[1] == first.centre_mm[1] - 10.0
+    assert opened.case.selection == second.id
 
 
 @pytest.mark.parametrize("kind", ["height", "thickness", "fit"])
@@ -196,7 +233,6 @@ def test_maps_follow_a_drag_without_a_new_actor(
 
 def test_contours_and_wireframe_come_and_go(opened: Application) -> None:
     painter = opened.stage.insole.scene.painter
-    act(opened, "contours")
     assert "contours" in painter._plotter.actors
     act(opened, "wireframe")
     assert painter._plotter.actors["surface"].prop.style == "Wireframe"
@@ -267,10 +303,44 @@ def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneV
 def test_the_steps_show_how_far_the_case_is(opened: Application) -> None:
     texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
     assert texts[1].startswith("●")
-    assert texts[0].startswith("◉")
+    # Nobody has said who the patient is, and yet the work is at the foot.
+    assert texts[0].startswith("○")
+    assert texts[2].startswith("◉")
     act(opened, "confirm_landmarks")
     texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
     assert texts[2].startswith("●")
+    assert texts[3].startswith("◉")
+    act(opened, "add_heel_lift")
+    texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
+    assert texts[3].startswith("◉")
+
+
+def test_who_prescribes_has_accepted_the_landmarks(opened: Application) -> None:
+    act(opened, "add_heel_lift")
+    texts = [b.text() for b in opened.stage.steps.findChildren(QToolButton)]
+    assert texts[2].startswith("●")
+
+
+def test_the_section_takes_room_only_while_it_is_wanted(
+    opened: Application, foot: SceneView
+) -> None:
+    assert not opened.stage.section.isVisible()
+    act(opened, "tool_section")
+    assert opened.stage.section.isVisible()
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))
+    act(opened, "tool_orbit")
+    assert opened.stage.section.isVisible()
+
+
+def test_the_place_of_the_pointer_is_that_of_the_release(
+    opened: Application, foot: SceneView
+) -> None:
+    told: list[str] = []
+    opened.stage.pointed.connect(told.append)
+    act(opened, "tool_pelott")
+    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 10, 140)])
+    y = float(told[-1].split("y")[1].split()[0])
+    assert y == pytest.approx(140.0, abs=1.0)
 
 
 def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_path: Path) -> None:

@@ -20,6 +20,9 @@ from insole_studio.texts import tr
 
 MATERIAL = (232, 229, 222)
 CONTOUR = "#30363d"
+CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
+"""How much of the lines of equal height covers what lies below."""
+STRONG_CONTOUR = 5
 SURE = 0.6
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
@@ -58,9 +61,9 @@ class Painter:
         """Form and look of the marks that are shown; equal ones only move."""
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
-        plotter.add_light(pv.Light(light_type="headlight", intensity=0.7))
+        plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
         # A second light from the upper left of the picture lets the relief be read.
-        slanted = pv.Light(light_type="camera light", position=(-1.0, 1.0, 1.0), intensity=0.4)
+        slanted = pv.Light(light_type="camera light", position=(-1.0, 1.0, 1.0), intensity=0.65)
         plotter.add_light(slanted)
         plotter.enable_parallel_projection()
         self.set_dark(dark)
@@ -141,26 +144,29 @@ class Painter:
             actor.prop.style = "wireframe" if shown else "surface"
 
     def show_contours(self, step_mm: float) -> None:
-        """Draw lines of equal height on the surface; 0 for none."""
-        self._plotter.remove_actor("contours", render=False)
+        """Draw lines of equal height on the surface, every fifth stronger; 0 for none."""
+        for name in CONTOURS:
+            self._plotter.remove_actor(name, render=False)
         if step_mm <= 0 or self._surface is None:
             return
         heights = np.asarray(self._surface.points[:, 2])
         levels = np.arange(step_mm, float(heights.max()), step_mm)
-        if len(levels) == 0:
-            return
-        lines = self._surface.contour(levels, scalars=heights)
-        if lines.n_points == 0:
-            return
-        self._plotter.add_mesh(
-            lines,
-            name="contours",
-            color=CONTOUR,
-            line_width=self._ratio,
-            lighting=False,
-            reset_camera=False,
-            render=False,
-        )
+        number = np.rint(levels / step_mm).astype(int)
+        for name, opacity in CONTOURS.items():
+            chosen = levels[(number % STRONG_CONTOUR == 0) == (name == "strong-contours")]
+            lines = self._surface.contour(chosen, scalars=heights) if len(chosen) else None
+            if lines is None or lines.n_points == 0:
+                continue
+            self._plotter.add_mesh(
+                lines,
+                name=name,
+                color=CONTOUR,
+                opacity=opacity,
+                line_width=self._ratio,
+                lighting=False,
+                reset_camera=False,
+                render=False,
+            )
 
     def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
         """Draw closed or open polylines, each (n, 3) mm, in front of everything."""

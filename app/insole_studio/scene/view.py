@@ -65,6 +65,7 @@ class SceneView(QWidget):
 
     camera_changed = Signal(object)
     hovered = Signal(object)
+    left = Signal()
 
     def __init__(self, subject: Subject, dark: bool = False, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -170,6 +171,8 @@ class SceneView(QWidget):
             return True
         if isinstance(event, QKeyEvent) and kind == QEvent.Type.KeyPress:
             return self._key_pressed(event)
+        if kind == QEvent.Type.Leave:
+            self.left.emit()
         if kind == QEvent.Type.Resize:
             self.request_render()
             self.camera_changed.emit(self.camera)
@@ -197,7 +200,9 @@ class SceneView(QWidget):
 
     def _moved(self, event: QMouseEvent) -> None:
         if self._dragging == "tool" and self.sink is not None:
-            self.sink.move(self._event(Phase.MOVE, event))
+            pointer = self._event(Phase.MOVE, event)
+            self.sink.move(pointer)
+            self.hovered.emit(pointer)
         elif self._dragging is not None:
             self._move_camera(event.position())
         else:
@@ -209,6 +214,7 @@ class SceneView(QWidget):
         if was_tool and self.sink is not None:
             self.sink.release(self._event(Phase.RELEASE, event))
             self._picker = None
+        self._hover(event)
 
     def _double_clicked(self, event: QMouseEvent) -> None:
         hit = self._hit(event.position())

@@ -46,6 +46,8 @@ class ActionRecord:
         Of the actions of one group exactly one is on.
     needs_foot
         Whether it makes sense only with a foot on the bench.
+    short
+        A shorter text for the toolbar; by default `text`.
     """
 
     key: str
@@ -57,12 +59,19 @@ class ActionRecord:
     checkable: bool = False
     group: str = ""
     needs_foot: bool = False
+    short: Callable[[], str] | None = None
 
 
 EXAMPLE = "example/example.insole"
 
 
-def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: str) -> ActionRecord:
+def _tool(
+    key: str,
+    text: Callable[[], str],
+    tip: Callable[[], str],
+    shortcut: str,
+    short: Callable[[], str] | None = None,
+) -> ActionRecord:
     return ActionRecord(
         f"tool_{key}",
         text,
@@ -73,6 +82,7 @@ def _tool(key: str, text: Callable[[], str], tip: Callable[[], str], shortcut: s
         checkable=True,
         group="tools",
         needs_foot=True,
+        short=short,
     )
 
 
@@ -242,6 +252,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("Free-hand pad"),
         lambda: tr("Draw the outline of a pad on the sole"),
         "D",
+        lambda: tr("Free-hand"),
     ),
     _tool(
         "posting",
@@ -260,6 +271,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("Reference plane"),
         lambda: tr("A plane to look at the foot against"),
         "R",
+        lambda: tr("Plane"),
     ),
     _tool(
         "section",

@@ -10,14 +10,13 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
     QMenu,
-    QSizePolicy,
     QToolBar,
     QToolButton,
     QWidget,
 )
 
 from insole_studio.shell.actions import ACTIONS, ActionRecord
-from insole_studio.shell.menus import MAP_KEYS, MAPS, MENUS, RECENT, SEPARATOR, TOOLBAR
+from insole_studio.shell.menus import MAP_KEYS, MAPS, MENUS, RECENT, SEPARATOR, STRIP, TOOLBAR
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -45,6 +44,8 @@ class MainWindow(QMainWindow):
         self._group_actions()
         self._make_menus()
         self._pads = pads
+        self._worded: list[QToolButton] = []
+        """Buttons of the toolbar that bear their name as long as there is room."""
         self._make_strip(stage)
         self._make_toolbar()
         self.setCentralWidget(stage.insole)
@@ -55,6 +56,8 @@ class MainWindow(QMainWindow):
         self._docks = (self._patient, self._foot, self._parameters, self._section)
         self._place_docks()
         self._add_dock_actions()
+        stage.section_wanted.connect(self._section.setVisible)
+        self._section.hide()
 
     def show_title(self, name: str, unsaved: bool) -> None:
         """Show which case is open."""
@@ -116,6 +119,7 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(QByteArray.fromBase64(geometry.encode("ascii")))
         if docks:
             self.restoreState(QByteArray.fromBase64(docks.encode("ascii")))
+        self._section.hide()  # it comes with the first cut
 
     def close_for_good(self) -> None:
         """Close without asking again."""
@@ -133,6 +137,8 @@ class MainWindow(QMainWindow):
         action.setObjectName(record.key)
         action.setToolTip(_tip(record))
         action.setStatusTip(record.tip())
+        if record.short is not None:
+            action.setIconText(record.short())
         action.setCheckable(record.checkable)
         if record.icon:
             action.setIcon(icon(record.icon))
@@ -175,16 +181,16 @@ class MainWindow(QMainWindow):
         bar.setObjectName("steps")
         bar.setMovable(False)
         bar.addWidget(stage.steps)
+        for key in STRIP:
+            bar.addAction(self.actions_by_key[key])
         self.addToolBarBreak()
 
     def _make_toolbar(self) -> None:
-        bar = self.addToolBar(tr("Tools"))
+        self._toolbar = bar = self.addToolBar(tr("Tools"))
         bar.setObjectName("toolbar")
         bar.setMovable(False)
         for number, part in enumerate(TOOLBAR):
-            if part == TOOLBAR[-1]:
-                bar.addWidget(_spacer())
-            elif number:
+            if number:
                 bar.addSeparator()
             for key in part:
                 if key == MAPS:
@@ -193,10 +199,23 @@ class MainWindow(QMainWindow):
                     bar.addAction(self.actions_by_key[key])
                     self._style_button(bar, key)
 
+    def _fit_toolbar(self) -> None:
+        """Leave the words out where the window is too narrow for them."""
+        beside, alone = (
+            Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
+            Qt.ToolButtonStyle.ToolButtonIconOnly,
+        )
+        for style in (beside, alone):
+            for button in self._worded:
+                button.setToolButtonStyle(style)
+            self._toolbar.updateGeometry()
+            if self._toolbar.sizeHint().width() <= self.width():
+                return
+
     def _style_button(self, bar: QToolBar, key: str) -> None:
         button = bar.widgetForAction(self.actions_by_key[key])
         if key.startswith("tool_") and isinstance(button, QToolButton):
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            self._worded.append(button)
         if key == "tool_pelott" and isinstance(button, QToolButton):
             button.setMenu(self._pad_menu(button))
             button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
@@ -214,13 +233,13 @@ class MainWindow(QMainWindow):
         button.setText(tr("Maps"))
         button.setIcon(icon("map"))
         button.setToolTip(tr("Colour maps, contour lines and wireframe"))
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
         for key in (*MAP_KEYS, "contours", "wireframe"):
             menu.addAction(self.actions_by_key[key])
         button.setMenu(menu)
         self._maps = button
+        self._worded.append(button)
         return button
 
     def _choose_pad(self) -> None:
@@ -243,6 +262,7 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Tell that the layout is another one."""
         super().resizeEvent(event)
+        self._fit_toolbar()
         self._note_layout()
 
     def _place_docks(self) -> None:
@@ -259,12 +279,6 @@ class MainWindow(QMainWindow):
         view.addSeparator()
         for dock in self._docks:
             view.addAction(dock.toggleViewAction())
-
-
-def _spacer() -> QWidget:
-    spacer = QWidget()
-    spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-    return spacer
 
 
 def _tip(record: ActionRecord) -> str:

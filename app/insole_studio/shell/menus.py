@@ -101,6 +101,8 @@ TOOLBAR: tuple[tuple[str, ...], ...] = (
     ("capture", "open_session", "open_archive", "save", "export"),
     TOOL_KEYS,
     ("fit", "linked", MAPS),
-    ("undo", "redo"),
 )
-"""Parts of the toolbar; the last stands at the right."""
+"""Parts of the toolbar."""
+
+STRIP = ("undo", "redo")
+"""What stands at the right of the path, and is never cut."""

@@ -10,15 +10,22 @@ from insole_studio.widgets.step_strip import Step, StepState
 
 
 def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
-    """Give the five steps; the first that is not done is the current one."""
+    """Give the five steps: the current one is where the work is, and what lies behind may be open.
+
+    Who prescribes has accepted the landmarks; the design stays current until it is exported.
+    """
+    prescribed = record.design is not None and bool(record.design.corrections)
+    confirmed = any(point.name in NAMES for point in record.annotations.key_points)
     done = {
         "patient": bool(record.patient.name),
         "capture": record.foot is not None,
-        "foot": any(point.name in NAMES for point in record.annotations.key_points),
-        "design": record.design is not None and bool(record.design.corrections),
+        "foot": record.foot is not None and (confirmed or prescribed),
+        "design": prescribed and exported,
         "export": exported,
     }
-    current = next((key for key, is_done in done.items() if not is_done), "")
+    keys = list(done)
+    reached = max((number + 1 for number, key in enumerate(keys) if done[key]), default=0)
+    current = keys[reached] if reached < len(keys) else ""
     return [
         Step(key, _texts()[key], _state(is_done, key == current)) for key, is_done in done.items()
     ]

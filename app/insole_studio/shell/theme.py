@@ -106,6 +106,7 @@ def _style_sheet(colors: Colors) -> str:
     QToolBar QToolButton {{ padding: 4px 5px; border-radius: 4px; }}
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
+    QToolButton:checked:disabled {{ background: {colors.raised}; color: {colors.quiet}; }}
     QPushButton#row {{ text-align: left; padding: 4px 6px; border: none; border-radius: 4px; }}
     QPushButton#row:checked {{ background: {colors.accent}; color: {colors.on_accent}; }}
     QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}

@@ -83,7 +83,8 @@ def describe(correction: Correction) -> str:
 
 def _numbers(correction: Correction) -> str:
     if isinstance(correction, Pelott):
-        return _size(correction)
+        size = f" ({correction.length_mm:g} × {correction.width_mm:g})"
+        return f"{correction.height_mm:g} mm" + (size if correction.outline_mm is None else "")
     if isinstance(correction, Posting):
         return f"{correction.rearfoot_deg:g}° / {correction.forefoot_deg:g}°"
     if isinstance(correction, ForefootTwist):

@@ -17,6 +17,8 @@ _NAMES = {
     "orbit": "mdi6.rotate-orbit",
     "key_point": "mdi6.map-marker-outline",
     "pelott": "mdi6.egg-outline",
+    "outline": "mdi6.vector-curve",
+    "copy": "mdi6.content-copy",
     "free_hand": "mdi6.lasso",
     "brush": "mdi6.brush-outline",
     "posting": "mdi6.angle-acute",
@@ -44,11 +46,16 @@ def icon(name: str) -> QIcon:
     """
     palette = QGuiApplication.palette()
     group, role = QPalette.ColorGroup, QPalette.ColorRole
+    plain, on = palette.color(role.ButtonText), palette.color(role.HighlightedText)
+    disabled = palette.color(group.Disabled, role.ButtonText)
     # The colours are handed over each time: qtawesome keeps icons by their arguments.
     found: QIcon = qtawesome.icon(
         _NAMES[name],
-        color=palette.color(role.ButtonText),
-        color_on=palette.color(role.HighlightedText),
-        color_disabled=palette.color(group.Disabled, role.ButtonText),
+        color=plain,
+        color_active=plain,
+        color_on=on,
+        color_on_active=on,
+        color_disabled=disabled,
+        color_on_disabled=disabled,
     )
     return found

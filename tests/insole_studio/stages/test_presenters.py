@@ -43,6 +43,7 @@ class MockView:
             "correction_toggled",
             "correction_removed",
             "correction_moved",
+            "correction_copied",
         ):
             setattr(self, name, MockSignal())
 

@@ -52,7 +52,7 @@ class ModelPanel(Protocol):
     def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
     def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
     def show_guide(  # noqa: D102
-        self, lines: Sequence[FloatArray], place: FloatArray | None, text: str
+        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None: ...
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
@@ -189,12 +189,12 @@ class ModelPresenter:
         """Show how far the selected pad ends behind the metatarsal heads."""
         pad = selected_pelott(self._case)
         found = clearance(self._case.shown, pad) if pad is not None else None
-        if found is None or abs(found.distance_mm) > NEAR_MM:
-            self.panel.show_guide((), None, "")
+        if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
+            self.panel.show_guide((), "")
             return
         way = self._on_surface(np.stack([found.front, found.nearest]))
-        text = f"{found.distance_mm:.1f} mm"
-        self.panel.show_guide((self._on_surface(found.line), way), way.mean(axis=0), text)
+        lines = self._on_surface(found.line), way
+        self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane
@@ -277,7 +277,7 @@ class InsolePresenter(ModelPresenter):
     ) -> None:
         super().__init__(panel, case, surface, section, hand)
         self._map = MapKind.NONE
-        self._contours = False
+        self._contours = True
         surface.failed.connect(self.panel.show_warning)
         hand.gesture_ended.connect(self._show_contours)
 

@@ -115,9 +115,15 @@ class ModelView(QWidget):
         self.scene.painter.show_contours(step_mm)
         self.scene.request_render()
 
-    def show_guide(self, lines: Sequence[FloatArray], place: FloatArray | None, text: str) -> None:
-        """Draw what a pad is measured against, and the measure."""
+    def show_guide(
+        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
+    ) -> None:
+        """Draw what a pad is measured against, and the measure at the right of its outline."""
         self.scene.painter.show_lines("guide", lines, self.scene.painter.scheme.mark, 2.0)
+        place = None
+        if beside is not None:
+            right, front = self.scene.look.right, lines[-1][0]
+            place = front + max(float(((beside - front) @ right).max()), 0.0) * right
         self.scene.painter.show_label(place, text)
         self.scene.request_render()
 

@@ -18,7 +18,7 @@ from insole_studio.stages.design.correction_fields import field_specs, with_valu
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
 from insole_studio.texts import tr
 from insole_studio.tools.brush import BrushTool
-from insole_studio.tools.correction_names import name_of
+from insole_studio.tools.correction_names import name_of, pad_text
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
@@ -105,20 +105,22 @@ class ParametersPresenter:
         if isinstance(correction, Posting):
             return _posting_group(correction)
         fields = field_specs(correction, "correction")
-        return FieldGroup(name_of(correction), fields, self._size_offers(correction))
+        offers = self._size_offers(correction)
+        return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
 
     def _template_group(self, template: Pelott) -> FieldGroup:
         specs = field_specs(template, "template")
         fields = tuple(spec for spec in specs if spec.key.split(".")[1] in TEMPLATE_KEYS)
         title = tr("Next: {name}").format(name=name_of(template))
-        return FieldGroup(title, fields, self._size_offers(template))
+        offers = self._size_offers(template)
+        return FieldGroup(title, fields, offers, caption=_size_caption(offers))
 
     def _size_offers(self, correction: Correction) -> tuple[Offer, ...]:
         """Give the sizes that the library has of the same shape."""
         if not isinstance(correction, Pelott):
             return ()
         return tuple(
-            Offer(f"size.{number}", pad.size)
+            Offer(f"size.{number}", pad.size, pad_text(pad))
             for number, pad in enumerate(self._pads)
             if pad.template.shape == correction.shape
         )
@@ -191,6 +193,10 @@ class ParametersPresenter:
         )
         changed = replace(annotations, plane=turned)
         self._case.apply(changed, tr("Turn the reference plane"), f"plane:{name}")
+
+
+def _size_caption(offers: tuple[Offer, ...]) -> str:
+    return tr("Size") if offers else ""
 
 
 def _sized(pad: Pelott, size: Pelott) -> Pelott:

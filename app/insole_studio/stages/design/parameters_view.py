@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QPushButton,
     QScrollArea,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec
 from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
 
 ROWS = 2
@@ -28,7 +28,7 @@ CHOICE_PX = 132
 
 
 class ParametersView(QScrollArea):
-    """Lays out groups of number fields beside each other."""
+    """Lays out groups of number fields beside each other, in lines as wide as the panel."""
 
     field_edited = Signal(str, object)
     offer_chosen = Signal(str)
@@ -62,16 +62,15 @@ class ParametersView(QScrollArea):
     def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
         self._fields = {}
         content = QWidget()
-        row = QHBoxLayout(content)
-        row.setContentsMargins(8, 8, 8, 8)
-        row.setSpacing(24)
+        flow = FlowLayout(content, margin_px=8, gap_px=16)
         for group in groups:
-            row.addLayout(self._group(group))
-        row.addStretch(1)
+            flow.addWidget(self._group(group))
         self.setWidget(content)
 
-    def _group(self, group: FieldGroup) -> QVBoxLayout:
-        column = QVBoxLayout()
+    def _group(self, group: FieldGroup) -> QWidget:
+        widget = QWidget()
+        column = QVBoxLayout(widget)
+        column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
         for text, name in ((group.title, "heading"), (group.note, "quiet")):
             if text:
@@ -84,12 +83,12 @@ class ParametersView(QScrollArea):
         for row in range(ROWS):
             grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
         self._add_offers(grid, group)
-        before = (len(group.offers) + ROWS - 1) // ROWS
+        before = _columns(group)
         for number, spec in enumerate(group.fields):
             self._add_field(grid, spec, number, before)
         column.addLayout(grid)
         column.addStretch(1)
-        return column
+        return widget
 
     def _add_field(
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
@@ -108,19 +107,29 @@ class ParametersView(QScrollArea):
         grid.addWidget(field, row, column + 1)
 
     def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> None:
-        for number, offer in enumerate(group.offers):
+        cells = [(row, column) for row in range(ROWS) for column in range(_columns(group))]
+        if group.caption:
+            grid.addWidget(QLabel(group.caption), *cells.pop(0))
+        for offer, cell in zip(group.offers, cells, strict=False):
             button = QPushButton(offer.text)
+            button.setToolTip(offer.tip)
+            button.setAccessibleName(offer.tip or offer.text)
             button.setProperty("offer", offer.key)
             if len(offer.text) <= SHORT_TEXT:
                 button.setFixedWidth(SHORT_PX)
             button.clicked.connect(self._choose)
-            grid.addWidget(button, number % ROWS, number // ROWS)
+            grid.addWidget(button, *cell)
 
     def _edited(self, value: object) -> None:
         self.field_edited.emit(self.sender().property("key"), value)
 
     def _choose(self) -> None:
         self.offer_chosen.emit(self.sender().property("offer"))
+
+
+def _columns(group: FieldGroup) -> int:
+    """How many columns the offers take before the fields."""
+    return (len(group.offers) + bool(group.caption) + ROWS - 1) // ROWS
 
 
 def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | Choice:

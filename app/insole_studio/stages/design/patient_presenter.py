@@ -7,12 +7,16 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 from insole_core.geometry.side import Side
+from insole_core.insole.corrections import CorrectionBase
+from insole_core.insole.design import ArchRaise, BrushStroke, Correction, Pelott
 from insole_studio.stages.design.measure_texts import measures_of
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
-from insole_studio.tools.correction_names import describe
+from insole_studio.tools.correction_names import describe, name_of
 from insole_studio.tools.key_point import distances
 from insole_studio.workbench.case import Case
+
+COPY_BEHIND_MM = 10.0
 
 
 class PatientPanel(Protocol):
@@ -23,6 +27,7 @@ class PatientPanel(Protocol):
     correction_toggled: Any
     correction_removed: Any
     correction_moved: Any
+    correction_copied: Any
 
     def show_fields(self, values: dict[str, str]) -> None: ...  # noqa: D102
     def show_side(self, side: Side | None) -> None: ...  # noqa: D102
@@ -42,6 +47,7 @@ class PatientPresenter:
         panel.correction_toggled.connect(self.toggle)
         panel.correction_removed.connect(self.remove)
         panel.correction_moved.connect(self.move)
+        panel.correction_copied.connect(self.copy)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.selection_changed.connect(self._show_corrections)
@@ -72,16 +78,32 @@ class PatientPresenter:
         self._case.apply(design.with_changed(switched), sentence)
 
     def move(self, correction_id: str, by: int) -> None:
-        """Let a correction act before or after its neighbour."""
+        """Let a pad or stroke act before or after its neighbour of that kind."""
         design = self._case.record.design
         if design is None:
             return
         order = list(design.corrections)
-        start = next(i for i, c in enumerate(order) if c.id == correction_id)
-        end = min(max(start + by, 0), len(order) - 1)
-        order.insert(end, order.pop(start))
+        places = [i for i, c in enumerate(order) if has_order(c)]
+        start = next(n for n, i in enumerate(places) if order[i].id == correction_id)
+        end = min(max(start + by, 0), len(places) - 1)
+        a, b = places[start], places[end]
+        order[a], order[b] = order[b], order[a]
         moved = replace(design, corrections=tuple(order))
         self._case.apply(moved, tr("Change the order of the corrections"))
+
+    def copy(self, correction_id: str) -> None:
+        """Prescribe the same once more; a pad lies beside the first."""
+        design = self._case.record.design
+        correction = design.correction(correction_id) if design is not None else None
+        if design is None or correction is None:
+            return
+        fresh = self._case.stamped(replace(correction, id=CorrectionBase().id))
+        if isinstance(fresh, Pelott):
+            x, y = fresh.centre_mm
+            fresh = replace(fresh, centre_mm=(x, y - COPY_BEHIND_MM))
+        sentence = tr("Copy: {name}").format(name=name_of(fresh))
+        self._case.apply(design.with_added(fresh), sentence)
+        self._case.select(fresh.id)
 
     def remove(self, correction_id: str) -> None:
         """Take a correction out of the design."""
@@ -107,8 +129,18 @@ class PatientPresenter:
         self._panel.show_corrections(
             [
                 CorrectionRow(
-                    c.id, design.side, describe(c), c.enabled, c.id == self._case.selection
+                    c.id,
+                    design.side,
+                    describe(c),
+                    c.enabled,
+                    selected=c.id == self._case.selection,
+                    ordered=has_order(c),
                 )
                 for c in design.corrections
             ]
         )
+
+
+def has_order(correction: Correction) -> bool:
+    """Whether it matters what acts before it: what shapes the whole has an order of its own."""
+    return isinstance(correction, Pelott | ArchRaise | BrushStroke)

@@ -36,6 +36,7 @@ class PatientView(QScrollArea):
     correction_toggled = Signal(str)
     correction_removed = Signal(str)
     correction_moved = Signal(str, int)
+    correction_copied = Signal(str)
     warning_chosen = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -159,25 +160,39 @@ class PatientView(QScrollArea):
         name.setToolTip(row.text)
         name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
         name.clicked.connect(self._select)
-        up = _button(row, "up", tr("Move up"))
-        up.clicked.connect(self._move_up)
-        down = _button(row, "down", tr("Move down"))
-        down.clicked.connect(self._move_down)
-        for button in (up, down):
-            if not row.selected:
-                button.hide()
         remove = _button(row, "remove", tr("Remove"))
         remove.clicked.connect(self._remove)
         line = QWidget()
-        layout = QHBoxLayout(line)
-        layout.setContentsMargins(0, 0, 0, 0)
+        rows = QVBoxLayout(line)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(0)
+        layout = QHBoxLayout()
         layout.setSpacing(2)
         layout.addWidget(eye)
         layout.addWidget(side_letter(row.side))
         layout.addWidget(name, 1)
-        for widget in (up, down, remove):
-            layout.addWidget(widget)
+        layout.addWidget(remove)
+        rows.addLayout(layout)
+        if row.selected:
+            rows.addLayout(self._more_buttons(row))
         return line
+
+    def _more_buttons(self, row: CorrectionRow) -> QHBoxLayout:
+        """What else can be done to the selected correction, in a line of its own."""
+        copy = _button(row, "copy", tr("Copy"))
+        copy.clicked.connect(self._copy)
+        buttons = [copy]
+        if row.ordered:
+            up, down = _button(row, "up", tr("Move up")), _button(row, "down", tr("Move down"))
+            up.clicked.connect(self._move_up)
+            down.clicked.connect(self._move_down)
+            buttons = [up, down, copy]
+        layout = QHBoxLayout()
+        layout.setSpacing(2)
+        layout.addStretch(1)
+        for button in buttons:
+            layout.addWidget(button)
+        return layout
 
     def _line_edited(self) -> None:
         field = self.sender()
@@ -198,6 +213,9 @@ class PatientView(QScrollArea):
 
     def _move_down(self) -> None:
         self.correction_moved.emit(self.sender().property("correction"), 1)
+
+    def _copy(self) -> None:
+        self.correction_copied.emit(self.sender().property("correction"))
 
     def _remove(self) -> None:
         self.correction_removed.emit(self.sender().property("correction"))

@@ -27,13 +27,14 @@ class WarningRow:
 
 @dataclass(frozen=True)
 class CorrectionRow:
-    """One correction in the list."""
+    """One correction in the list; `ordered` where its place among the others has a meaning."""
 
     id: str
     side: Side
     text: str
     enabled: bool
     selected: bool
+    ordered: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,20 +63,25 @@ class ChoiceSpec:
 
 @dataclass(frozen=True)
 class Offer:
-    """A button: what it does by key, and its text."""
+    """A button: what it does by key, its text, and what it says when the pointer rests on it."""
 
     key: str
     text: str
+    tip: str = ""
 
 
 @dataclass(frozen=True)
 class FieldGroup:
-    """Numbers that belong together, under a title, with what can be done to them."""
+    """Numbers that belong together, under a title, with what can be done to them.
+
+    `caption` says what the offers are, where their texts alone do not.
+    """
 
     title: str
     fields: tuple[FieldSpec | ChoiceSpec, ...] = ()
     offers: tuple[Offer, ...] = ()
     note: str = ""
+    caption: str = ""
 
     @property
     def shape(self) -> tuple[object, ...]:

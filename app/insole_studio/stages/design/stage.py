@@ -39,6 +39,8 @@ class DesignStage(QObject):
     offer_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
+    section_wanted = Signal(bool)
+    """Whether there is a section to look at, or the hand holds the tool that cuts one."""
 
     def __init__(
         self,
@@ -55,6 +57,7 @@ class DesignStage(QObject):
         super().__init__(parent)
         self._case = case
         self._hand = hand
+        self._cut = section
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
@@ -89,6 +92,9 @@ class DesignStage(QObject):
         case.preview_changed.connect(self._show_hint)
         hand.tool_changed.connect(self._show_hint)
         section.changed.connect(self._show_hint)
+        section.changed.connect(self._ask_for_section)
+        hand.tool_changed.connect(self._ask_for_section)
+        case.opened.connect(self._forget_section)
 
     def look(self, preset: Preset) -> None:
         """Look at both subjects from a named direction, whole."""
@@ -137,6 +143,7 @@ class DesignStage(QObject):
         view.scene.sink = presenter
         view.scene.camera_changed.connect(self._follow)
         view.scene.hovered.connect(self._point)
+        view.scene.left.connect(self._point_nowhere)
         view.preset_requested.connect(self.look)
         view.offer_chosen.connect(self.offer_chosen)
         presenter.show_all()
@@ -172,6 +179,13 @@ class DesignStage(QObject):
         for view, _ in self._presenters.values():
             view.show_scale()
 
+    def _ask_for_section(self) -> None:
+        wanted = self._cut.plane is not None or self._hand.tool.key == "section"
+        self.section_wanted.emit(wanted)
+
+    def _forget_section(self) -> None:
+        self._cut.show(None)
+
     def _show_hint(self) -> None:
         hint = self._hand.tool.hint(self._case) if self._case.foot is not None else ""
         self.hint_changed.emit(hint)
@@ -180,10 +194,14 @@ class DesignStage(QObject):
         self.pointed.emit(_describe(event))
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
-        if grabbed is not None:
+        if grabbed is not None and not self._hand.is_busy:
             self.hint_changed.emit(grabbed.hint)
         else:
             self._show_hint()
+
+    def _point_nowhere(self) -> None:
+        self.pointed.emit("")
+        self._show_hint()
 
 
 def _describe(event: PointerEvent) -> str:

@@ -1,0 +1,70 @@
+"""A layout that puts widgets beside each other, and begins a line where one does not fit."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QMargins, QRect, QSize
+from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
+
+
+class FlowLayout(QLayout):
+    """As a text flows: from left to right, then down."""
+
+    def __init__(self, parent: QWidget, margin_px: int, gap_px: int) -> None:
+        super().__init__(parent)
+        self._items: list[QLayoutItem] = []
+        self._gap_px = gap_px
+        self.setContentsMargins(QMargins(margin_px, margin_px, margin_px, margin_px))
+
+    def addItem(self, item: QLayoutItem) -> None:
+        """Take a further item to the end."""
+        self._items.append(item)
+
+    def count(self) -> int:
+        """Give the number of items."""
+        return len(self._items)
+
+    def itemAt(self, index: int) -> QLayoutItem | None:
+        """Give an item, or None beyond the end."""
+        return self._items[index] if 0 <= index < len(self._items) else None
+
+    def takeAt(self, index: int) -> QLayoutItem | None:
+        """Take an item out, or give None beyond the end."""
+        return self._items.pop(index) if 0 <= index < len(self._items) else None
+
+    def hasHeightForWidth(self) -> bool:
+        """Say that a narrow place needs more lines."""
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        """Give the height of all lines."""
+        return self._flow(QRect(0, 0, width, 0), place=False)
+
+    def sizeHint(self) -> QSize:
+        """Give the least size: the layout takes what there is."""
+        return self.minimumSize()
+
+    def minimumSize(self) -> QSize:
+        """Give room for the largest item alone."""
+        size = QSize()
+        for item in self._items:
+            size = size.expandedTo(item.minimumSize())
+        return size.grownBy(self.contentsMargins())
+
+    def setGeometry(self, rect: QRect) -> None:
+        """Put all items into their places."""
+        super().setGeometry(rect)
+        self._flow(rect, place=True)
+
+    def _flow(self, rect: QRect, place: bool) -> int:
+        margins = self.contentsMargins()
+        x, y, line_height = rect.left() + margins.left(), rect.top() + margins.top(), 0
+        right = rect.left() + rect.width() - margins.right()
+        for item in self._items:
+            size = item.sizeHint()
+            if line_height and x + size.width() > right:
+                x, y, line_height = rect.left() + margins.left(), y + line_height + self._gap_px, 0
+            if place:
+                item.setGeometry(QRect(x, y, size.width(), size.height()))
+            x += size.width() + self._gap_px
+            line_height = max(line_height, size.height())
+        return y + line_height + margins.bottom() - rect.top()
