@@ -24,9 +24,18 @@ from insole_studio.capture.place import Place
 from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
+from insole_studio.shell.appearance import Appearance
 from insole_studio.shell.capture_window import CaptureWindow
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.editing import Editing
+from insole_studio.shell.exporting import Exporting
+from insole_studio.shell.guide import Guide
 from insole_studio.shell.main_window import MainWindow
-from insole_studio.shell.questions import Questions
+from insole_studio.shell.opening import Opening
+from insole_studio.shell.prescribing import Prescribing
+from insole_studio.shell.recent import Recent
+from insole_studio.shell.rooms import Rooms
+from insole_studio.shell.saving import Saving
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
@@ -96,7 +105,7 @@ class Application:
 
     def close(self) -> None:
         """Stop the threads, free the renderers, remember the settings."""
-        self.studio.capture.close()
+        self.studio.rooms.capture.close()
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
@@ -141,27 +150,52 @@ def build_application(
     stage.pointed.connect(status.show_place)
     stage.hint_changed.connect(status.show_hint)
     status.cancel_requested.connect(jobs.cancel)
-    studio = Studio(
+    remember = partial(_remember, settings, places.settings_file)
+    dialogue, recent = Dialogue(window), Recent(settings, window)
+    saving = Saving(case, jobs, dialogue, recent)
+    place = Place(_sensor_store(places), emulate)
+    rooms = Rooms(
         window=window,
         stage=stage,
+        dialogue=dialogue,
+        opening=Opening(
+            case=case,
+            jobs=jobs,
+            dialogue=dialogue,
+            recent=recent,
+            saving=saving,
+            autosave=autosave,
+        ),
+        saving=saving,
+        exporting=Exporting(case, jobs, dialogue, window),
+        editing=Editing(case, hand),
+        prescribing=Prescribing(case, hand, pads, dialogue),
+        appearance=Appearance(
+            frame=window,
+            stage=stage,
+            settings=settings,
+            dialogue=dialogue,
+            remember=remember,
+            parent=window,
+        ),
+        guide=Guide(window, stage, settings, remember),
+        capture=CaptureWindow(partial(_make_capture, settings, places, place)),
+        calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
+    )
+    studio = Studio(
+        rooms=rooms,
+        window=window,
         case=case,
         hand=hand,
-        jobs=jobs,
         autosave=autosave,
         settings=settings,
-        questions=Questions(window),
-        capture=CaptureWindow(
-            partial(_make_capture, settings, places, Place(_sensor_store(places), emulate))
-        ),
-        calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
-        pads=pads,
-        remember=partial(_remember, settings, places.settings_file),
+        recent=recent,
     )
     window.check_action("contours", True)
     window.check_action("dark", dark)
     window.check_action("touch", settings.touch)
     window.check_action(f"language_{settings.language}", True)
-    studio.set_touch(settings.touch)
+    rooms.appearance.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
     window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
@@ -248,11 +282,11 @@ def run_application(
     app.studio.closed.connect(qt.quit)
     app.window.show()
     for recovered in find_recovered(app.places.autosave_folder)[:1]:
-        app.studio.offer_recovered(recovered)
+        app.studio.rooms.opening.offer_recovered(recovered)
     if not app.settings.tour_seen:
-        QTimer.singleShot(0, app.window, app.studio.begin_tour)
+        QTimer.singleShot(0, app.window, app.studio.rooms.guide.begin_tour)
     if paths:
-        QTimer.singleShot(0, app.window, lambda: app.studio.open_path(paths[0], side))
+        QTimer.singleShot(0, app.window, lambda: app.studio.rooms.opening.open_path(paths[0], side))
     _quit_on_signals(qt)
     try:
         return int(qt.exec())
@@ -272,7 +306,7 @@ class ScriptedStudio:
     ) -> None:
         self._qt = _qt_application()
         self.app = build_application(self._qt, places)
-        self.app.studio.set_dark(dark)
+        self.app.studio.rooms.appearance.set_dark(dark)
         self.app.window.resize(*size)
         self.app.window.arrange()
 
@@ -293,7 +327,7 @@ class ScriptedStudio:
 
     def open(self, path: Path, side: Side | None = None) -> None:
         """Open a case, a session, or a mesh with its side."""
-        self.app.studio.open_path(path, side)
+        self.app.studio.rooms.opening.open_path(path, side)
         self.settle()
 
     def place_pelott(self, x_mm: float, y_mm: float, height_mm: float = 6.0) -> None:
@@ -303,19 +337,19 @@ class ScriptedStudio:
         if design is None:
             raise RuntimeError("a pelott needs an open foot")
         pad = Pelott(centre_mm=(x_mm, y_mm), height_mm=height_mm)
-        self.app.studio.take_tool("pelott")
+        self.app.studio.rooms.editing.take_tool("pelott")
         case.apply(design.with_added(pad), tr("Place a pelott"))
         case.select(pad.id)
         self.settle()
 
     def export(self, path: Path) -> None:
         """Write the STL file."""
-        self.app.studio.export_to(path)
+        self.app.studio.rooms.exporting.export_to(path)
         self.settle()
 
     def save(self, path: Path) -> None:
         """Write the case file."""
-        self.app.studio.save_to(path)
+        self.app.studio.rooms.saving.save_to(path)
         self.settle()
 
     def screenshot(self, path: Path) -> None:
@@ -375,6 +409,6 @@ def _show_unexpected(
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         sys.__excepthook__(kind, error, trace)
         if isinstance(error, Exception):
-            studio.show_error(error)
+            studio.rooms.dialogue.show_error(error)
 
     return hook

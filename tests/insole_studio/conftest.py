@@ -109,12 +109,12 @@ def app(
 ) -> Iterator[Application]:
     """The whole application on an empty case, shown."""
     built = build_application(qapp, places)
-    built.studio.questions = questions  # type: ignore[assignment]
+    built.studio.rooms.dialogue.questions = questions  # type: ignore[assignment]
     built.window.resize(960, 640)  # fewer pixels for the software renderer
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.dialogs):
+    for dialog in list(built.studio.rooms.dialogue.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()

@@ -250,7 +250,7 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 150.0))
     pad = last(opened)
     assert isinstance(pad, Pelott)
-    opened.studio.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
+    opened.studio.rooms.dialogue.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert opened.case.record.source is not None
     opened.case.open_foot(make_foot(Side.RIGHT), opened.case.record.source)  # type: ignore[operator]
@@ -265,16 +265,16 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
 
 def test_a_template_that_is_none_is_one_sentence(opened: Application, tmp_path: Path) -> None:
     (tmp_path / "odd.insole-template").write_text("{}")
-    opened.studio.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
+    opened.studio.rooms.dialogue.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
     act(opened, "apply_template")
-    (dialog,) = opened.studio.dialogs
+    (dialog,) = opened.studio.rooms.dialogue.dialogs
     assert "format is missing" in dialog.text()
 
 
 def test_the_outline_is_printed_in_true_size(
     opened: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
-    opened.studio.print_outline_to(tmp_path / "outline.pdf")
+    opened.studio.rooms.exporting.print_outline_to(tmp_path / "outline.pdf")
     settle()
     content = (tmp_path / "outline.pdf").read_bytes()
     assert content.startswith(b"%PDF")
@@ -348,7 +348,7 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     copied = QApplication.clipboard().text()
     assert copied.splitlines()[0] == "measure,side,value,unit"
     assert any(line.startswith("foot_length,left,") for line in copied.splitlines())
-    opened.studio.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
+    opened.studio.rooms.dialogue.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied
 

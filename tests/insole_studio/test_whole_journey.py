@@ -118,7 +118,7 @@ def test_the_standard_case_takes_few_actions(
     hands.app.window.actions_by_key["map_thickness"].trigger()
     hands.picture("5-section")
 
-    hands.studio.app.studio.questions.file_to_write = (  # type: ignore[method-assign]
+    hands.studio.app.studio.rooms.dialogue.questions.file_to_write = (  # type: ignore[method-assign]
         lambda *_: tmp_path / "insole.stl"
     )
     hands.choose("export")

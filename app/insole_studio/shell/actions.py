@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from insole_core.insole.design import (
     ArchRaise,
@@ -17,11 +16,9 @@ from insole_core.insole.design import (
 )
 from insole_studio.scene.camera import Preset
 from insole_studio.settings import Language
+from insole_studio.shell.rooms import Rooms
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.texts import tr
-
-if TYPE_CHECKING:
-    from insole_studio.shell.studio import Studio
 
 
 @dataclass(frozen=True)
@@ -53,16 +50,13 @@ class ActionRecord:
     key: str
     text: Callable[[], str]
     tip: Callable[[], str]
-    run: Callable[[Studio, bool], None]
+    run: Callable[[Rooms, bool], object]
     icon: str = ""
     shortcut: str = ""
     checkable: bool = False
     group: str = ""
     needs_foot: bool = False
     short: Callable[[], str] | None = None
-
-
-EXAMPLE = "example/example.insole"
 
 
 def _tool(
@@ -76,7 +70,7 @@ def _tool(
         f"tool_{key}",
         text,
         tip,
-        lambda studio, on: studio.take_tool(key) if on else None,
+        lambda rooms, on: rooms.editing.take_tool(key) if on else None,
         icon=key,
         shortcut=shortcut,
         checkable=True,
@@ -93,7 +87,7 @@ def _prescription(
         f"add_{make().type}",
         text,
         tip,
-        lambda studio, _on: studio.prescribing.prescribe(make()),
+        lambda rooms, _on: rooms.prescribing.prescribe(make()),
         needs_foot=True,
     )
 
@@ -103,7 +97,7 @@ def _language(key: Language, text: Callable[[], str]) -> ActionRecord:
         f"language_{key}",
         text,
         lambda: tr("The language of the window, from the next start on"),
-        lambda studio, on: studio.set_language(key) if on else None,
+        lambda rooms, on: rooms.appearance.set_language(key) if on else None,
         checkable=True,
         group="languages",
     )
@@ -116,7 +110,7 @@ def _map(
         f"map_{kind.value}",
         text,
         tip,
-        lambda studio, on: studio.show_map(kind) if on else None,
+        lambda rooms, on: rooms.stage.insole_presenter.show_map(kind) if on else None,
         shortcut=shortcut,
         checkable=True,
         group="maps",
@@ -129,7 +123,7 @@ def _preset(preset: Preset, number: int, text: Callable[[], str]) -> ActionRecor
         f"look_{preset.value}",
         text,
         lambda: tr("Look from here, in both views"),
-        lambda studio, _on: studio.look(preset),
+        lambda rooms, _on: rooms.stage.look(preset),
         shortcut=str(number),
         needs_foot=True,
     )
@@ -140,14 +134,14 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "new_case",
         lambda: tr("New case"),
         lambda: tr("Begin with an empty case"),
-        lambda studio, _on: studio.new_case(),
+        lambda rooms, _on: rooms.opening.new_case(),
         shortcut="Ctrl+N",
     ),
     ActionRecord(
         "capture",
         lambda: tr("Capture…"),
         lambda: tr("Capture a foot with the sensors"),
-        lambda studio, _on: studio.capture.open(),
+        lambda rooms, _on: rooms.capture.open(),
         icon="capture",
         shortcut="Ctrl+Shift+C",
     ),
@@ -155,7 +149,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "open",
         lambda: tr("Open case…"),
         lambda: tr("Open a case that was saved"),
-        lambda studio, _on: studio.ask_open_case(),
+        lambda rooms, _on: rooms.opening.ask_open_case(),
         icon="open",
         shortcut="Ctrl+O",
     ),
@@ -163,7 +157,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "open_session",
         lambda: tr("Open session…"),
         lambda: tr("Open the folder of a recorded session and reconstruct its foot"),
-        lambda studio, _on: studio.ask_open_session(),
+        lambda rooms, _on: rooms.opening.ask_open_session(),
         icon="session",
         shortcut="Ctrl+Shift+O",
     ),
@@ -171,7 +165,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "open_archive",
         lambda: tr("Open session archive or mesh…"),
         lambda: tr("Open a session in a zip archive, or a foot from a .ply, .stl or .obj file"),
-        lambda studio, _on: studio.ask_open_mesh(),
+        lambda rooms, _on: rooms.opening.ask_open_mesh(),
         icon="mesh",
         shortcut="Ctrl+M",
     ),
@@ -179,13 +173,13 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "open_example",
         lambda: tr("Open the example"),
         lambda: tr("Open the case that comes with Insole Studio"),
-        lambda studio, _on: studio.open_example(),
+        lambda rooms, _on: rooms.opening.open_example(),
     ),
     ActionRecord(
         "save",
         lambda: tr("Save"),
         lambda: tr("Save the case"),
-        lambda studio, _on: studio.save(),
+        lambda rooms, _on: rooms.saving.save(),
         icon="save",
         shortcut="Ctrl+S",
     ),
@@ -193,14 +187,14 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "save_as",
         lambda: tr("Save as…"),
         lambda: tr("Save the case under another name"),
-        lambda studio, _on: studio.ask_save(),
+        lambda rooms, _on: rooms.saving.ask_save(),
         shortcut="Ctrl+Shift+S",
     ),
     ActionRecord(
         "export",
         lambda: tr("Export insole…"),
         lambda: tr("Write the insole for the shop: STL, 3MF, OBJ or PLY"),
-        lambda studio, _on: studio.ask_export(),
+        lambda rooms, _on: rooms.exporting.ask_export(),
         icon="export",
         shortcut="Ctrl+E",
         needs_foot=True,
@@ -209,14 +203,14 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "quit",
         lambda: tr("Quit"),
         lambda: tr("Close Insole Studio"),
-        lambda studio, _on: studio.quit(),
+        lambda rooms, _on: rooms.window.close(),
         shortcut="Ctrl+Q",
     ),
     ActionRecord(
         "undo",
         lambda: tr("Undo"),
         lambda: tr("Take the last step back"),
-        lambda studio, _on: studio.undo(),
+        lambda rooms, _on: rooms.editing.undo(),
         icon="undo",
         shortcut="Ctrl+Z",
     ),
@@ -224,7 +218,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "redo",
         lambda: tr("Redo"),
         lambda: tr("Do the last undone step again"),
-        lambda studio, _on: studio.redo(),
+        lambda rooms, _on: rooms.editing.redo(),
         icon="redo",
         shortcut="Ctrl+Shift+Z",
     ),
@@ -232,7 +226,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "remove",
         lambda: tr("Remove correction"),
         lambda: tr("Take the selected correction out of the design"),
-        lambda studio, _on: studio.remove_selected(),
+        lambda rooms, _on: rooms.editing.remove_selected(),
         icon="remove",
         shortcut="Del",
         needs_foot=True,
@@ -309,7 +303,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "fit",
         lambda: tr("Show all"),
         lambda: tr("Show the whole foot and the whole insole"),
-        lambda studio, _on: studio.fit(),
+        lambda rooms, _on: rooms.stage.fit(),
         icon="fit",
         shortcut="F",
         needs_foot=True,
@@ -318,7 +312,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "linked",
         lambda: tr("Linked views"),
         lambda: tr("Foot and insole turn together"),
-        lambda studio, on: studio.set_linked(on),
+        lambda rooms, on: rooms.appearance.set_linked(on),
         icon="link",
         shortcut="L",
         checkable=True,
@@ -336,7 +330,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "contours",
         lambda: tr("Contour lines"),
         lambda: tr("Lines of equal height, a millimetre apart"),
-        lambda studio, on: studio.show_contours(on),
+        lambda rooms, on: rooms.stage.insole_presenter.show_contours(on),
         shortcut="N",
         checkable=True,
         needs_foot=True,
@@ -345,7 +339,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "wireframe",
         lambda: tr("Wireframe"),
         lambda: tr("Show the edges of the insole's triangles alone"),
-        lambda studio, on: studio.show_wireframe(on),
+        lambda rooms, on: rooms.stage.insole_presenter.show_wireframe(on),
         shortcut="W",
         checkable=True,
         needs_foot=True,
@@ -354,7 +348,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "dark",
         lambda: tr("Dark theme"),
         lambda: tr("Light text on a dark ground"),
-        lambda studio, on: studio.set_dark(on),
+        lambda rooms, on: rooms.appearance.set_dark(on),
         icon="dark",
         checkable=True,
     ),
@@ -362,7 +356,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "touch",
         lambda: tr("Touch mode"),
         lambda: tr("Large targets for fingers"),
-        lambda studio, on: studio.set_touch(on),
+        lambda rooms, on: rooms.appearance.set_touch(on),
         checkable=True,
     ),
     _language("system", lambda: tr("Language of the system")),
@@ -372,7 +366,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "print_outline",
         lambda: tr("Print outline 1:1…"),
         lambda: tr("Write the outline of the insole in true size as a PDF"),
-        lambda studio, _on: studio.ask_print_outline(),
+        lambda rooms, _on: rooms.exporting.ask_print_outline(),
         shortcut="Ctrl+P",
         needs_foot=True,
     ),
@@ -380,7 +374,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "confirm_landmarks",
         lambda: tr("Confirm landmarks"),
         lambda: tr("Take all landmarks as they are shown"),
-        lambda studio, _on: studio.prescribing.confirm_landmarks(),
+        lambda rooms, _on: rooms.prescribing.confirm_landmarks(),
         shortcut="Ctrl+K",
         needs_foot=True,
     ),
@@ -388,14 +382,14 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "find_landmarks",
         lambda: tr("Find landmarks anew"),
         lambda: tr("Forget the landmarks that were set by hand"),
-        lambda studio, _on: studio.prescribing.find_landmarks(),
+        lambda rooms, _on: rooms.prescribing.find_landmarks(),
         needs_foot=True,
     ),
     ActionRecord(
         "copy_measures",
         lambda: tr("Copy the measures"),
         lambda: tr("Put the table of measures onto the clipboard"),
-        lambda studio, _on: studio.prescribing.copy_measures(),
+        lambda rooms, _on: rooms.prescribing.copy_measures(),
         shortcut="Ctrl+Shift+M",
         needs_foot=True,
     ),
@@ -403,47 +397,47 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "save_measures",
         lambda: tr("Save measures as CSV…"),
         lambda: tr("Write the table of measures for a spreadsheet"),
-        lambda studio, _on: studio.prescribing.ask_save_measures(),
+        lambda rooms, _on: rooms.prescribing.ask_save_measures(),
         needs_foot=True,
     ),
     ActionRecord(
         "save_template",
         lambda: tr("Save as template…"),
         lambda: tr("Save the prescription without the patient, for other feet"),
-        lambda studio, _on: studio.prescribing.ask_save_template(),
+        lambda rooms, _on: rooms.prescribing.ask_save_template(),
         needs_foot=True,
     ),
     ActionRecord(
         "apply_template",
         lambda: tr("Apply template…"),
         lambda: tr("Prescribe what a template holds; one of the other side is mirrored"),
-        lambda studio, _on: studio.prescribing.ask_apply_template(),
+        lambda rooms, _on: rooms.prescribing.ask_apply_template(),
         needs_foot=True,
     ),
     ActionRecord(
         "repeat_design",
         lambda: tr("Repeat the design of a case…"),
         lambda: tr("Prescribe on this scan what an earlier case prescribes"),
-        lambda studio, _on: studio.prescribing.ask_repeat_design(),
+        lambda rooms, _on: rooms.prescribing.ask_repeat_design(),
         needs_foot=True,
     ),
     ActionRecord(
         "tour",
         lambda: tr("Take the tour"),
         lambda: tr("The window in five steps"),
-        lambda studio, _on: studio.begin_tour(),
+        lambda rooms, _on: rooms.guide.begin_tour(),
         shortcut="F1",
     ),
     ActionRecord(
         "calibrate",
         lambda: tr("Calibrate sensors…"),
         lambda: tr("Turn a sensor from the box into a measuring device"),
-        lambda studio, _on: studio.calibrate.open(),
+        lambda rooms, _on: rooms.calibrate.open(),
     ),
     ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),
-        lambda studio, _on: studio.show_about(),
+        lambda rooms, _on: rooms.guide.show_about(),
     ),
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Protocol
 
 from PySide6.QtGui import QGuiApplication
 
@@ -21,7 +20,8 @@ from insole_core.insole.template import (
     read_template,
     write_template,
 )
-from insole_studio.shell.questions import Questions
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
 from insole_studio.stages.design.measure_texts import as_csv, measures_of
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
@@ -29,30 +29,19 @@ from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.landmarks import confirmed, found_anew, landmarks_of
-from insole_studio.workbench.opening import CASE_SUFFIX
 from insole_studio.workbench.pad_library import LibraryPad
-
-TEMPLATE_SUFFIX = ".insole-template"
-
-
-class Asking(Protocol):
-    """Who asks the user, and tells what was done."""
-
-    questions: Questions
-
-    def say(self, text: str) -> None:
-        """Say something in the status line."""
-        ...
 
 
 class Prescribing:
     """The actions of the Prescribe menu."""
 
-    def __init__(self, case: Case, hand: Hand, pads: Sequence[LibraryPad], asking: Asking) -> None:
+    def __init__(
+        self, case: Case, hand: Hand, pads: Sequence[LibraryPad], dialogue: Dialogue
+    ) -> None:
         self._case = case
         self._hand = hand
         self._pads = pads
-        self._asking = asking
+        self._dialogue = dialogue
 
     def prescribe(self, correction: Correction) -> None:
         """Add a correction and show its values."""
@@ -73,20 +62,22 @@ class Prescribing:
 
     def ask_save_template(self) -> None:
         """Let the user choose where the template goes."""
-        path = self._asking.questions.file_to_write(f"template{TEMPLATE_SUFFIX}", template_kinds())
+        path = self._dialogue.questions.file_to_write(
+            f"template{TEMPLATE_SUFFIX}", template_kinds()
+        )
         if path is not None and self._case.record.design is not None:
             save_template(self._case, path.with_suffix(TEMPLATE_SUFFIX))
-            self._asking.say(tr("Written: {name}").format(name=path.name))
+            self._dialogue.say(tr("Written: {name}").format(name=path.name))
 
     def ask_apply_template(self) -> None:
         """Let the user choose a template."""
-        path = self._asking.questions.file_to_open(template_kinds())
+        path = self._dialogue.questions.file_to_open(template_kinds())
         if path is not None and self._case.record.design is not None:
             self._case.apply(template_for(self._case, path), tr("Apply a template"))
 
     def ask_repeat_design(self) -> None:
         """Let the user choose an earlier case."""
-        path = self._asking.questions.file_to_open(case_kinds())
+        path = self._dialogue.questions.file_to_open(case_kinds())
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))
@@ -97,11 +88,11 @@ class Prescribing:
 
     def ask_save_measures(self) -> None:
         """Let the user choose where the table of measures goes."""
-        path = self._asking.questions.file_to_write("measures.csv", "CSV (*.csv)")
+        path = self._dialogue.questions.file_to_write("measures.csv", "CSV (*.csv)")
         if path is not None:
             with replacing_file(path.with_suffix(".csv")) as beside:
                 beside.write_text(self._measures_csv(), encoding="utf-8")
-            self._asking.say(tr("Written: {name}").format(name=path.name))
+            self._dialogue.say(tr("Written: {name}").format(name=path.name))
 
     def _measures_csv(self) -> str:
         record = self._case.record
@@ -115,16 +106,6 @@ class Prescribing:
         """Forget the landmarks that were set by hand."""
         anew = found_anew(self._case.record.annotations)
         self._case.apply(anew, tr("Find the landmarks anew"))
-
-
-def case_kinds() -> str:
-    """Name the files of cases, for a dialog."""
-    return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
-
-
-def template_kinds() -> str:
-    """Name the files of templates, for a dialog."""
-    return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"
 
 
 def save_template(case: Case, path: Path) -> None:

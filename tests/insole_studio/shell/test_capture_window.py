@@ -24,7 +24,7 @@ def emulating(
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.dialogs):
+    for dialog in list(built.studio.rooms.dialogue.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()
@@ -32,7 +32,7 @@ def emulating(
 
 def opened_stage(application: Application) -> CaptureStage:
     application.studio.run_action("capture", False)
-    stage = application.studio.capture.stage
+    stage = application.studio.rooms.capture.stage
     assert stage is not None
     return stage
 
@@ -52,17 +52,17 @@ def test_a_captured_foot_comes_onto_the_bench(
     stage.view.use_requested.emit()
     ready(lambda: emulating.case.foot is not None)
     ready(lambda: not emulating.jobs.is_running())
-    assert emulating.studio.capture.stage is None
+    assert emulating.studio.rooms.capture.stage is None
     assert emulating.settings.recent[0].startswith(str(places.data_folder / "sessions"))
 
 
 def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
     emulating.stage.steps.chosen.emit("capture")
-    first = emulating.studio.capture.stage
+    first = emulating.studio.rooms.capture.stage
     assert first is not None
     assert first.isVisible()
     emulating.studio.run_action("capture", False)
-    assert emulating.studio.capture.stage is first
+    assert emulating.studio.rooms.capture.stage is first
 
 
 def test_a_session_that_cannot_be_emulated_is_told(
@@ -70,7 +70,7 @@ def test_a_session_that_cannot_be_emulated_is_told(
 ) -> None:
     built = build_application(qapp, places, tmp_path)
     built.studio.run_action("capture", False)
-    (dialog,) = built.studio.dialogs
+    (dialog,) = built.studio.rooms.dialogue.dialogs
     assert "holds no manifest.json" in dialog.text()
     dialog.done(0)
     built.close()

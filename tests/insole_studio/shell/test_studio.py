@@ -36,13 +36,13 @@ def test_save_and_open_give_the_same_case(
 ) -> None:
     add_pelott(opened)
     opened.case.apply(Patient(name="Anna B."), "Edit")
-    opened.studio.save_to(tmp_path / "anna.insole")
+    opened.studio.rooms.saving.save_to(tmp_path / "anna.insole")
     settle()
     assert not opened.case.has_unsaved_changes
     record = opened.case.record
-    opened.studio.new_case()
+    opened.studio.rooms.opening.new_case()
     assert opened.case.foot is None
-    opened.studio.open_path(tmp_path / "anna.insole")
+    opened.studio.rooms.opening.open_path(tmp_path / "anna.insole")
     settle()
     assert opened.case.record.design == record.design
     assert opened.case.record.patient == record.patient
@@ -53,7 +53,7 @@ def test_the_title_says_what_is_open_and_unsaved(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:
     assert opened.window.isWindowModified()
-    opened.studio.save_to(tmp_path / "anna.insole")
+    opened.studio.rooms.saving.save_to(tmp_path / "anna.insole")
     settle()
     assert not opened.window.isWindowModified()
     assert opened.window.windowTitle().startswith("anna")
@@ -61,7 +61,7 @@ def test_the_title_says_what_is_open_and_unsaved(
 
 def test_export_writes_a_closed_block(opened: Application, settle: Settle, tmp_path: Path) -> None:
     add_pelott(opened)
-    opened.studio.export_to(tmp_path / "insole.stl")
+    opened.studio.rooms.exporting.export_to(tmp_path / "insole.stl")
     settle()
     size = (tmp_path / "insole.stl").stat().st_size
     assert size > 84
@@ -71,15 +71,15 @@ def test_export_writes_a_closed_block(opened: Application, settle: Settle, tmp_p
 def test_export_to_nowhere_is_one_sentence_in_a_dialog(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:
-    opened.studio.export_to(tmp_path / "missing" / "insole.stl")
+    opened.studio.rooms.exporting.export_to(tmp_path / "missing" / "insole.stl")
     settle()
-    (dialog,) = opened.studio.dialogs
+    (dialog,) = opened.studio.rooms.dialogue.dialogs
     assert "its folder does not exist" in dialog.text()
 
 
 def test_what_is_neither_case_nor_scan_is_refused(app: Application, tmp_path: Path) -> None:
-    app.studio.open_path(tmp_path / "letter.docx")
-    (dialog,) = app.studio.dialogs
+    app.studio.rooms.opening.open_path(tmp_path / "letter.docx")
+    (dialog,) = app.studio.rooms.dialogue.dialogs
     assert "neither a case, a session nor a mesh" in dialog.text()
 
 
@@ -88,10 +88,10 @@ def test_a_broken_case_leaves_the_open_one(
 ) -> None:
     (tmp_path / "bad.insole").write_bytes(b"no zip")
     record = opened.case.record
-    opened.studio.open_path(tmp_path / "bad.insole")
+    opened.studio.rooms.opening.open_path(tmp_path / "bad.insole")
     settle()
     assert opened.case.record is record
-    assert len(opened.studio.dialogs) == 1
+    assert len(opened.studio.rooms.dialogue.dialogs) == 1
 
 
 def test_a_mesh_without_a_side_is_asked_for(
@@ -99,7 +99,7 @@ def test_a_mesh_without_a_side_is_asked_for(
 ) -> None:
     questions.side = None
     write_ply(make_foot(Side.LEFT).mesh, tmp_path / "foot.ply")
-    app.studio.open_path(tmp_path / "foot.ply")
+    app.studio.rooms.opening.open_path(tmp_path / "foot.ply")
     assert questions.asked == ["side"]
     assert not app.jobs.is_running()
 
@@ -108,8 +108,8 @@ def test_an_unexpected_error_keeps_its_details_for_a_report(app: Application, qa
     try:
         raise KeyError("lost")
     except KeyError as error:
-        app.studio.show_error(error)
-    (dialog,) = app.studio.dialogs
+        app.studio.rooms.dialogue.show_error(error)
+    (dialog,) = app.studio.rooms.dialogue.dialogs
     assert "KeyError" in dialog.detailedText()
     dialog.copy_report()
     assert "KeyError" in dialog.report
@@ -189,9 +189,9 @@ def test_a_design_that_cannot_be_built_warns_beside_the_insole(
 def test_a_session_opens_and_shows_its_foot(
     app: Application, settle: Settle, small_session: Path
 ) -> None:
-    app.studio.open_path(small_session)
+    app.studio.rooms.opening.open_path(small_session)
     settle()
-    assert app.studio.dialogs == []
+    assert app.studio.rooms.dialogue.dialogs == []
     assert app.case.side is Side.LEFT
     source = app.case.record.source
     assert isinstance(source, Source)
@@ -202,7 +202,7 @@ def test_a_session_opens_and_shows_its_foot(
 def test_a_damaged_session_is_refused(app: Application, settle: Settle, tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "session.zip", "w") as archive:
         archive.writestr("manifest.json", "{}")
-    app.studio.open_path(tmp_path / "session.zip")
+    app.studio.rooms.opening.open_path(tmp_path / "session.zip")
     settle()
-    assert len(app.studio.dialogs) == 1
+    assert len(app.studio.rooms.dialogue.dialogs) == 1
     assert app.case.is_empty

@@ -110,7 +110,7 @@ def test_the_next_start_opens_the_recovered_case(
     left.write_bytes(copy.read_bytes())
     (recovered,) = find_recovered(places.autosave_folder)
     second = build_application(qapp, places)
-    second.studio.offer_recovered(recovered)
+    second.studio.rooms.opening.offer_recovered(recovered)
     assert second.case.side is Side.RIGHT
     assert second.case.has_unsaved_changes
     assert not left.exists()

@@ -191,10 +191,10 @@ def test_a_place_that_cannot_be_written(
 
 def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> None:
     app.studio.run_action("calibrate", False)
-    opened = app.studio.calibrate.stage
+    opened = app.studio.rooms.calibrate.stage
     assert opened is not None
     assert opened.isVisible()
     app.studio.run_action("calibrate", False)
-    assert app.studio.calibrate.stage is opened
-    app.studio.calibrate.close()
-    assert app.studio.calibrate.stage is None
+    assert app.studio.rooms.calibrate.stage is opened
+    app.studio.rooms.calibrate.close()
+    assert app.studio.rooms.calibrate.stage is None

@@ -1,0 +1,57 @@
+"""What the window says to the user, and what it asks."""
+
+from __future__ import annotations
+
+import traceback
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMainWindow
+
+from insole_core.errors import InsoleError
+from insole_studio.shell.questions import Questions
+from insole_studio.texts import tr
+from insole_studio.widgets.error_dialog import ErrorDialog
+
+BRIEF_MS, LONG_MS = 5_000, 15_000
+
+
+class Dialogue(QObject):
+    """Dialogs, the status line, and the questions."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.questions = Questions(window)
+        self.dialogs: list[ErrorDialog] = []
+
+    def say(self, text: str, for_ms: int = BRIEF_MS) -> None:
+        """Say something in the status line."""
+        self._window.statusBar().showMessage(text, for_ms)
+
+    def show_error(self, error: Exception) -> None:
+        """Show an error; the details only where the sentence was not written for the user."""
+        if isinstance(error, InsoleError):
+            self._show_dialog(str(error), _cause(error))
+        else:
+            sentence = tr("Something unexpected happened; your work is kept. Please report it.")
+            self._show_dialog(sentence, "".join(traceback.format_exception(error)))
+
+    def show_sentence(self, sentence: str) -> None:
+        """Show a sentence in a dialog."""
+        self._show_dialog(sentence, "")
+
+    def _show_dialog(self, sentence: str, details: str) -> None:
+        dialog = ErrorDialog(sentence, details, self._window)
+        self.dialogs.append(dialog)
+        dialog.finished.connect(self._forget_dialog)
+        dialog.open()
+
+    def _forget_dialog(self) -> None:
+        dialog = self.sender()
+        assert isinstance(dialog, ErrorDialog)
+        self.dialogs.remove(dialog)
+        dialog.deleteLater()
+
+
+def _cause(error: Exception) -> str:
+    return repr(error.__cause__) if error.__cause__ is not None else ""

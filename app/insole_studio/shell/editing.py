@@ -1,0 +1,35 @@
+"""Undo, redo, the tool in the hand, and what is selected."""
+
+from __future__ import annotations
+
+from insole_studio.texts import tr
+from insole_studio.tools.hand import Hand
+from insole_studio.workbench.case import Case
+
+
+class Editing:
+    """What the Edit and Tools menus do."""
+
+    def __init__(self, case: Case, hand: Hand) -> None:
+        self._case = case
+        self._hand = hand
+
+    def undo(self) -> None:
+        """Take the gesture or the last step back."""
+        if not self._hand.cancel():
+            self._case.undo()
+
+    def redo(self) -> None:
+        """Do the last undone step again."""
+        self._hand.cancel()
+        self._case.redo()
+
+    def remove_selected(self) -> None:
+        """Take the selected correction out."""
+        design, selected = self._case.record.design, self._case.selection
+        if design is not None and selected is not None:
+            self._case.apply(design.with_removed(selected), tr("Remove a correction"))
+
+    def take_tool(self, key: str) -> None:
+        """Take a tool into the hand."""
+        self._hand.take(key)

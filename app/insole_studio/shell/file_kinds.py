@@ -1,0 +1,25 @@
+"""Kinds of files as dialogs name them."""
+
+from __future__ import annotations
+
+from insole_studio.texts import tr
+from insole_studio.workbench.opening import CASE_SUFFIX, MESH_SUFFIXES
+
+TEMPLATE_SUFFIX = ".insole-template"
+SOLID_KINDS = "STL (*.stl);;3MF (*.3mf);;OBJ (*.obj);;PLY (*.ply)"
+
+
+def case_kinds() -> str:
+    """Name the files of cases."""
+    return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
+
+
+def template_kinds() -> str:
+    """Name the files of templates."""
+    return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"
+
+
+def scan_kinds() -> str:
+    """Name archives and meshes."""
+    patterns = " ".join(f"*{suffix}" for suffix in (".zip", *MESH_SUFFIXES))
+    return tr("Session or mesh") + f" ({patterns})"

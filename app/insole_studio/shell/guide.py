@@ -1,0 +1,49 @@
+"""What the Help menu does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMainWindow, QMessageBox
+
+from insole_studio.settings import Settings
+from insole_studio.shell.tour_stops import tour_stops
+from insole_studio.stages.design.stage import DesignStage
+from insole_studio.texts import tr
+from insole_studio.widgets.tour import Tour
+
+
+class Guide(QObject):
+    """Shows the program to the one who sits before it."""
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        stage: DesignStage,
+        settings: Settings,
+        remember: Callable[[], None],
+    ) -> None:
+        super().__init__(window)
+        self._window = window
+        self._stage = stage
+        self._settings = settings
+        self._remember = remember
+
+    def begin_tour(self) -> None:
+        """Show the window in five steps."""
+        tour = Tour(tour_stops(self._stage), self._window)
+        tour.ended.connect(self._end_tour)
+        tour.begin()
+
+    def show_about(self) -> None:
+        """Say what this program is."""
+        QMessageBox.about(
+            self._window,
+            tr("About Insole Studio"),
+            tr("Insole Studio: from the scan of a foot to its insole. BSD 3-Clause licence."),
+        )
+
+    def _end_tour(self) -> None:
+        self._settings.tour_seen = True
+        self._remember()

@@ -1,0 +1,145 @@
+"""What the bench is filled with: cases, sessions, meshes, and what a crash has left."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.record import CaseRecord
+from insole_core.errors import InsoleError
+from insole_core.foot.placing import SideMismatchError
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.resources import resource_path
+from insole_studio.jobs import Jobs
+from insole_studio.shell.dialogue import LONG_MS, Dialogue
+from insole_studio.shell.file_kinds import case_kinds, scan_kinds
+from insole_studio.shell.recent import Recent
+from insole_studio.shell.saving import Saving
+from insole_studio.texts import tr
+from insole_studio.workbench.autosave import Autosave, Recovered
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.opening import OpenedFoot, kind_of, open_mesh, open_session
+
+CHANNEL = "open"
+EXAMPLE = "example/example.insole"
+
+
+class Opening:
+    """Reads beside the window, then puts what was read onto the bench."""
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        jobs: Jobs,
+        dialogue: Dialogue,
+        recent: Recent,
+        saving: Saving,
+        autosave: Autosave,
+    ) -> None:
+        self._case = case
+        self._jobs = jobs
+        self._dialogue = dialogue
+        self._recent = recent
+        self._saving = saving
+        self._autosave = autosave
+
+    def open_path(self, path: Path, side: Side | None = None) -> None:
+        """Open a case, a session or a mesh, whatever the path is."""
+        try:
+            kind = kind_of(path)
+        except InsoleError as error:
+            self._dialogue.show_error(error)
+            return
+        if kind == "case":
+            self._open_case(path)
+        elif kind == "mesh":
+            self._open_mesh(path, side or self._dialogue.questions.which_side(path))
+        else:
+            self._open_session(path.parent if kind == "manifest" else path)
+
+    def ask_open_case(self) -> None:
+        """Let the user choose a case."""
+        self._open_chosen(self._dialogue.questions.file_to_open(case_kinds()))
+
+    def ask_open_session(self) -> None:
+        """Let the user choose the folder of a session."""
+        self._open_chosen(self._dialogue.questions.folder_to_open())
+
+    def ask_open_mesh(self) -> None:
+        """Let the user choose an archive or a mesh."""
+        self._open_chosen(self._dialogue.questions.file_to_open(scan_kinds()))
+
+    def new_case(self) -> None:
+        """Begin with an empty case."""
+        self._saving.after_unsaved(lambda: self._case.open(CaseRecord(), None))
+
+    def open_example(self) -> None:
+        """Open the case that comes with the product."""
+        self.open_path(resource_path(EXAMPLE))
+
+    def offer_recovered(self, recovered: Recovered) -> None:
+        """Open what a crash has left; it stays unsaved, under a copy of this window's own."""
+        self._case.open(recovered.record, recovered.path, unsaved=True)
+        self._dialogue.say(
+            tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
+        )
+        self._autosave.write_now()
+        recovered.discard()
+
+    def _open_chosen(self, path: Path | None) -> None:
+        if path is not None:
+            self.open_path(path)
+
+    def _open_case(self, path: Path) -> None:
+        def read(progress: Progress) -> CaseRecord:
+            progress.step(0.0, tr("Opening the case"))
+            return read_case(path)
+
+        def opened(record: CaseRecord) -> None:
+            self._case.open(record, path)
+            self._recent.remember(path)
+
+        self._saving.after_unsaved(
+            lambda: self._jobs.start(CHANNEL, read, opened, self._dialogue.show_error)
+        )
+
+    def _open_session(self, path: Path) -> None:
+        self._open_foot(partial(open_session, path), self._dialogue.show_error)
+
+    def _open_mesh(self, path: Path, side: Side | None, force: bool = False) -> None:
+        if side is None:
+            return
+
+        def failed(error: Exception) -> None:
+            if isinstance(error, SideMismatchError):
+                if self._dialogue.questions.open_anyway(str(error)):
+                    self._open_mesh(path, side, force=True)
+            else:
+                self._dialogue.show_error(error)
+
+        def task(progress: Progress) -> OpenedFoot:
+            return open_mesh(path, side, force, progress)
+
+        self._open_foot(task, failed)
+
+    def _open_foot(
+        self, task: Callable[..., OpenedFoot], failed: Callable[[Exception], None]
+    ) -> None:
+        def opened(result: OpenedFoot) -> None:
+            self._case.open_foot(result.foot, result.source)
+            self._recent.remember(Path(result.source.path))
+            if result.warnings:
+                self._dialogue.show_sentence(" ".join(result.warnings))
+            self._dialogue.say(" ".join(result.foot.notes), LONG_MS)
+
+        def start() -> None:
+            self._jobs.start(CHANNEL, lambda progress: task(progress=progress), opened, failed)
+
+        if self._case.foot is None:
+            start()
+        else:
+            self._saving.after_unsaved(start)

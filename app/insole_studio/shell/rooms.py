@@ -1,0 +1,38 @@
+"""Everything an action can reach: one room for one duty."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtWidgets import QMainWindow
+
+from insole_studio.shell.appearance import Appearance
+from insole_studio.shell.capture_window import CaptureWindow
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.editing import Editing
+from insole_studio.shell.exporting import Exporting
+from insole_studio.shell.guide import Guide
+from insole_studio.shell.opening import Opening
+from insole_studio.shell.prescribing import Prescribing
+from insole_studio.shell.saving import Saving
+from insole_studio.shell.stage_window import StageWindow
+from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.stages.design.stage import DesignStage
+
+
+@dataclass(frozen=True, eq=False)
+class Rooms:
+    """The rooms of the window, and its stages."""
+
+    window: QMainWindow
+    stage: DesignStage
+    dialogue: Dialogue
+    opening: Opening
+    saving: Saving
+    exporting: Exporting
+    editing: Editing
+    prescribing: Prescribing
+    appearance: Appearance
+    guide: Guide
+    capture: CaptureWindow
+    calibrate: StageWindow[CalibrateStage]

@@ -1,0 +1,91 @@
+"""Saving the case; nothing that is not saved is left without a question."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeAlias
+
+from insole_core.cases.case_file import write_case
+from insole_core.progress import Progress
+from insole_studio.jobs import Jobs
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.file_kinds import case_kinds
+from insole_studio.shell.questions import Answer
+from insole_studio.shell.recent import Recent
+from insole_studio.texts import tr
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.opening import CASE_SUFFIX
+
+CHANNEL = "save"
+Then: TypeAlias = Callable[[], None]
+
+
+def _nothing() -> None:
+    pass
+
+
+class Saving:
+    """Writes the case beside the window."""
+
+    def __init__(self, case: Case, jobs: Jobs, dialogue: Dialogue, recent: Recent) -> None:
+        self._case = case
+        self._jobs = jobs
+        self._dialogue = dialogue
+        self._recent = recent
+
+    def save(self) -> None:
+        """Save to the file of the case; ask for one where there is none."""
+        if self._case.path is None:
+            self.ask_save()
+        else:
+            self.save_to(self._case.path)
+
+    def ask_save(self, then: Then = _nothing) -> None:
+        """Let the user choose where to save."""
+        suggestion = f"{file_stem(self._case)}{CASE_SUFFIX}"
+        path = self._dialogue.questions.file_to_write(suggestion, case_kinds())
+        if path is not None:
+            self.save_to(path.with_suffix(CASE_SUFFIX), then)
+
+    def save_to(self, path: Path, then: Then = _nothing) -> None:
+        """Save beside the window; then do something more."""
+        record = self._case.record
+
+        def write(progress: Progress) -> None:
+            progress.step(0.0, tr("Saving the case"))
+            write_case(record, path)
+
+        def saved(_done: None) -> None:
+            self._case.mark_saved(record, path)
+            self._recent.remember(path)
+            then()
+
+        self._jobs.start(CHANNEL, write, saved, self._dialogue.show_error)
+
+    def after_unsaved(self, then: Then) -> None:
+        """Go on, once nothing can be lost by it."""
+        if not self._case.has_unsaved_changes or self._case.is_empty:
+            then()
+            return
+        answer = self._dialogue.questions.about_unsaved(case_name(self._case))
+        if answer is Answer.DISCARD:
+            then()
+        elif answer is Answer.SAVE and self._case.path is not None:
+            self.save_to(self._case.path, then)
+        elif answer is Answer.SAVE:
+            self.ask_save(then)
+
+
+def case_name(case: Case) -> str:
+    """Call the open case by its file, or its patient."""
+    if case.path is not None:
+        return case.path.stem
+    return case.record.patient.name or tr("New case")
+
+
+def file_stem(case: Case) -> str:
+    """Propose the name of a file, with the side of the foot at hand."""
+    name = case_name(case) if case.record.patient.name or case.path else "insole"
+    side = case.side
+    return f"{name}-{side.value}" if side is not None and side.value not in name else name
