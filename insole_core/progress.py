@@ -56,6 +56,10 @@ class Progress:
             self.report, self.is_cancelled, self.start + start * width, self.start + end * width
         )
 
+    def parts(self, count: int) -> tuple[Progress, ...]:
+        """Give the progress of sub-computations of equal size, one after the other."""
+        return tuple(self.part(i / count, (i + 1) / count) for i in range(count))
+
 
 SILENT = Progress()
 """For callers that neither show progress nor cancel."""

@@ -6,11 +6,13 @@ import unicodedata
 from functools import cache
 from pathlib import Path
 
+from arabic_reshaper import reshape
+from bidi import get_display
 from matplotlib import get_data_path
 from matplotlib.font_manager import get_font
 
 FONT_PATH = Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
-"""DejaVu Sans comes with matplotlib: Latin, Greek, Cyrillic, Arabic and more."""
+"""DejaVu Sans comes with matplotlib: Latin, Greek, Cyrillic, Hebrew, Arabic and more."""
 _UNKNOWN = "?"
 
 
@@ -25,6 +27,25 @@ def with_known_letters(text: str) -> str:
     Accents that the font lacks are dropped; control characters become blanks.
     """
     return "".join(_known(letter) for letter in unicodedata.normalize("NFC", text)).strip()
+
+
+def missing_letters(text: str) -> str:
+    """Give the letters of a text that the font lacks, each once, in order."""
+    letters = dict.fromkeys(unicodedata.normalize("NFC", text))
+    return "".join(
+        letter
+        for letter in letters
+        if not unicodedata.category(letter).startswith("C") and ord(letter) not in _letters()
+    )
+
+
+def as_written(text: str) -> str:
+    """Put known letters into the order and forms in which they stand on paper, left to right.
+
+    For writers that draw letter by letter; Arabic letters are joined, lines that run from the right
+    are turned.
+    """
+    return str(get_display(reshape(with_known_letters(text))))
 
 
 def _known(letter: str) -> str:

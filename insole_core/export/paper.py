@@ -24,11 +24,19 @@ from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
-from reportlab.platypus import Flowable, Image, Paragraph, SimpleDocTemplate, Spacer, Table
+from reportlab.platypus import (
+    Flowable,
+    Image,
+    PageBreak,
+    Paragraph,
+    SimpleDocTemplate,
+    Spacer,
+    Table,
+)
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
-from insole_core.export.lettering import FONT_PATH, with_known_letters
+from insole_core.export.lettering import FONT_PATH, as_written, with_known_letters
 from insole_core.geometry.arrays import FloatArray
 from insole_core.resources import resource_path
 
@@ -84,8 +92,8 @@ class JobSheet:
     height_map_mm: FloatArray | None = None
 
 
-def write_job_sheet(sheet: JobSheet, path: Path) -> None:
-    """Write the sheet that goes to the shop with the file.
+def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
+    """Write what goes to the shop with the file: a sheet for each piece, each on a page of its own.
 
     Raises
     ------
@@ -96,14 +104,20 @@ def write_job_sheet(sheet: JobSheet, path: Path) -> None:
     """
     _register_font()
     texts = _texts("job_sheet")
+    story: list[Flowable] = []
+    for number, sheet in enumerate(sheets):
+        story += [PageBreak()] * bool(number) + _sheet(sheet, texts)
+    _write(story, path, texts["title"])
+
+
+def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
     story = [Paragraph(_safe(texts["title"]), _TITLE)]
     for key in ("identification", "measures", "make"):
         story += _facts(texts[key], getattr(sheet, key))
     story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
     story += _list(texts["checks"], sheet.checks)
     story += [Paragraph(_safe(texts["sections"]), _HEAD), _pictures(sheet)]
-    story += [Spacer(1, 4 * mm), Paragraph(_safe(texts["footer"]), _BODY)]
-    _write(story, path, texts["title"])
+    return [*story, Spacer(1, 4 * mm), Paragraph(_safe(texts["footer"]), _BODY)]
 
 
 def write_prescription(
@@ -155,7 +169,7 @@ def _texts(name: str) -> dict[str, str]:
 
 
 def _safe(text: str) -> str:
-    return escape(with_known_letters(text))
+    return escape(as_written(text))
 
 
 def _facts(title: str, facts: Facts) -> list[Flowable]:

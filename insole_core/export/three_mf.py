@@ -46,12 +46,16 @@ class Part:
     color : (red, green, blue), 0 to 255
     density_percent
         Infill that the zone should be printed with; None leaves it to the shop.
+    assembly
+        Parts of one assembly are printed as one thing and keep their places to each other, such as
+        the layers of an insole; empty for a part of its own.
     """
 
     mesh: TriangleMesh
     name: str
     color: tuple[int, int, int] = (214, 190, 160)
     density_percent: float | None = None
+    assembly: str = ""
 
 
 def write_3mf(parts: Sequence[Part], path: Path, title: str = "Insole") -> None:
@@ -85,10 +89,22 @@ def _model(parts: Sequence[Part], title: str) -> Iterable[str]:
     yield "</basematerials>\n"
     for number, part in enumerate(parts):
         yield from _object(part, number)
+    items = [number + 2 for number, part in enumerate(parts) if not part.assembly]
+    for name in dict.fromkeys(part.assembly for part in parts if part.assembly):
+        items.append(len(parts) + 2 + len(items))
+        members = [n + 2 for n, part in enumerate(parts) if part.assembly == name]
+        yield from _assembly(name, items[-1], members)
     yield "</resources>\n<build>\n"
-    for number in range(len(parts)):
-        yield f'<item objectid="{number + 2}"/>\n'
+    for item in items:
+        yield f'<item objectid="{item}"/>\n'
     yield "</build>\n</model>\n"
+
+
+def _assembly(name: str, number: int, members: Sequence[int]) -> Iterable[str]:
+    yield f'<object id="{number}" name={quoteattr(name)} type="model">\n<components>\n'
+    for member in members:
+        yield f'<component objectid="{member}"/>\n'
+    yield "</components>\n</object>\n"
 
 
 def _object(part: Part, number: int) -> Iterable[str]:

@@ -23,9 +23,22 @@ def block_solid(insole: Insole) -> TriangleMesh:
     TriangleMesh, mm, insole frame
         Closed, facing outwards.
     """
-    field = insole.contact
-    top = field.triangles()
-    tips, top = _insert_apexes(insole, top)
+    tips, top = _insert_apexes(insole, insole.contact.triangles())
+    return close_block(insole.contact, top, tips)
+
+
+def close_block(field: HeightField, top: IndexArray, tips: FloatArray) -> TriangleMesh:
+    """Close a surface with walls and a bottom at z = 0.
+
+    Parameters
+    ----------
+    field
+        Above z = 0 everywhere.
+    top : (m, 3) int32
+        Triangles between its nodes and the tips, which are counted after the nodes.
+    tips : (k, 3) float64, mm
+        Further points of the surface.
+    """
     rim = _rim(field)
     floor = field.nodes[rim] * [1, 1, 0]
     centre = np.array([[field.x_mm.mean(), field.y_mm.mean(), 0.0]])

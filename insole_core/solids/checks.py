@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -37,6 +37,8 @@ class Finding:
         What was measured, and what is allowed.
     place_mm
         Where the worst place lies, in the frame of the solid; None where there is no one place.
+    spots_mm : (n, 3) float64
+        All places that break the limit, about a millimetre apart, to be drawn.
     """
 
     name: CheckName
@@ -47,11 +49,16 @@ class Finding:
     unit: str
     sentence: str
     place_mm: Place | None = None
+    spots_mm: FloatArray = field(default_factory=lambda: np.zeros((0, 3)), compare=False)
 
     @property
     def blocks(self) -> bool:
         """Whether the export must stop, unless somebody answers for it."""
         return self.policy == "blocking" and not self.passed
+
+    def as_json(self) -> dict[str, Any]:
+        """Give what is recorded, for `json.dump`."""
+        return {key: value for key, value in vars(self).items() if key != "spots_mm"}
 
 
 @dataclass(frozen=True)
@@ -64,7 +71,11 @@ class Override:
 
 
 def check_solid(
-    solid: TriangleMesh, rules: Rules, progress: Progress = SILENT
+    solid: TriangleMesh,
+    rules: Rules,
+    progress: Progress = SILENT,
+    *,
+    unmarked: TriangleMesh | None = None,
 ) -> tuple[Finding, ...]:
     """Make every check that is not off.
 
@@ -72,8 +83,10 @@ def check_solid(
     ----------
     solid : mm
         Standing on z = 0, the side to be milled upwards.
+    unmarked : mm, optional
+        The solid before letters were put on its bottom, which no cutter from above need reach.
     """
-    survey = _Survey(solid)
+    survey = _Survey(solid, unmarked)
     checks = {
         "watertight": _watertight, "thickness": _thickness, "cutter": _cutter,
         "undercut": _undercut, "step": _step, "block": _block, "shoe_height": _shoe_height,
@@ -100,7 +113,7 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
             f"{blocking[0].sentence} Change the design, or override the rule with a reason."
         )
     return {
-        "findings": [asdict(finding) for finding in findings],
+        "findings": [finding.as_json() for finding in findings],
         "override": asdict(override) if blocking and override is not None else None,
     }
 
@@ -114,8 +127,9 @@ def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
 class _Survey:
     """The solid as seen from above, on a grid."""
 
-    def __init__(self, solid: TriangleMesh) -> None:
+    def __init__(self, solid: TriangleMesh, unmarked: TriangleMesh | None = None) -> None:
         self.solid = solid
+        self.unmarked = unmarked or solid
         self.caster = RayCaster(solid)
         low, high = solid.bounds_mm[:, :2]
         first = np.floor(low) - 2 + _OFF_LATTICE
@@ -218,26 +232,30 @@ def _graded(
     value = float(-badness[worst] if least else badness[worst])
     passed = value >= limit if least else value <= limit
     place = survey.place(worst)
+    bad = badness > (-limit if least else limit)
+    spots = np.dstack([survey.places, survey.seen[0]])[bad]
     bound = "least" if least else "most"
     sentence = f"{value:.2f} {unit}{_at(place)}; {limit:g} is the {bound} allowed."
-    return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place)
+    return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place, spots)
 
 
 def _undercut(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
     """Area that looks down and is not the base: no cutter from above reaches it."""
-    solid, limit = survey.solid, rules.limits["undercut"]
+    solid, limit = survey.unmarked, rules.limits["undercut"]
     corners = solid.vertices[solid.triangles]
     lifted = corners[..., 2].max(axis=1) > solid.bounds_mm[0, 2] + _SKIN_MM
     hidden = lifted & (solid.triangle_normals[:, 2] < _DOWNWARD)
     sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
     areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
     area = float(areas.sum())
-    place = None
+    place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
         x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
         place = (float(round(x, 2)), float(round(y, 2)), float(round(z, 2)))
     sentence = f"{area:.0f} mm² cannot be reached from above{_at(place)}; {limit:g} are allowed."
-    return Finding("undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place)
+    return Finding(
+        "undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place, spots
+    )
 
 
 def _block(survey: _Survey, rules: Rules, policy: Policy) -> Finding:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
+from insole_core.export.atomic import replacing_file
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-export-rules", 1
@@ -42,6 +43,11 @@ class Rules:
     cutter_diameter_mm: float = 10.0
     block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
 
+    def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> Rules:
+        """Take one check more or less strictly; a check without a limit keeps having none."""
+        limits = self.limits if limit is None else {**self.limits, name: limit}
+        return replace(self, policies={**self.policies, name: policy}, limits=limits)
+
     def only(self, names: Collection[CheckName]) -> Rules:
         """Switch the other checks off."""
         return replace(self, policies={k: v for k, v in self.policies.items() if k in names})
@@ -70,6 +76,27 @@ def read_rules(path: Path | None = None) -> Rules:
     if not isinstance(rules, dict) or not rules.keys() <= set(CHECK_NAMES):
         raise InputError(f'"rules" in {path} must name checks of: {", ".join(CHECK_NAMES)}.')
     return _parsed(rules, path)
+
+
+def write_rules(rules: Rules, path: Path) -> None:
+    """Write rules as `read_rules` reads them.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    content: dict[str, dict[str, Any]] = {
+        name: {"policy": policy} for name, policy in rules.policies.items()
+    }
+    for name, limit in rules.limits.items():
+        content.setdefault(name, {"policy": "off"})["limit"] = limit
+    content.setdefault("cutter", {"policy": "off", "limit": 0.0})
+    content["cutter"]["cutter_diameter_mm"] = rules.cutter_diameter_mm
+    content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
+    text = json.dumps({"format": FORMAT, "version": VERSION, "rules": content}, indent=1)
+    with replacing_file(path) as beside:
+        beside.write_text(text + "\n", encoding="utf-8")
 
 
 def _parsed(rules: dict[CheckName, Any], path: Path) -> Rules:

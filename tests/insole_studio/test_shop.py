@@ -41,6 +41,19 @@ def test_everything_at_once(call: list[str], tmp_path: Path) -> None:
     assert len(hashlib.sha256(out.read_bytes()).hexdigest()) == 64
 
 
+def test_pair_in_one_block_with_prescription_paper(call: list[str], tmp_path: Path) -> None:
+    other = tmp_path / "right.ply"
+    shape = FootShape(side=Side.RIGHT)
+    write_ply(build_foot(shape, np.random.default_rng(2), cell_mm=4.0).mesh, other)
+    out, paper = tmp_path / "pair.3mf", tmp_path / "prescription.pdf"
+    options = ["--pair", str(other), "--block", "EVA pair", "--relief", "raised", "--mark", "7"]
+    papers = ["--prescription-paper", str(paper), "--pseudonym", "P-7", "--layers"]
+    assert run([*call, "--out", str(out), *options, *papers]) == 0
+    scene = trimesh.load_scene(out)
+    assert sorted(scene.geometry) == ["left insole, base", "right insole, base"]
+    assert paper.read_bytes().startswith(b"%PDF")
+
+
 def test_ascii(call: list[str], tmp_path: Path) -> None:
     out = tmp_path / "i.stl"
     assert run([*call, "--out", str(out), "--ascii"]) == 0
@@ -73,6 +86,9 @@ def test_blocking_rule_and_its_override(
         (["--mark", " "], 1, "identification is empty"),
         (["--draft", "80"], 1, "draft_deg is 80"),
         (["--rules", "{tmp}/none.json"], 1, "cannot be read"),
+        (["--pair", "{tmp}/none.ply"], 2, "name it with --block"),
+        (["--block", "marble"], 2, 'the shop has "EVA single"'),
+        (["--layers"], 2, "needs a .3mf file"),
         (["--checks", "{tmp}/no/c.json"], 1, "its folder does not exist"),
     ],
 )

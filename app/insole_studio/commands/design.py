@@ -31,6 +31,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
     parser.add_argument(
+        "--pair", type=Path, metavar="FOOT", help="the other foot, nested into one --block"
+    )
+    parser.add_argument("--pair-prescription", type=Path, metavar="design.json")
+    parser.add_argument(
         "--kind", choices=["insole", "block", "positive"], default="insole",
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
@@ -44,19 +48,41 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, build the insole, write it."""
     from insole_core.export.solid_file import check_suffix
-    from insole_core.insole.build import build_insole
 
     check_suffix(arguments.out)
-    design = _read_prescription(arguments.prescription)
-    side = _agreed_side(arguments.side, design)
-    with shop.outputs(arguments) as paths:
-        foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.7))
-        for note in foot.notes:
-            print(note, file=sys.stderr)
-        insole = build_insole(foot, design or _plain(foot.side), progress.part(0.7, 0.9))
-        _print_warnings(insole)
-        shop.deliver(insole, arguments, paths, progress.part(0.9, 1.0))
+    if arguments.pair is not None and arguments.block is None:
+        raise UsageError("--pair nests two insoles into one block; name it with --block.")
+    with shop.outputs(arguments) as beside:
+        parts = progress.part(0.0, 0.8).parts(1 if arguments.pair is None else 2)
+        side = None if arguments.side is None else Side(arguments.side)
+        insoles = [_insole(arguments.foot, side, arguments.prescription, arguments, parts[0])]
+        if arguments.pair is not None:
+            other = insoles[0].design.side.other
+            prescription = arguments.pair_prescription
+            insoles.append(_insole(arguments.pair, other, prescription, arguments, parts[1]))
+        insoles.sort(key=lambda insole: insole.design.side is Side.RIGHT)
+        shop.deliver(tuple(insoles), arguments, beside, progress.part(0.8, 1.0))
     progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _insole(
+    path: Path,
+    named: Side | None,
+    prescription: Path | None,
+    arguments: argparse.Namespace,
+    progress: Progress,
+) -> Insole:
+    """Read a foot and build its insole, saying what is remarkable about both."""
+    from insole_core.insole.build import build_insole
+
+    design = _read_prescription(prescription)
+    side = _agreed_side(named, design)
+    foot = read_foot(path, side, arguments.force, progress.part(0.0, 0.8))
+    for note in foot.notes:
+        print(note, file=sys.stderr)
+    insole = build_insole(foot, design or _plain(foot.side), progress.part(0.8, 1.0))
+    _print_warnings(insole)
+    return insole
 
 
 def _read_prescription(path: Path | None) -> InsoleDesign | None:
@@ -65,9 +91,8 @@ def _read_prescription(path: Path | None) -> InsoleDesign | None:
     return None if path is None else read_design(path)
 
 
-def _agreed_side(named: str | None, design: InsoleDesign | None) -> Side | None:
+def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
     """Give the side that the call and the prescription name, if they name one."""
-    side = None if named is None else Side(named)
     if design is None:
         return side
     if side not in (None, design.side):

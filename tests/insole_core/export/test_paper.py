@@ -46,7 +46,7 @@ def test_section_is_a_cut_across():
 def test_papers_are_pdf(tmp_path: Path):
     file = tmp_path / "solid.stl"
     file.write_bytes(b"solid")
-    write_job_sheet(sheet(file), tmp_path / "sheet.pdf")
+    write_job_sheet([sheet(file)], tmp_path / "sheet.pdf")
     write_prescription(
         {"pseudonym": "Ø-足"}, ["pelott 6 mm, A. Berg, 2026-11-20"], {}, tmp_path / "paper.pdf"
     )
@@ -59,7 +59,7 @@ def test_papers_are_pdf(tmp_path: Path):
 
 def test_file_that_went_away(tmp_path: Path):
     with pytest.raises(InputError, match="export it again"):
-        write_job_sheet(sheet(tmp_path / "none.stl"), tmp_path / "sheet.pdf")
+        write_job_sheet([sheet(tmp_path / "none.stl")], tmp_path / "sheet.pdf")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -67,4 +67,4 @@ def test_place_that_cannot_be_written(tmp_path: Path):
     file = tmp_path / "solid.stl"
     file.write_bytes(b"solid")
     with pytest.raises(OutputError, match="folder does not exist"):
-        write_job_sheet(sheet(file), tmp_path / "no" / "sheet.pdf")
+        write_job_sheet([sheet(file)], tmp_path / "no" / "sheet.pdf")

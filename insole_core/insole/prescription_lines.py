@@ -1,0 +1,57 @@
+"""A prescription in words, for the papers: a line for each correction, and the make."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+from insole_core.insole.design import Correction, InsoleDesign
+
+_UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
+_SILENT = {"id", "enabled", "author", "created_at"}
+
+
+def correction_lines(design: InsoleDesign) -> tuple[str, ...]:
+    """Give a line for every correction that is switched on: what, every number, by whom, when."""
+    return tuple(_line(correction) for correction in design.active)
+
+
+def make_facts(design: InsoleDesign) -> dict[str, str]:
+    """Give thickness, layers, bottom and outline, by name."""
+    layers = design.layers
+    facts = {
+        "least thickness": f"{design.least_thickness_mm:g} mm",
+        "bottom": design.bottom,
+        "outline": f"{_words(design.outline.source)}, {_words(design.outline.extent)}",
+    }
+    if layers.total_mm > 0:
+        facts["cover / shell / base"] = (
+            f"{layers.cover_mm:g} / {layers.shell_mm:g} / {layers.base_mm:g} mm"
+        )
+    return facts
+
+
+def _line(correction: Correction) -> str:
+    values = [
+        _value(field.name, getattr(correction, field.name))
+        for field in fields(correction)
+        if field.name not in _SILENT and getattr(correction, field.name) is not None
+    ]
+    signed = " ".join(word for word in (correction.author, correction.created_at[:10]) if word)
+    line = f"{_words(correction.type).capitalize()}: {'; '.join(values)}"
+    return f"{line} ({signed})" if signed else line
+
+
+def _value(name: str, value: Any) -> str:
+    unit = next((unit for suffix, unit in _UNITS.items() if name.endswith(suffix)), "")
+    for suffix in _UNITS:
+        name = name.removesuffix(suffix)
+    if isinstance(value, tuple) and value and isinstance(value[0], tuple):
+        return f"{_words(name)} {len(value)} points"
+    numbers = value if isinstance(value, tuple) else (value,)
+    text = ", ".join(_words(n) if isinstance(n, str) else f"{n:g}" for n in numbers)
+    return f"{_words(name)} {text}{unit}"
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")

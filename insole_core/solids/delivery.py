@@ -1,0 +1,225 @@
+"""What leaves for the shop in one go: the file, the checks and the papers, or nothing."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from insole_core.errors import UsageError
+from insole_core.export.atomic import replacing_file
+from insole_core.export.paper import JobSheet, section_along, write_job_sheet, write_prescription
+from insole_core.export.solid_file import check_suffix, write_solids
+from insole_core.export.three_mf import Part
+from insole_core.insole.prescription_lines import correction_lines, make_facts
+from insole_core.progress import SILENT, Progress
+from insole_core.solids.checks import Override, require_export, survey_heights
+from insole_core.solids.order import Piece, nest_pieces
+from insole_core.solids.shop import Block, Shop
+
+_SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
+"""Share of the length or width, and whether the cut goes across."""
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where to write; None for what is not wanted.
+
+    Parameters
+    ----------
+    solid
+    checks
+        The outcome of the checks, JSON.
+    job_sheet, prescription
+        PDF.
+    """
+
+    solid: Path
+    checks: Path | None = None
+    job_sheet: Path | None = None
+    prescription: Path | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Delivery:
+    """What is delivered.
+
+    Parameters
+    ----------
+    pieces
+        One, or a left and a right one.
+    shop
+    identification
+        What the shop may know: a pseudonym; never the patient's name.
+    patient
+        For the prescription, which stays with the patient and in the record.
+    material
+    block
+        That a pair is nested in; None for pieces that lie as they were designed.
+    override
+        Of blocking rules.
+    ascii_stl
+        STL as text.
+    """
+
+    pieces: tuple[Piece, ...]
+    shop: Shop
+    identification: Mapping[str, str] = field(default_factory=dict)
+    patient: Mapping[str, str] = field(default_factory=dict)
+    material: str = ""
+    block: Block | None = None
+    override: Override | None = None
+    ascii_stl: bool = False
+
+    def parts(self) -> tuple[Part, ...]:
+        """Give the objects of the file.
+
+        Raises
+        ------
+        DesignError
+            When a pair does not fit the block.
+        """
+        if self.block is not None and len(self.pieces) == 2:
+            return nest_pieces(*self.pieces, self.block.size_mm, self.shop)
+        return tuple(part for piece in self.pieces for part in piece.parts(self.shop))
+
+
+@contextmanager
+def outputs(places: Places) -> Iterator[Places]:
+    """Open every place before the work begins; nothing stays if it fails.
+
+    Raises
+    ------
+    UsageError
+        When a name has a suffix that is not written.
+    OutputError
+        When a place cannot be written.
+    """
+    check_suffix(places.solid)
+    for paper in (places.job_sheet, places.prescription):
+        if paper is not None and paper.suffix.lower() != ".pdf":
+            raise UsageError(f"{paper} is a paper, which is written as .pdf; change its suffix.")
+    with ExitStack() as stack:
+        opened = (
+            path and stack.enter_context(replacing_file(path)) for path in vars(places).values()
+        )
+        yield Places(*opened)
+
+
+def deliver(
+    delivery: Delivery, places: Places, beside: Places, progress: Progress = SILENT
+) -> None:
+    """Write what is wanted.
+
+    Parameters
+    ----------
+    places
+        The names that the shop gets.
+    beside
+        Where they are written until all is well; of `outputs`.
+
+    Raises
+    ------
+    DesignError
+        When a blocking check failed and nobody overrides it, or a pair does not fit its block.
+    """
+    records = [require_export(piece.findings, delivery.override) for piece in delivery.pieces]
+    progress.step(0.1, "Writing the file")
+    write_solids(delivery.parts(), beside.solid, ascii_stl=delivery.ascii_stl)
+    if beside.checks is not None:
+        text = json.dumps(_joined(delivery, records), indent=1, ensure_ascii=False)
+        beside.checks.write_text(text + "\n", encoding="utf-8")
+    if beside.job_sheet is not None:
+        progress.step(0.4, "Writing the job sheet")
+        sheets = [_job_sheet(delivery, piece, places, beside) for piece in delivery.pieces]
+        write_job_sheet(sheets, beside.job_sheet)
+    if beside.prescription is not None:
+        progress.step(0.8, "Writing the prescription")
+        _write_prescription(delivery, beside.prescription)
+
+
+def _joined(delivery: Delivery, records: list[dict[str, Any]]) -> dict[str, Any]:
+    """One piece: its record as it is; a pair: by side."""
+    for piece, record in zip(delivery.pieces, records, strict=True):
+        record["deviation_mm"] = round(piece.deviation_mm, 4)
+        record["triangles"] = len(piece.solid.triangles)
+    if len(records) == 1:
+        return records[0]
+    return {str(piece.side): r for piece, r in zip(delivery.pieces, records, strict=True)}
+
+
+def _job_sheet(delivery: Delivery, piece: Piece, places: Places, beside: Places) -> JobSheet:
+    top, bottom = survey_heights(piece.solid)
+    return JobSheet(
+        identification={
+            **delivery.identification,
+            "side": str(piece.side),
+            "kind": piece.order.kind,
+            "mark": ", ".join(piece.order.mark) or "–",
+            "date": datetime.now(UTC).date().isoformat(),
+        },
+        measures=_measures(piece),
+        make=_make(delivery, piece),
+        sections=tuple(
+            section_along(top, bottom, 1.0, share=share, across=across)
+            for share, across in _SECTIONS
+        ),
+        checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in piece.findings)
+        + piece.notes
+        + _released(delivery, piece),
+        file=beside.solid,
+        file_name=places.solid.name,
+        height_map_mm=top,
+    )
+
+
+def _measures(piece: Piece) -> dict[str, str]:
+    solid = piece.solid
+    length, width, height = (solid.bounds_mm[1] - solid.bounds_mm[0])[[1, 0, 2]]
+    facts = {
+        "length × width × height": f"{length:.1f} × {width:.1f} × {height:.1f} mm",
+        "volume": f"{solid.volume_mm3 / 1000:.1f} cm³",
+        "triangles": str(len(solid.triangles)),
+    }
+    if piece.deviation_mm > 0:
+        facts["deviation of the triangles"] = f"{piece.deviation_mm:.3f} mm at most"
+    return facts
+
+
+def _make(delivery: Delivery, piece: Piece) -> dict[str, str]:
+    facts = {
+        "material": delivery.material or "–",
+        "tolerance": f"± {delivery.shop.tolerance_mm:g} mm",
+        **make_facts(piece.insole.design),
+        "draft of the walls": f"{piece.order.options.draft_deg:g}°",
+    }
+    if delivery.block is not None:
+        size = " × ".join(f"{length:g}" for length in delivery.block.size_mm)
+        facts["block"] = f"{delivery.block.name}, {size} mm"
+    return facts
+
+
+def _released(delivery: Delivery, piece: Piece) -> tuple[str, ...]:
+    by = delivery.override
+    if by is None or not any(finding.blocks for finding in piece.findings):
+        return ()
+    return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)
+
+
+def _write_prescription(delivery: Delivery, path: Path) -> None:
+    lines, make = [], {}
+    for piece in delivery.pieces:
+        lines += [
+            f"{str(piece.side).capitalize()}. {line}"
+            for line in correction_lines(piece.insole.design)
+        ]
+        for key, value in make_facts(piece.insole.design).items():
+            make[f"{piece.side}, {key}"] = value
+    sides = " and ".join(str(piece.side) for piece in delivery.pieces)
+    today = datetime.now(UTC).date().isoformat()
+    identification = {**delivery.patient, **delivery.identification, "side": sides, "date": today}
+    write_prescription(identification, lines, {"material": delivery.material or "–", **make}, path)

@@ -1,0 +1,170 @@
+"""What is ordered from the shop, and the piece that comes of it: made, marked, reduced, checked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from insole_core.errors import DesignError
+from insole_core.export.lettering import missing_letters
+from insole_core.export.three_mf import Part
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.build import Insole
+from insole_core.progress import SILENT, Progress
+from insole_core.solids.checks import Finding, check_solid
+from insole_core.solids.layers import layer_parts
+from insole_core.solids.marking import Relief, mark
+from insole_core.solids.nesting import nest_pair
+from insole_core.solids.rules import CheckName, Rules
+from insole_core.solids.shop import Shop
+from insole_core.solids.simplification import Simplified, simplify
+from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
+
+CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
+    "insole": ("watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"),
+    "block": ("watertight", "thickness", "cutter", "step", "block"),
+    "positive": ("watertight", "undercut"),
+}
+_MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
+"""Under the heel, where the bottom is wide and whole for every foot: shares of the length, mm."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """How a piece is made.
+
+    Parameters
+    ----------
+    kind
+    options
+    mark
+        Lines of identification; none is written where there is none.
+    relief
+        "engraved" into the bottom, or "raised" from it.
+    most_triangles, most_deviation_mm
+        Target of the reduction, and how far it may lead from the surface; None for no target.
+    layered
+        Whether cover, shell and base are objects of their own, where the format allows it.
+    """
+
+    kind: Kind = "insole"
+    options: SolidOptions = DEFAULT_OPTIONS
+    mark: tuple[str, ...] = ()
+    relief: Relief = "engraved"
+    most_triangles: int | None = None
+    most_deviation_mm: float = 0.05
+    layered: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """What an order came to.
+
+    Parameters
+    ----------
+    insole, order
+        What it was made of.
+    solid : mm, insole frame
+    deviation_mm
+        How far the reduction led from the surface at most, measured; 0 without one.
+    findings
+        Of the checks.
+    notes
+        What the orderer should know and no check says, one sentence each.
+    """
+
+    insole: Insole
+    order: Order
+    solid: TriangleMesh
+    deviation_mm: float
+    findings: tuple[Finding, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def side(self) -> Side:
+        """Which foot it is for."""
+        return self.insole.design.side
+
+    @property
+    def name(self) -> str:
+        """Name the object in a file: side and kind."""
+        return f"{self.side} {self.order.kind}"
+
+    def parts(self, shop: Shop) -> tuple[Part, ...]:
+        """Give the objects of the file."""
+        if self.order.layered and self.order.kind == "insole":
+            return layer_parts(self.insole, self.solid, shop.layers, self.name)
+        return (Part(self.solid, self.name),)
+
+
+def make_piece(insole: Insole, order: Order, rules: Rules, progress: Progress = SILENT) -> Piece:
+    """Make the solid of an insole, mark it, reduce its triangles, check it.
+
+    Raises
+    ------
+    DesignError
+        When the solid, its letters, or the target of triangles cannot be had.
+    """
+    plain = make_solid(insole, order.kind, order.options, progress.part(0.0, 0.3))
+    _require_known_letters(order)
+    progress.step(0.3, "Writing the identification")
+    marked = _marked(plain, insole, order)
+    progress.step(0.4, "Reducing the triangles")
+    simple = _reduced(marked, order)
+    findings = check_solid(
+        simple.mesh, rules.only(CHECKS_OF[order.kind]), progress.part(0.7, 1.0), unmarked=plain
+    )
+    return Piece(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
+
+
+def nest_pieces(
+    left: Piece, right: Piece, block_mm: tuple[float, float, float], shop: Shop
+) -> tuple[Part, ...]:
+    """Lay two pieces into one block, each object at its place.
+
+    Raises
+    ------
+    DesignError
+        When the block is too small.
+    """
+    nest = nest_pair(left.solid, right.solid, block_mm)
+    return tuple(
+        replace(part, mesh=part.mesh.transformed(insole2block))
+        for piece, insole2block in zip((left, right), nest.insole2block, strict=True)
+        for part in piece.parts(shop)
+    )
+
+
+def _marked(solid: TriangleMesh, insole: Insole, order: Order) -> TriangleMesh:
+    if not order.mark:
+        return solid
+    length = insole.foot.length_mm
+    sign = -1.0 if order.kind == "positive" else 1.0
+    centre = (sign * float(insole.contact.x_mm.mean()), _MARK_AT * length)
+    room = (_MARK_ROOM[0], _MARK_ROOM[1] * length)
+    return mark(solid, order.mark, centre_mm=centre, room_mm=room, relief=order.relief)
+
+
+def _reduced(solid: TriangleMesh, order: Order) -> Simplified:
+    if order.most_triangles is None:
+        return Simplified(solid, 0.0)
+    return simplify(solid, order.most_triangles, order.most_deviation_mm)
+
+
+def _notes(order: Order) -> tuple[str, ...]:
+    missing = missing_letters("".join(order.mark))
+    if not missing:
+        return ()
+    return (
+        f"The font has no letters {missing}; the identification shows a likeness or “?” instead.",
+    )
+
+
+def _require_known_letters(order: Order) -> None:
+    """Refuse an identification of which nothing but "?" would remain."""
+    text = "".join(order.mark).strip()
+    if text and not set(text) - set(missing_letters(text)):
+        raise DesignError(
+            f"The font has none of the letters of “{text}”; write the identification in other"
+            " letters, such as a number."
+        )

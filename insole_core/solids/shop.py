@@ -1,0 +1,84 @@
+"""What a shop has and how it works: resources/rules/shop.json, which a clinic can change."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, TypeAlias, get_args
+
+from insole_core.errors import InputError
+from insole_core.json_object import JsonObject
+from insole_core.resources import resource_path
+
+FORMAT, VERSION = "insole-shop", 1
+LayerName: TypeAlias = Literal["cover", "shell", "base"]
+LAYER_NAMES: tuple[LayerName, ...] = get_args(LayerName)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A block in stock: its name; length, width, height."""
+
+    name: str
+    size_mm: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class LayerMake:
+    """How a layer looks in a file, and how dense it is printed."""
+
+    color: tuple[int, int, int]
+    density_percent: float
+
+
+@dataclass(frozen=True)
+class Shop:
+    """Blocks and materials in stock, the tolerance that is asked for, the make of each layer."""
+
+    blocks: tuple[Block, ...]
+    materials: tuple[str, ...]
+    tolerance_mm: float
+    layers: Mapping[LayerName, LayerMake]
+
+
+def read_shop(path: Path | None = None) -> Shop:
+    """Read what a shop has, by default what comes with the product.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key that is missing or wrong.
+    """
+    path = path or resource_path("rules/shop.json")
+    try:
+        text = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+    root = JsonObject.parse(str(path), text)
+    root.choice("format", [FORMAT])
+    root.integer("version", VERSION, VERSION)
+    layers = root.object("layers")
+    return Shop(
+        tuple(_block(item) for item in root.objects("blocks")),
+        tuple(str(name) for name in root.items("materials")),
+        root.number("tolerance_mm"),
+        {name: _layer(layers.object(name)) for name in LAYER_NAMES},
+    )
+
+
+def _block(item: JsonObject) -> Block:
+    length, width, height = item.numbers("size_mm", 3)
+    if min(length, width, height) <= 0:
+        raise item.fail("size_mm", "must be three lengths above 0")
+    return Block(item.text("name"), (length, width, height))
+
+
+def _layer(item: JsonObject) -> LayerMake:
+    red, green, blue = (int(channel) for channel in item.numbers("color", 3))
+    density = item.number("density_percent")
+    if not (min(red, green, blue) >= 0 and max(red, green, blue) <= 255):
+        raise item.fail("color", "must be three numbers of 0 to 255")
+    if not 0 < density <= 100:
+        raise item.fail("density_percent", "must be above 0 and at most 100")
+    return LayerMake((red, green, blue), density)

@@ -1,0 +1,198 @@
+"""An order becomes a piece, a pair, a file with layers, and papers."""
+
+from __future__ import annotations
+
+import json
+import re
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.errors import DesignError, InputError, UsageError
+from insole_core.export.lettering import FONT_PATH, as_written, missing_letters
+from insole_core.geometry.side import Side
+from insole_core.insole.build import Insole, build_insole
+from insole_core.insole.design import InsoleDesign, Layers, Pelott
+from insole_core.insole.prescription_lines import correction_lines
+from insole_core.solids.checks import Override
+from insole_core.solids.delivery import Delivery, Places, deliver, outputs
+from insole_core.solids.order import Order, Piece, make_piece
+from insole_core.solids.rules import Rules, read_rules, write_rules
+from insole_core.solids.shop import Block, read_shop
+from insole_core.solids.simplification import to_manifold
+
+SHOP = read_shop()
+PAIR_BLOCK = Block("pair", (340.0, 240.0, 40.0))
+
+
+def insole_of(foot, **design) -> Insole:
+    return build_insole(foot, InsoleDesign(foot.side, grid_mm=2.0, **design))
+
+
+@pytest.fixture(scope="module")
+def layered(left_foot) -> Insole:
+    return insole_of(left_foot, layers=Layers(cover_mm=2.0, shell_mm=3.0, base_mm=1.0))
+
+
+def piece_of(insole: Insole, rules: Rules | None = None, **order) -> Piece:
+    return make_piece(insole, Order(**order), rules or read_rules().only(("watertight",)))
+
+
+def test_layers_are_the_insole_cut_in_three(layered):
+    piece = piece_of(layered, layered=True)
+    parts = piece.parts(SHOP)
+    assert [part.name for part in parts] == [
+        "left insole, cover", "left insole, shell", "left insole, base",
+    ]  # fmt: skip
+    assert len({part.color for part in parts}) == 3
+    assert [part.density_percent for part in parts] == [20, 60, 35]
+    for part in parts:
+        assert part.mesh.is_closed
+    volumes = [part.mesh.volume_mm3 for part in parts]
+    assert sum(volumes) == pytest.approx(piece.solid.volume_mm3, rel=1e-6)
+    cover, shell, base = (to_manifold(part.mesh) for part in parts)
+    assert (cover ^ shell).volume() == pytest.approx(0, abs=1e-3)
+    assert (cover ^ base).volume() == pytest.approx(0, abs=1e-3)
+    # The cover is 2 mm thick: its volume is that of the surface above the foot's contact.
+    assert 1.9 < volumes[0] / top_area(layered, piece) < 2.6
+
+
+def top_area(insole: Insole, piece: Piece) -> float:
+    up = piece.solid.triangle_normals[:, 2] > 0.1
+    corners = piece.solid.vertices[piece.solid.triangles[up]]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return float(np.linalg.norm(cross, axis=1).sum() / 2)
+
+
+def test_insole_without_layers_is_one_base(left_foot):
+    (part,) = piece_of(insole_of(left_foot), layered=True).parts(SHOP)
+    assert part.name == "left insole, base"
+
+
+def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
+    delivery = Delivery((piece_of(layered, layered=True),), SHOP)
+    write(delivery, Places(tmp_path / "insole.3mf"))
+    model = zipfile.ZipFile(tmp_path / "insole.3mf").read("3D/3dmodel.model").decode()
+    assert re.findall(r'<component objectid="(\d+)"', model) == ["2", "3", "4"]
+    assert re.findall(r'<item objectid="(\d+)"', model) == ["5"]
+    assert re.findall(r"density_percent[^>]*>(\d+)<", model) == ["20", "60", "35"]
+
+
+def write(delivery: Delivery, places: Places) -> None:
+    with outputs(places) as beside:
+        deliver(delivery, places, beside)
+
+
+def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
+    pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
+    places = Places(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
+    write(Delivery(pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"}), places)
+    model = zipfile.ZipFile(tmp_path / "pair.3mf").read("3D/3dmodel.model").decode()
+    assert re.findall(r'<object id="\d" name="([^"]+)"', model) == ["left insole", "right insole"]
+    assert set(json.loads((tmp_path / "c.json").read_text())) == {"left", "right"}
+    for name in ("j.pdf", "p.pdf"):
+        assert (tmp_path / name).read_bytes().startswith(b"%PDF")
+
+
+def test_pair_that_does_not_fit_leaves_nothing(left_foot, right_foot, tmp_path: Path):
+    pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
+    small = Block("small", (300.0, 110.0, 30.0))
+    with pytest.raises(DesignError, match="The pair needs a block of"):
+        write(Delivery(pieces, SHOP, block=small), Places(tmp_path / "pair.stl"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_override_is_recorded(layered, tmp_path: Path):
+    strict = Rules({"shoe_height": "blocking"}, {"shoe_height": 5.0})
+    piece, places = piece_of(layered, strict), Places(tmp_path / "i.stl", tmp_path / "c.json")
+    with pytest.raises(DesignError, match="override the rule with a reason"):
+        write(Delivery((piece,), SHOP), places)
+    write(Delivery((piece,), SHOP, override=Override("A. Berg", "high boot", "now")), places)
+    record = json.loads((tmp_path / "c.json").read_text())
+    assert record["override"]["reason"] == "high boot"
+    assert record["findings"][0]["value"] > 5
+
+
+def test_spots_are_where_the_limit_is_broken(layered):
+    (finding,) = piece_of(
+        layered, Rules({"shoe_height": "warning"}, {"shoe_height": 15.0})
+    ).findings
+    assert len(finding.spots_mm) > 0
+    assert finding.spots_mm[:, 2].min() > 15.0
+    (calm,) = piece_of(layered, Rules({"shoe_height": "warning"}, {"shoe_height": 90.0})).findings
+    assert len(calm.spots_mm) == 0
+
+
+def test_letters_below_the_bottom_are_no_undercut(left_foot):
+    plain = insole_of(left_foot)
+    rules = read_rules().only(("undercut",))
+    for relief in ("engraved", "raised"):
+        order = Order(mark=("7 left",), relief=relief)
+        (finding,) = make_piece(plain, order, rules).findings
+        assert finding.value == 0
+
+
+def test_letters_that_the_font_lacks_are_named(left_foot):
+    piece = piece_of(insole_of(left_foot), mark=("Ł 足 7",))
+    assert "足" in piece.notes[0]
+    with pytest.raises(DesignError, match="none of the letters of “足”"):
+        piece_of(insole_of(left_foot), mark=("足",))
+
+
+@pytest.mark.parametrize("text", ["Å. Öberg", "Иванов", "محمد", "אברהם"])
+def test_names_of_many_scripts_are_engraved(left_foot, text):
+    assert missing_letters(text) == ""
+    assert piece_of(insole_of(left_foot), mark=(text,)).solid.is_closed
+
+
+def test_letters_that_run_from_the_right_are_joined_and_turned():
+    assert as_written("محمد 7") == "7 ﺪﻤﺤﻣ"
+    assert as_written("אב") == "בא"
+    assert FONT_PATH.exists()
+
+
+def test_prescription_names_every_number_and_its_author():
+    pad = Pelott(centre_mm=(12.0, 150.0), height_mm=6.0, author="A. Berg", created_at="2026-11-20T")
+    off = replace(pad, id="off", enabled=False)
+    (line,) = correction_lines(InsoleDesign(Side.LEFT, corrections=(pad, off)))
+    assert line.startswith("Pelott: shape egg; centre 12, 150 mm;")
+    assert "height 6 mm" in line
+    assert line.endswith("(A. Berg 2026-11-20)")
+
+
+def test_rules_survive_writing(tmp_path: Path):
+    rules = read_rules().with_rule("step", "blocking", 3.0).with_rule("watertight", "warning")
+    write_rules(rules, tmp_path / "rules.json")
+    assert read_rules(tmp_path / "rules.json") == rules
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "sentence"),
+    [
+        ("format", "x", "insole-shop"),
+        ("blocks", [{"name": "a", "size_mm": [1, 2]}], "must have 3"),
+        ("blocks", [{"name": "a", "size_mm": [1, 2, 0]}], "above 0"),
+        ("layers", {}, "cover is missing"),
+    ],
+)
+def test_shop_that_cannot_be_read(tmp_path: Path, key: str, value: object, sentence: str):
+    from insole_core.resources import resource_path
+
+    content = json.loads(resource_path("rules/shop.json").read_text())
+    path = tmp_path / "shop.json"
+    path.write_text(json.dumps({**content, key: value}))
+    with pytest.raises(InputError, match=sentence):
+        read_shop(path)
+    with pytest.raises(InputError, match="cannot be read"):
+        read_shop(tmp_path / "none.json")
+
+
+def test_paper_with_a_wrong_suffix(tmp_path: Path):
+    with (
+        pytest.raises(UsageError, match=r"written as \.pdf"),
+        outputs(Places(tmp_path / "i.stl", prescription=tmp_path / "p.doc")),
+    ):
+        pass
