@@ -227,12 +227,5 @@ def _axis(landmarks: Landmarks, name: str) -> Axis | None:
     return Axis(lower.point, upper.point, min(lower.confidence, upper.confidence))
 
 
-def asymmetry(
-    left: dict[str, float | None], right: dict[str, float | None]
-) -> dict[str, float | None]:
-    """Left minus right for each measure that both feet have."""
-    return {name: _difference(left[name], right[name]) for name in DEFINITIONS}
-
-
 def _difference(left: float | None, right: float | None) -> float | None:
     return None if left is None or right is None else left - right

@@ -241,3 +241,28 @@ def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     process.kill()
     process.communicate(timeout=60)
     assert out.read_text() == "of yesterday"
+
+
+def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path: Path) -> None:
+    report, table = tmp_path / "measures.json", tmp_path / "measures.csv"
+    call = ["measure", str(SMALL_SESSION), "--other", str(right_foot)]
+    assert run([*call, "--report", str(report), "--csv", str(table)]) == 0
+    content = json.loads(report.read_text())
+    assert (content["side"], content["other"]["side"]) == ("left", "right")
+    left, right = (c["measures"]["foot_length"] for c in (content, content["other"]))
+    length = content["asymmetry"]["foot_length"]
+    assert length["difference"] == pytest.approx(left - right, abs=2e-3)
+    assert length["percent"] == pytest.approx(200 * (left - right) / (left + right), abs=0.01)
+    head, first, *_ = table.read_text().splitlines()
+    assert head == "measure,unit,left,right,difference,percent"
+    assert first == f"foot_length,mm,{left:.3f},{right:.3f},{first.split(',', 4)[4]}"
+
+
+def test_the_other_foot_must_be_the_other(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    report = tmp_path / "measures.json"
+    call = ["measure", str(SMALL_SESSION), "--other", str(SMALL_SESSION)]
+    assert run([*call, "--report", str(report)]) == 2
+    assert "--other" in last_line(capsys)
+    assert not report.exists()

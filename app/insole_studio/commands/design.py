@@ -78,8 +78,6 @@ def _insole(
     design = _read_prescription(prescription)
     side = _agreed_side(named, design)
     foot = read_foot(path, side, arguments.force, progress.part(0.0, 0.8))
-    for note in foot.notes:
-        print(note, file=sys.stderr)
     insole = build_insole(foot, design or _plain(foot.side), progress.part(0.8, 1.0))
     _print_warnings(insole)
     return insole

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +17,7 @@ from insole_studio.commands.foot_source import read_foot
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
+    from insole_core.foot.measure_table import MeasureRow
 
 NAME = "measure"
 HELP = "measure a session or a scanned foot, and find its landmarks"
@@ -28,6 +31,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--report", type=Path, required=True, metavar="measures.json")
     parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
     parser.add_argument(
+        "--other", type=Path, metavar="FOOT2", help="the other foot, for left and right compared"
+    )
+    parser.add_argument("--csv", type=Path, metavar="measures.csv", help="the table, for reading")
+    parser.add_argument(
         "--force", action="store_true", help="go on although the shape looks like the other foot"
     )
 
@@ -36,17 +43,67 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, measure it, write the report."""
     if arguments.report.suffix.lower() != ".json":
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
+    if arguments.csv is not None and arguments.csv.suffix.lower() != ".csv":
+        raise UsageError(f"--csv is {arguments.csv}, but the table is written as .csv.")
     from insole_core.export.atomic import replacing_file
 
-    side = None if arguments.side is None else Side(arguments.side)
-    with replacing_file(arguments.report) as beside:
-        foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.8))
-        for note in foot.notes:
-            print(note, file=sys.stderr)
+    with ExitStack() as stack:
+        report_file = stack.enter_context(replacing_file(arguments.report))
+        csv_file = arguments.csv and stack.enter_context(replacing_file(arguments.csv))
+        feet = _read_feet(arguments, progress.part(0.0, 0.8))
         progress.step(0.8, "Measuring")
-        text = json.dumps(report(foot), indent=1, ensure_ascii=False)
-        beside.write_text(text + "\n", encoding="utf-8")
+        rows = _table(feet)
+        text = json.dumps(_content(feet, rows), indent=1, ensure_ascii=False)
+        report_file.write_text(text + "\n", encoding="utf-8")
+        if csv_file:
+            csv_file.write_text(_csv(rows), encoding="utf-8")
     progress.step(1.0, f"Done: {arguments.report}")
+
+
+def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[Foot]:
+    """Read the foot and, where it is wanted, the other one."""
+    side = None if arguments.side is None else Side(arguments.side)
+    if arguments.other is None:
+        return [read_foot(arguments.foot, side, arguments.force, progress)]
+    foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.5))
+    progress = progress.part(0.5, 1.0)
+    return [foot, read_foot(arguments.other, foot.side.other, arguments.force, progress)]
+
+
+def _table(feet: Sequence[Foot]) -> list[MeasureRow]:
+    from insole_core.foot.landmarks import find_landmarks
+    from insole_core.foot.measure_table import measure_table
+    from insole_core.foot.measures import measure
+
+    return measure_table({foot.side: measure(foot, find_landmarks(foot)) for foot in feet})
+
+
+def _csv(rows: Sequence[MeasureRow]) -> str:
+    from insole_core.foot.measure_table import table_csv
+
+    return table_csv(rows)
+
+
+def _content(feet: Sequence[Foot], rows: Sequence[MeasureRow]) -> dict[str, Any]:
+    from insole_core.foot.measure_table import unlike_sizes
+
+    content = report(feet[0])
+    if len(feet) == 2:
+        content["other"] = report(feet[1])
+        content["asymmetry"] = {
+            row.key: {"difference": round(row.difference, 3), "percent": _rounded(row.percent)}
+            for row in rows
+            if row.difference is not None
+        }
+        left, right = sorted(feet, key=lambda foot: foot.side)
+        if warning := unlike_sizes(left, right):
+            content["notes"].append(warning)
+            print(f"Warning: {warning}", file=sys.stderr)
+    return content
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else round(value, 2)
 
 
 def report(foot: Foot) -> dict[str, Any]:

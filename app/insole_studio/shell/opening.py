@@ -8,6 +8,7 @@ from pathlib import Path
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.record import CaseRecord
+from insole_core.cases.scan import ScannedFoot, open_scan
 from insole_core.errors import InsoleError
 from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
@@ -21,7 +22,7 @@ from insole_studio.shell.saving import Saving
 from insole_studio.texts import tr
 from insole_studio.workbench.autosave import Autosave, Recovered
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.opening import OpenedFoot, kind_of, open_mesh, open_session
+from insole_studio.workbench.opening import kind_of
 
 CHANNEL = "open"
 EXAMPLE = "example/example.insole"
@@ -108,7 +109,7 @@ class Opening:
         )
 
     def _open_session(self, path: Path) -> None:
-        self._open_foot(partial(open_session, path), self._dialogue.show_error)
+        self._open_foot(partial(open_scan, path), self._dialogue.show_error)
 
     def _open_mesh(self, path: Path, side: Side | None, force: bool = False) -> None:
         if side is None:
@@ -121,15 +122,15 @@ class Opening:
             else:
                 self._dialogue.show_error(error)
 
-        def task(progress: Progress) -> OpenedFoot:
-            return open_mesh(path, side, force, progress)
+        def task(progress: Progress) -> ScannedFoot:
+            return open_scan(path, side, force=force, progress=progress)
 
         self._open_foot(task, failed)
 
     def _open_foot(
-        self, task: Callable[..., OpenedFoot], failed: Callable[[Exception], None]
+        self, task: Callable[..., ScannedFoot], failed: Callable[[Exception], None]
     ) -> None:
-        def opened(result: OpenedFoot) -> None:
+        def opened(result: ScannedFoot) -> None:
             self._case.open_foot(result.foot, result.source)
             self._recent.remember(Path(result.source.path))
             if result.warnings:

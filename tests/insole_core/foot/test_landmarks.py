@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
-from insole_core.foot.measures import DEFINITIONS, asymmetry, measure
+from insole_core.foot.measure_table import measure_table
+from insole_core.foot.measures import DEFINITIONS, measure
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
@@ -67,9 +68,9 @@ def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
 
 
 def test_mirrored_foot_has_the_same_measures(left_foot, right_foot):
-    left, right = (measure(foot, find_landmarks(foot)) for foot in (left_foot, right_foot))
-    for name, difference in asymmetry(left, right).items():
-        assert difference is None or difference == pytest.approx(0, abs=0.02), name
+    feet = {foot.side: measure(foot, find_landmarks(foot)) for foot in (left_foot, right_foot)}
+    for row in measure_table(feet):
+        assert row.difference == pytest.approx(0, abs=0.02), row.key
     for name, mark in find_landmarks(left_foot).items():
         other = find_landmarks(right_foot)[name].point * [-1, 1, 1]
         assert other == pytest.approx(mark.point, abs=0.05), name

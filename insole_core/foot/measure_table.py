@@ -1,0 +1,79 @@
+"""The measures of one foot or of both beside each other, with their asymmetry."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.measures import DEFINITIONS
+from insole_core.geometry.side import Side
+
+Measured: TypeAlias = Mapping[str, float | None]
+HEADS = ("measure", "unit", "left", "right", "difference", "percent")
+_UNLIKE_MM, _UNLIKE_SHARE = 10.0, 0.05
+
+
+@dataclass(frozen=True)
+class MeasureRow:
+    """One measure of both feet; None where a foot, or the measure on it, is missing."""
+
+    key: str
+    left: float | None
+    right: float | None
+
+    @property
+    def unit(self) -> str:
+        """``mm``, ``degrees``, or empty for a ratio."""
+        return DEFINITIONS[self.key].unit
+
+    @property
+    def difference(self) -> float | None:
+        """Left minus right."""
+        return None if self.left is None or self.right is None else self.left - self.right
+
+    @property
+    def percent(self) -> float | None:
+        """The difference in per cent of the mean of both; None for angles."""
+        if self.difference is None or self.unit == "degrees":
+            return None
+        assert self.left is not None
+        assert self.right is not None
+        mean = (self.left + self.right) / 2
+        return 100 * self.difference / mean if mean else None
+
+
+def measure_table(measures: Mapping[Side, Measured]) -> list[MeasureRow]:
+    """Give a row for each measure that at least one of the feet has, in their usual order."""
+    left, right = measures.get(Side.LEFT, {}), measures.get(Side.RIGHT, {})
+    rows = (MeasureRow(key, left.get(key), right.get(key)) for key in DEFINITIONS)
+    return [row for row in rows if row.left is not None or row.right is not None]
+
+
+def table_csv(rows: Iterable[MeasureRow]) -> str:
+    """Give the table with a head line; numbers with a point, empty where there is none."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(HEADS)
+    for row in rows:
+        numbers = (row.left, row.right, row.difference, row.percent)
+        writer.writerow((row.key, row.unit, *(_number(number) for number in numbers)))
+    return text.getvalue()
+
+
+def unlike_sizes(left: Foot, right: Foot) -> str:
+    """Warn in a sentence of two feet that can hardly be one patient's; empty where they can."""
+    apart = abs(left.length_mm - right.length_mm)
+    if apart <= max(_UNLIKE_MM, _UNLIKE_SHARE * min(left.length_mm, right.length_mm)):
+        return ""
+    return (
+        f"The left foot is {left.length_mm:.0f} mm long and the right one {right.length_mm:.0f} mm;"
+        " check that both scans are of this patient, and in the same unit."
+    )
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value + 0.0:.3f}"

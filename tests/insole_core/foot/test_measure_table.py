@@ -1,0 +1,44 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from insole_core.foot.measure_table import MeasureRow, measure_table, table_csv, unlike_sizes
+from insole_core.geometry.side import Side
+
+LEFT = {"foot_length": 252.0, "heel_width": 66.0, "rearfoot_angle_deg": 4.0, "arch_index": None}
+RIGHT = {"foot_length": 248.0, "heel_width": None, "rearfoot_angle_deg": -1.0, "arch_index": 0.2}
+
+
+def test_the_asymmetry_is_left_minus_right() -> None:
+    rows = {row.key: row for row in measure_table({Side.LEFT: LEFT, Side.RIGHT: RIGHT})}
+    assert list(rows) == ["foot_length", "heel_width", "arch_index", "rearfoot_angle_deg"]
+    assert rows["foot_length"].difference == pytest.approx(4.0)
+    assert rows["foot_length"].percent == pytest.approx(100 * 4 / 250)
+    assert rows["rearfoot_angle_deg"].difference == pytest.approx(5.0)
+    assert rows["rearfoot_angle_deg"].percent is None
+    assert rows["heel_width"].difference is None
+    assert rows["arch_index"].percent is None
+
+
+def test_one_foot_has_no_asymmetry() -> None:
+    (row, *_) = measure_table({Side.RIGHT: RIGHT})
+    assert row == MeasureRow("foot_length", None, 248.0)
+    assert (row.difference, row.percent, row.unit) == (None, None, "mm")
+
+
+def test_the_table_is_read_by_a_spreadsheet() -> None:
+    lines = table_csv(measure_table({Side.LEFT: LEFT, Side.RIGHT: RIGHT})).splitlines()
+    assert lines[0] == "measure,unit,left,right,difference,percent"
+    assert lines[1] == "foot_length,mm,252.000,248.000,4.000,1.600"
+    assert lines[2] == "heel_width,mm,66.000,,,"
+    assert lines[4] == "rearfoot_angle_deg,degrees,4.000,-1.000,5.000,"
+
+
+def test_feet_of_two_patients_are_noticed(left_foot, right_foot) -> None:
+    assert unlike_sizes(left_foot, right_foot) == ""
+    longer = replace(right_foot, length_mm=right_foot.length_mm + 20)
+    sentence = unlike_sizes(left_foot, longer)
+    assert f"{longer.length_mm:.0f} mm" in sentence
+    assert "this patient" in sentence
