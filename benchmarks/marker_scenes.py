@@ -21,7 +21,8 @@ from benchmarks._measure import print_table
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.reconstruct.blobs import find_blobs, sharpened
-from insole_core.reconstruct.registration import Registration, register_in_image
+from insole_core.reconstruct.marker_fix import Registration
+from insole_core.reconstruct.registration import register_in_image
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import LinearInverseDisparity

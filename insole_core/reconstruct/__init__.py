@@ -1,7 +1,8 @@
 """From a recorded session to one coloured foot in the reference frame."""
 
+from insole_core.reconstruct.marker_fix import MarkerFix
+from insole_core.reconstruct.pose_quality import RegistrationLimits
 from insole_core.reconstruct.reconstruction import reconstruct
-from insole_core.reconstruct.registration import MarkerFix, RegistrationLimits
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,

@@ -45,12 +45,15 @@ class CameraPose:
         1 for a marker that fits in the image, towards 0 for one that does not.
     covariance : (6, 6) float64
         Of a small turn (rad) about the markers' centre and a shift (mm), camera frame.
+    center : (3,) float64, mm, reference frame
+        Of the markers.
     """
 
     reference2color: FloatArray
     residuals_px: FloatArray
     weights: FloatArray
     covariance: FloatArray
+    center: FloatArray
 
     @property
     def rms_px(self) -> float:
@@ -58,10 +61,12 @@ class CameraPose:
         squared = (self.residuals_px**2).sum(1)
         return float(np.sqrt(self.weights @ squared / self.weights.sum()))
 
-    @property
-    def shift_deviation_mm(self) -> float:
-        """Standard deviation of the place of the markers' centre, all axes together."""
-        return float(np.sqrt(np.trace(self.covariance[3:, 3:])))
+    def displacement_mm(self, place: FloatArray) -> float:
+        """Give the standard deviation of where a place (3,), mm, is put, all axes together."""
+        arm = self.reference2color[:3, :3] @ (place - self.center)
+        # A small turn t moves the place by t × arm.
+        change = np.concatenate([np.cross(np.eye(3), arm).T, np.eye(3)], axis=1)
+        return float(np.sqrt(np.trace(change @ self.covariance @ change.T)))
 
     @property
     def turn_deviation_deg(self) -> float:
@@ -128,7 +133,8 @@ def fit_camera_pose(
     scatter = float((weights * (scaled**2).sum(2)).sum()) / freedom
     residuals_px = scaled[:, 0] * noise.pixel_px
     counted = weights[:, 0] * np.isfinite(seen.pixels[:, 0])
-    return CameraPose(pose, residuals_px, counted, max(1, scatter) * np.linalg.inv(normal))
+    covariance = max(1, scatter) * np.linalg.inv(normal)
+    return CameraPose(pose, residuals_px, counted, covariance, seen.faces.mean(0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,37 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, TypeVar
 
-import numpy as np
-
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.blobs import find_blobs, sharpened
-from insole_core.reconstruct.coloring import color_points, mean_color
+from insole_core.reconstruct.coloring import color_points
 from insole_core.reconstruct.fusion.reading import Reading, read_volume
 from insole_core.reconstruct.fusion.surface import fuse
-from insole_core.reconstruct.midline import cut_at_midline
-from insole_core.reconstruct.registration import (
-    DEFAULT_LIMITS,
-    Registration,
-    RegistrationLimits,
-    register,
-    register_in_image,
-    register_precisely,
+from insole_core.reconstruct.measured_view import (
+    MeasuredView,
+    measure_as_thesis,
+    measure_view,
+    used_result,
 )
-from insole_core.reconstruct.remarks import check_still, motion_note, warnings_of
+from insole_core.reconstruct.midline import cut_at_midline
+from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits
+from insole_core.reconstruct.preview import coarse_foot
+from insole_core.reconstruct.remarks import warnings_of
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,
-    Residuals,
     Surface,
     ViewResult,
+    refused_result,
 )
 from insole_core.reconstruct.sheet import (
     Sheet,
@@ -41,11 +38,9 @@ from insole_core.reconstruct.sheet import (
     triangulate,
     without_small_pieces,
 )
-from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.reconstruct.stopwatch import Stopwatch
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
-from insole_core.recording.session import Box, ReferenceSystem, Session, View
-from insole_core.sensing.frames import RawAverage, average_raw, median_raw
+from insole_core.recording.session import Box, Session, View
 
 _Part = TypeVar("_Part")
 
@@ -56,12 +51,14 @@ def reconstruct(
     progress: Progress = SILENT,
     limits: RegistrationLimits = DEFAULT_LIMITS,
     on_preview: Callable[[TriangleMesh], None] | None = None,
+    measure: Callable[[View], MeasuredView] = measure_view,
 ) -> Reconstruction:
     """Make one coloured foot, in the reference frame, from the views of a session.
 
     Parameters
     ----------
     session
+        What was corrected in it by hand is honoured.
     method
         ``thesis``: median of the frames, depth in whole mm, views cut where they overlap.
         ``fused``: mean of the frames in disparity, and the likeliest smooth surface of all views.
@@ -69,35 +66,28 @@ def reconstruct(
     limits
         When the pose of a view is good enough.
     on_preview
-        Is given a coloured mesh before the last step, for ``fused`` only.
+        Is given a coarse coloured mesh as soon as the views are placed, for ``fused`` only.
+    measure
+        Averages the frames of a view, for ``fused`` only; give one that remembers where a session
+        is reconstructed several times.
 
     Raises
     ------
     ReconstructionError
         When no view can be used; the sentence names the reason of each.
     """
-    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(on_preview)
+    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, on_preview)
     return _Chain(session, way, limits, Stopwatch()).run(progress)
 
 
 class _Way(Protocol[_Part]):
     """What the methods do differently."""
 
-    def average(self, view: View) -> RawAverage:
-        """Give one raw image of many."""
+    def measure(self, view: View) -> MeasuredView:
+        """Give one image of many frames."""
         ...
 
-    def rounded(self, depth_mm: FloatArray) -> FloatArray:
-        """Give depth in the resolution that the method keeps."""
-        ...
-
-    def register(
-        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
-    ) -> Registration:
-        """Find where the sensor stood."""
-        ...
-
-    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> _Part:
+    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> _Part:
         """Give the part of a placed view that shows the foot."""
         ...
 
@@ -106,35 +96,13 @@ class _Way(Protocol[_Part]):
         ...
 
 
-@dataclass(frozen=True, eq=False)
-class _Measured:
-    """One view, its frames averaged; depth in the depth camera's frame."""
-
-    view: View
-    raw: FloatArray
-    points: FloatArray
-    color: ByteArray
-    motion_note: str
-
-
 class _Thesis:
     """Chapters 5 and 6: the baseline."""
 
-    def average(self, view: View) -> RawAverage:
-        raw = median_raw(_depth_frames(view))
-        return RawAverage(raw, np.zeros_like(raw), view.depth_count, (), 0.0)
+    def measure(self, view: View) -> MeasuredView:
+        return measure_as_thesis(view)
 
-    def rounded(self, depth_mm: FloatArray) -> FloatArray:
-        return np.asarray(np.rint(depth_mm))
-
-    def register(
-        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
-    ) -> Registration:
-        sensor = measured.view.sensor
-        sightings = locate_blobs(find_blobs(measured.color), measured.points, sensor)
-        return register(sightings, system, sensor.faces, limits)
-
-    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Sheet:
+    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> Sheet:
         sensor = measured.view.sensor
         placed = transform(sensor2reference, measured.points)
         inside = is_inside(placed, box)
@@ -155,33 +123,16 @@ class _Thesis:
 class _Fused:
     """The best there is."""
 
+    measuring: Callable[[View], MeasuredView]
     on_preview: Callable[[TriangleMesh], None] | None
 
-    def average(self, view: View) -> RawAverage:
-        return average_raw(_depth_frames(view))
+    def measure(self, view: View) -> MeasuredView:
+        return self.measuring(view)
 
-    def rounded(self, depth_mm: FloatArray) -> FloatArray:
-        return depth_mm
-
-    def register(
-        self, measured: _Measured, system: ReferenceSystem, limits: RegistrationLimits
-    ) -> Registration:
-        blobs = sharpened(measured.color, find_blobs(measured.color))
-        sensor = measured.view.sensor
-        sightings = locate_blobs(blobs, measured.points, sensor)
-        try:
-            return register_precisely(sightings, system, sensor, limits)
-        except ReconstructionError as error:
-            try:
-                return register_in_image(blobs, system, sensor, limits)
-            except ReconstructionError:
-                raise error from None
-
-    def cut_out(self, measured: _Measured, sensor2reference: FloatArray, box: Box) -> Reading:
-        view = measured.view
+    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> Reading:
         return read_volume(
-            view.name,
-            view.sensor,
+            measured.view.name,
+            measured.view.sensor,
             sensor2reference,
             box,
             raw=measured.raw,
@@ -189,7 +140,10 @@ class _Fused:
         )
 
     def join(self, parts: list[Reading], progress: Progress) -> Surface:
-        return fuse(parts, progress, on_preview=self.on_preview)
+        if self.on_preview is not None:
+            progress.step(0.0, "Making a first coarse foot")
+            self.on_preview(coarse_foot(parts))
+        return fuse(parts, progress.part(0.1, 1.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,7 +165,7 @@ class _Chain(Generic[_Part]):
             try:
                 part, result = self._place(view, progress.part(start, end))
             except ReconstructionError as error:
-                results.append(ViewResult(view.name, used=False, reason=str(error)))
+                results.append(refused_result(view.name, error))
                 continue
             parts.append(part)
             results.append(result)
@@ -229,47 +183,21 @@ class _Chain(Generic[_Part]):
 
     def _place(self, view: View, progress: Progress) -> tuple[_Part, ViewResult]:
         """Bring one view to the reference frame."""
+        edits = self.session.edits.of(view.name)
+        if edits.off:
+            raise ReconstructionError("it was switched off by hand")
         progress.step(0.0, f"Averaging the frames of the view {view.name}")
         with self.clock.measuring("frames"):
-            measured = self._measure(view)
+            measured = self.way.measure(view)
         progress.step(0.6, f"Finding the markers of the view {view.name}")
         with self.clock.measuring("markers"):
             system = self.session.manifest.reference_system
-            registration = self.way.register(measured, system, self.limits)
+            registration = measured.register(system, self.limits, edits)
         with self.clock.measuring("surface"):
-            box = volume_of_interest(self.session.manifest)
-            part = self.way.cut_out(measured, registration.sensor2reference, box)
-        return part, _used(measured, registration)
-
-    def _measure(self, view: View) -> _Measured:
-        """Average a view's frames and convert them, thesis (12), (16), 6.1."""
-        average = self.way.average(view)
-        check_still(average)
-        raw = view.sensor.corrected(average.raw)
-        depth_mm = view.sensor.disparity.depth_mm(raw)
-        if not np.isfinite(depth_mm).any():
-            raise ReconstructionError(
-                "its depth frames hold no reading; check the sensor's distance and that no "
-                "sunlight falls on the foot"
+            part = self.way.cut_out(
+                measured, registration.sensor2reference, volume_of_interest(self.session)
             )
-        points = view.sensor.points(self.way.rounded(depth_mm))
-        note = motion_note(view, average, depth_mm)
-        return _Measured(view, raw, points, mean_color(view), note)
-
-
-def _depth_frames(view: View) -> Iterable[RawArray]:
-    return (view.read_depth(index) for index in range(view.depth_count))
-
-
-def _used(measured: _Measured, registration: Registration) -> ViewResult:
-    return ViewResult(
-        measured.view.name,
-        used=True,
-        reason=measured.motion_note,
-        sensor2reference=registration.sensor2reference,
-        residuals=Residuals.of(registration.residuals_mm),
-        fixes=registration.fixes,
-    )
+        return part, used_result(measured, registration)
 
 
 def _check_any_used(session: Session, results: list[ViewResult]) -> None:

@@ -1,25 +1,38 @@
 """Where a sensor stood: the pose of one view from the markers it saw.
 
 By Horn's method on their places in space as in the thesis (6.2.2, 6.2.3), or by their places in the
-colour image, which are an order of magnitude finer; then Horn's pose is the start.
+colour image, which are an order of magnitude finer; then Horn's pose is the start. What somebody
+corrected by hand comes before either.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.assignment import Assignment, AssignmentLimits, assign
+from insole_core.reconstruct.assignment import Assignment, assign
 from insole_core.reconstruct.blobs import Blobs
 from insole_core.reconstruct.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
 from insole_core.reconstruct.image_assignment import assign_in_image
 from insole_core.reconstruct.marker_faces import apparent_centers
+from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+from insole_core.reconstruct.naming import (
+    ENOUGH_NAMES,
+    Naming,
+    follow_names,
+    named,
+    positions_of,
+    searched,
+)
+from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits, check_pose
 from insole_core.reconstruct.sighting import Sightings
+from insole_core.reconstruct.volume import enclosed_volume
+from insole_core.recording.hand_edits import ViewEdits
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 
@@ -30,90 +43,12 @@ _LEAST_WEIGHT = 0.2
 """Below it a marker lies twice its noise off and hardly counts."""
 
 
-@dataclass(frozen=True)
-class RegistrationLimits:
-    """When a pose is good enough to be used.
-
-    Parameters
-    ----------
-    residual_mm
-        Largest mean distance of the measured markers from the reference system.
-    assignment
-        When the assignment of blobs to markers is trusted.
-    least_used
-        So many markers must determine the pose, all when fewer were found; fused only.
-    reprojection_px
-        Largest root mean square of the distances in the colour image, fused only.
-    shift_deviation_mm, turn_deviation_deg
-        Largest standard deviations of a pose, fused only.
-    """
-
-    residual_mm: float = 4.0
-    least_used: int = 6
-    reprojection_px: float = 1.0
-    shift_deviation_mm: float = 1.5
-    turn_deviation_deg: float = 0.6
-    assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
-
-
-DEFAULT_LIMITS = RegistrationLimits()
-
-
-@dataclass(frozen=True)
-class MarkerFix:
-    """One marker as one view saw it.
-
-    Parameters
-    ----------
-    id
-    pixel
-        (u, v) of its centre in the colour image, px.
-    position_mm
-        Measured, reference frame.
-    residual_mm
-        Distance from where the reference system has it.
-    used
-        Whether it helped to determine the pose.
-    reprojection_px
-        Distance in the colour image from where the pose puts it; the thesis's chain has none.
-    """
-
-    id: str
-    pixel: tuple[float, float]
-    position_mm: tuple[float, float, float]
-    residual_mm: float
-    used: bool
-    reprojection_px: float | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Registration:
-    """The pose of one view and the markers it rests on.
-
-    Parameters
-    ----------
-    sensor2reference : (4, 4) float64, mm
-    fixes
-        In the order of the reference system.
-    camera_pose : optional
-        With its certainty, where the pose was found in the colour image.
-    """
-
-    sensor2reference: FloatArray
-    fixes: tuple[MarkerFix, ...]
-    camera_pose: CameraPose | None = None
-
-    @property
-    def residuals_mm(self) -> FloatArray:
-        """(k,) residuals of the markers that determined the pose."""
-        return np.array([fix.residual_mm for fix in self.fixes if fix.used])
-
-
 def register(
     sightings: Sightings,
     system: ReferenceSystem,
-    faces: tuple[str, ...],
+    sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
+    edits: ViewEdits = ViewEdits(),
 ) -> Registration:
     """Determine a view's pose by Horn's method on the markers it saw, thesis (2) - (6).
 
@@ -122,20 +57,21 @@ def register(
     sightings
         What the view saw that may be markers.
     system
-    faces
-        The marker groups that the view is said to see; only they are looked for.
+    sensor
+        Its faces are the marker groups that are looked for.
+    limits
+    edits
+        What was corrected by hand; the places it points at are among the sightings.
 
     Raises
     ------
     ReconstructionError
         With the reason, as the end of a sentence.
     """
-    markers, found = _assign(sightings, system, faces, limits)
-    positions = _positions(markers)[found.markers]
-    points = sightings.points[found.points]
-    a2b = absolute_orientation(points, positions, found.used.astype(float)).a2b
-    registration = Registration(a2b, _fixes(a2b, sightings, markers, found))
-    _check_residuals(registration, limits)
+    naming = _named(sightings, system, sensor, limits, edits)
+    a2b = _by_horn(naming)
+    registration = Registration(a2b, _fixes(a2b, naming))
+    check_pose(registration, limits)
     return registration
 
 
@@ -144,8 +80,11 @@ def register_precisely(
     system: ReferenceSystem,
     sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
+    edits: ViewEdits = ViewEdits(),
 ) -> Registration:
     """Determine a view's pose by the least reprojection error, started and checked by Horn's.
+
+    Where the hand names enough markers, they are the start instead.
 
     Parameters
     ----------
@@ -154,18 +93,23 @@ def register_precisely(
     system
     sensor
         Its faces are the marker groups that are looked for.
+    limits
+    edits
+        What was corrected by hand; the places it points at are among the sightings.
 
     Raises
     ------
     ReconstructionError
         With the reason, as the end of a sentence.
     """
-    markers, found = _assign(sightings, system, sensor.faces, limits)
-    positions = _positions(markers)[found.markers]
-    points = sightings.points[found.points]
-    start = absolute_orientation(points, positions, found.used.astype(float)).a2b
-    reference2color = sensor.depth2color @ inverse(start)
-    return _fitted(sightings, (markers, found), sensor, reference2color, limits)
+    if len(edits.named) >= ENOUGH_NAMES:
+        markers = _facing(system, sensor.faces)
+        pairs, start = follow_names(markers, sightings, sensor.color_camera, edits)
+        naming = named(pairs, markers, sightings, sensor.color_camera, edits)
+        return _fitted(naming, system, sensor, start, limits)
+    naming = _named(sightings, system, sensor, limits, edits)
+    reference2color = sensor.depth2color @ inverse(_by_horn(naming))
+    return _fitted(naming, system, sensor, reference2color, limits)
 
 
 def register_in_image(
@@ -173,6 +117,7 @@ def register_in_image(
     system: ReferenceSystem,
     sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
+    edits: ViewEdits = ViewEdits(),
 ) -> Registration:
     """Determine a view's pose from its colour image alone, where depth does not tell who is who.
 
@@ -183,6 +128,9 @@ def register_in_image(
     system
     sensor
         Its faces are the marker groups that are looked for.
+    limits
+    edits
+        What was corrected by hand.
 
     Raises
     ------
@@ -191,58 +139,131 @@ def register_in_image(
     """
     markers = _facing(system, sensor.faces)
     camera = sensor.color_camera
-    found = assign_in_image(blobs.centroids, blobs.areas, _positions(markers), camera)
-    pairs = found.pairs
-    rays = camera.normalised(blobs.centroids)
-    in_color = np.full((len(blobs), 3), np.nan)
-    at_marker = transform(found.reference2color, _positions(markers)[pairs.markers])
-    in_color[pairs.points] = (
-        np.column_stack([rays, np.ones(len(rays))])[pairs.points] * at_marker[:, 2:]
-    )
-    # Placed on their rays as far away as their markers are: the depth image had no say.
-    points = transform(inverse(sensor.depth2color), in_color)
-    sightings = Sightings(blobs.centroids, points, blobs.spreads, blobs.fills)
-    return _fitted(sightings, (markers, pairs), sensor, found.reference2color, limits)
+    rows = np.flatnonzero(searched(blobs.centroids, edits))
+    found = assign_in_image(blobs.centroids[rows], blobs.areas[rows], positions_of(markers), camera)
+    # The depth image has no say, so nothing has a place in space.
+    nowhere = np.full((len(blobs), 3), np.nan)
+    sightings = Sightings(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
+    exact = np.array([spot.pixel for spot in edits.named if spot.exact]).reshape(-1, 2)
+    sightings = sightings.with_places(exact, np.full((len(exact), 3), np.nan))
+    naming = named(_of_rows(found.pairs, rows), markers, sightings, camera, edits)
+    return _fitted(naming, system, sensor, found.reference2color, limits)
+
+
+def _named(
+    sightings: Sightings,
+    system: ReferenceSystem,
+    sensor: Sensor,
+    limits: RegistrationLimits,
+    edits: ViewEdits,
+) -> Naming:
+    """Find who is who by the places in space, then let the hand correct it."""
+    markers = _facing(system, sensor.faces)
+    may = searched(sightings.pixels, edits)
+    may[len(sightings) - sightings.placed :] = False
+    rows = np.flatnonzero(may)
+    try:
+        found = assign(sightings.points[rows], positions_of(markers), limits.assignment)
+    except ReconstructionError as error:
+        if len(edits.named) < ENOUGH_NAMES:
+            raise ReconstructionError(
+                _why_unassigned(error, sightings.points[rows], system, sensor.faces, limits)
+            ) from error
+        nothing = np.zeros(0, dtype=np.int64)
+        found = Assignment(nothing, nothing, np.zeros(0, dtype=bool))
+    return named(_of_rows(found, rows), markers, sightings, sensor.color_camera, edits)
+
+
+def _of_rows(pairs: Assignment, rows: IntArray) -> Assignment:
+    """Give pairs of some sightings as pairs of all."""
+    return replace(pairs, points=rows[pairs.points])
+
+
+def _by_horn(naming: Naming) -> FloatArray:
+    """Give the pose (4, 4) of the markers' places in space."""
+    weights = (naming.pairs.used & np.isfinite(naming.points[:, 2])).astype(float)
+    if weights.sum() < ENOUGH_NAMES - 1:
+        raise ReconstructionError(
+            f"only {weights.sum():.0f} of its markers have a depth reading; see that more markers "
+            "are in view"
+        )
+    points = np.nan_to_num(naming.points)
+    return absolute_orientation(points, naming.positions, weights).a2b
 
 
 def _fitted(
-    sightings: Sightings,
-    assigned: tuple[tuple[Marker, ...], Assignment],
+    naming: Naming,
+    system: ReferenceSystem,
     sensor: Sensor,
     start: FloatArray,
     limits: RegistrationLimits,
 ) -> Registration:
-    """Fit the pose to assigned markers and judge it."""
-    markers, found = assigned
-    positions = _positions(markers)[found.markers]
-    pixels, camera = sightings.pixels[found.points], sensor.color_camera
-    precise = _precise(sightings, found)
+    """Fit the pose to named markers and judge it."""
+    counted, camera = ~naming.excluded, sensor.color_camera
+    pixels, positions = naming.pixels, naming.positions
+    precise = _precise(naming)[counted]
     seen = SeenMarkers(
-        positions,
-        positions,
-        np.where(precise[:, None], pixels, np.nan),
-        transform(sensor.depth2color, sightings.points[found.points])[:, 2],
+        positions[counted],
+        positions[counted],
+        np.where(precise[:, None], pixels[counted], np.nan),
+        transform(sensor.depth2color, naming.points[counted])[:, 2],
     )
     pose = fit_camera_pose(seen, camera, start)
-    if sightings.spreads is not None:
-        spreads = sightings.spreads[found.points]
+    spreads = _spreads(naming)
+    centers = positions
+    if spreads is not None:
         centers = apparent_centers(positions, spreads, camera, pose.reference2color)
-        seen = replace(seen, centers=centers)
+        seen = replace(seen, centers=centers[counted])
         pose = fit_camera_pose(seen, camera, pose.reference2color)
-    missed = np.linalg.norm(
-        pixels - camera.project(transform(pose.reference2color, seen.centers)), axis=1
-    )
-    used = pose.weights > _LEAST_WEIGHT
+    used = np.zeros(len(pixels), dtype=bool)
+    used[counted] = pose.weights > _LEAST_WEIGHT
+    projected = camera.project(transform(pose.reference2color, centers))
     sensor2reference = inverse(pose.reference2color) @ sensor.depth2color
-    fixes = tuple(
-        replace(fix, used=bool(used[i]), reprojection_px=float(missed[i]))
-        for i, fix in enumerate(_fixes(sensor2reference, sightings, markers, found))
+    fixes = _fixes(sensor2reference, _placed_on_rays(naming, sensor, pose))
+    registration = Registration(
+        sensor2reference,
+        tuple(_seen_in_image(fix, projected[i], bool(used[i])) for i, fix in enumerate(fixes)),
+        pose,
+        pose.displacement_mm(_middle(system)),
     )
-    registration = Registration(sensor2reference, fixes, pose)
-    _check_used(registration, limits)
-    _check_residuals(registration, limits)
-    _check_certainty(pose, fixes, limits)
+    check_pose(registration, limits)
     return registration
+
+
+def _seen_in_image(fix: MarkerFix, projected: FloatArray, used: bool) -> MarkerFix:
+    u, v = projected.tolist()
+    missed = float(np.linalg.norm(projected - fix.pixel))
+    return replace(fix, used=used, reprojection_px=missed, projected=(u, v))
+
+
+def _middle(system: ReferenceSystem) -> FloatArray:
+    """Give the middle (3,) of where the foot is, mm, reference frame."""
+    box = enclosed_volume(system)
+    return (np.array(box.min_mm) + np.array(box.max_mm)) / 2
+
+
+def _spreads(naming: Naming) -> FloatArray | None:
+    """Spreads (k, 2, 2) of the markers; what somebody pointed at has the usual one."""
+    if naming.sightings.spreads is None:
+        return None
+    spreads = naming.sightings.spreads[naming.pairs.points]
+    known = np.isfinite(spreads[:, 0, 0])
+    if not known.any():
+        return None
+    return np.asarray(np.where(known[:, None, None], spreads, spreads[known].mean(0)))
+
+
+def _placed_on_rays(naming: Naming, sensor: Sensor, pose: CameraPose) -> Naming:
+    """Put markers without a place in space on their rays, as far away as they should be."""
+    unknown = np.flatnonzero(np.isnan(naming.points[:, 2]))
+    if len(unknown) == 0:
+        return naming
+    rows, camera = naming.pairs.points[unknown], sensor.color_camera
+    away = transform(pose.reference2color, naming.positions[unknown])[:, 2:]
+    rays = np.column_stack([camera.normalised(naming.pixels[unknown]), np.ones(len(rows))])
+    points = naming.sightings.points.copy()
+    points[rows] = transform(inverse(sensor.depth2color), rays * away)
+    return replace(naming, sightings=replace(naming.sightings, points=points))
 
 
 def _facing(system: ReferenceSystem, faces: tuple[str, ...]) -> tuple[Marker, ...]:
@@ -255,63 +276,58 @@ def _facing(system: ReferenceSystem, faces: tuple[str, ...]) -> tuple[Marker, ..
     return markers
 
 
-def _assign(
-    sightings: Sightings,
-    system: ReferenceSystem,
-    faces: tuple[str, ...],
-    limits: RegistrationLimits,
-) -> tuple[tuple[Marker, ...], Assignment]:
-    markers = _facing(system, faces)
-    if len(sightings) == 0:
-        raise ReconstructionError(
-            "no blue marker with a depth reading is seen; check the light and that the reference "
-            "system is in the picture"
-        )
-    try:
-        return markers, assign(sightings.points, _positions(markers), limits.assignment)
-    except ReconstructionError as error:
-        raise ReconstructionError(
-            _why_unassigned(error, sightings, system, faces, limits)
-        ) from error
-
-
-def _precise(sightings: Sightings, found: Assignment) -> BoolArray:
+def _precise(naming: Naming) -> BoolArray:
     """Tell which markers (k,) are seen whole; all when too few of them are."""
-    whole = np.ones(len(found.points), dtype=bool)
-    if sightings.fills is None:
+    whole = np.ones(len(naming.pairs.points), dtype=bool)
+    if naming.sightings.fills is None:
         return whole
-    fills = sightings.fills[found.points]
-    unspoilt = fills > _LEAST_FILL * np.median(fills)
+    fills = naming.sightings.fills[naming.pairs.points]
+    if not np.isfinite(fills).any():
+        return whole
+    # A place that somebody pointed at has no shape, and is as good as it was pointed at.
+    unspoilt = np.isnan(fills) | (fills > _LEAST_FILL * np.nanmedian(fills))
     return np.asarray(unspoilt) if unspoilt.sum() >= _LEAST_PRECISE else whole
 
 
-def _fixes(
-    a2b: FloatArray, sightings: Sightings, markers: tuple[Marker, ...], found: Assignment
-) -> tuple[MarkerFix, ...]:
-    measured = transform(a2b, sightings.points[found.points])
-    residuals = np.linalg.norm(measured - _positions(markers)[found.markers], axis=1)
+def _fixes(a2b: FloatArray, naming: Naming) -> tuple[MarkerFix, ...]:
+    measured = transform(a2b, naming.points)
+    residuals = np.linalg.norm(measured - naming.positions, axis=1)
     fixes = []
-    for i, marker in enumerate(found.markers):
-        u, v = sightings.pixels[found.points[i]].tolist()
+    for i, marker in enumerate(naming.pairs.markers):
+        u, v = naming.pixels[i].tolist()
         x, y, z = measured[i].tolist()
-        residual_mm, used = float(residuals[i]), bool(found.used[i])
-        fixes.append(MarkerFix(markers[marker].id, (u, v), (x, y, z), residual_mm, used))
+        fixes.append(
+            MarkerFix(
+                naming.markers[marker].id,
+                (u, v),
+                (x, y, z),
+                float(residuals[i]),
+                bool(naming.pairs.used[i]),
+                by_hand=bool(naming.by_hand[i]),
+                excluded=bool(naming.excluded[i]),
+            )
+        )
     return tuple(fixes)
 
 
 def _why_unassigned(
     error: ReconstructionError,
-    sightings: Sightings,
+    points: FloatArray,
     system: ReferenceSystem,
     faces: tuple[str, ...],
     limits: RegistrationLimits,
 ) -> str:
     """Say why no pose was found; the likeliest cause is a view in another view's place."""
+    if len(points) == 0:
+        return (
+            "no blue marker with a depth reading is seen; check the light and that the reference "
+            "system is in the picture"
+        )
     for group in _groups(system):
         if group in faces:
             continue
         try:
-            assign(sightings.points, _positions(system.facing((group,))), limits.assignment)
+            assign(points, positions_of(system.facing((group,))), limits.assignment)
         except ReconstructionError:
             continue
         return (
@@ -319,54 +335,6 @@ def _why_unassigned(
             f'"{group}"; exchange the views, or correct "faces" there'
         )
     return f'the markers of the reference system "{system.name}" are not recognised: {error}'
-
-
-def _check_residuals(registration: Registration, limits: RegistrationLimits) -> None:
-    mean_mm = float(registration.residuals_mm.mean())
-    if mean_mm <= limits.residual_mm:
-        return
-    worst = sorted(registration.fixes, key=lambda fix: -fix.residual_mm)[:3]
-    named = ", ".join(f"{fix.id} {fix.residual_mm:.1f} mm" for fix in worst)
-    raise ReconstructionError(
-        f"its markers lie {mean_mm:.1f} mm from the reference system on average, more than "
-        f"{limits.residual_mm:g} mm (worst: {named}); check that the reference system was not "
-        "changed or moved"
-    )
-
-
-def _check_used(registration: Registration, limits: RegistrationLimits) -> None:
-    used, found = sum(fix.used for fix in registration.fixes), len(registration.fixes)
-    if used < min(limits.least_used, found):
-        raise ReconstructionError(
-            f"only {used} of the {found} markers agree with each other in the colour image "
-            f"({_worst_in_image(registration.fixes)}); check that the reference system was not "
-            "changed or moved"
-        )
-
-
-def _check_certainty(
-    pose: CameraPose, fixes: tuple[MarkerFix, ...], limits: RegistrationLimits
-) -> None:
-    for value, limit, what in (
-        (pose.rms_px, limits.reprojection_px, "px apart in the colour image"),
-        (pose.shift_deviation_mm, limits.shift_deviation_mm, "mm uncertain in place"),
-        (pose.turn_deviation_deg, limits.turn_deviation_deg, "degrees uncertain in direction"),
-    ):
-        if value > limit:
-            raise ReconstructionError(
-                f"its markers leave the pose {value:.2f} {what}, more than {limit:g} "
-                f"({_worst_in_image(fixes)}); see that more markers are in view and that the "
-                "reference system was not moved"
-            )
-
-
-def _worst_in_image(fixes: tuple[MarkerFix, ...]) -> str:
-    worst = sorted(fixes, key=lambda fix: -(fix.reprojection_px or 0.0))[:3]
-    return "worst: " + ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)
-
-
-def _positions(markers: tuple[Marker, ...]) -> FloatArray:
-    return np.array([marker.position_mm for marker in markers], dtype=float).reshape(-1, 3)
 
 
 def _groups(system: ReferenceSystem) -> tuple[str, ...]:

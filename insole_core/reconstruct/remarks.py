@@ -15,6 +15,8 @@ from insole_core.sensing.frames import RawAverage
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
+_STRAYED_PX = 4.0
+"""Far beyond what noise does: 3 mm at 750 mm."""
 
 
 def check_still(average: RawAverage) -> None:
@@ -52,9 +54,41 @@ def warnings_of(session: Session, results: list[ViewResult]) -> tuple[str, ...]:
     return (
         *(f"The view {r.name} is left out: {r.reason}." for r in results if not r.used),
         *(f"In the view {r.name} {r.reason}." for r in results if r.used and r.reason),
+        *_strayed_markers(results),
+        *_hand_corrections(session, results),
         *_unseen_sides(session, results),
         *_same_places(session, results),
     )
+
+
+def _strayed_markers(results: list[ViewResult]) -> list[str]:
+    """Name the markers that are seen elsewhere than the reference system has them."""
+    strayed: dict[str, list[tuple[str, float]]] = {}
+    for result in results:
+        for fix in result.fixes if result.used else ():
+            missed_px = fix.reprojection_px
+            if not (fix.used or fix.excluded) and missed_px is not None and missed_px > _STRAYED_PX:
+                strayed.setdefault(fix.id, []).append((result.name, fix.residual_mm))
+    return [
+        f"The marker {marker} is seen {', '.join(f'{off:.0f} mm' for _, off in seen)} from its "
+        f"place by {', '.join(name for name, _ in seen)} and does not count; see whether it was "
+        "moved."
+        for marker, seen in strayed.items()
+    ]
+
+
+def _hand_corrections(session: Session, results: list[ViewResult]) -> list[str]:
+    """Say what somebody corrected."""
+    edits = session.edits
+    found = [
+        f"The markers of the view {result.name} were corrected by hand: "
+        f"{edits.of(result.name).summary()}."
+        for result in results
+        if result.used and edits.of(result.name).corrects_markers
+    ]
+    if edits.volume_of_interest is not None:
+        found.append("The volume of interest was set by hand.")
+    return found
 
 
 def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:

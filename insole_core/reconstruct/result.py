@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 
+from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.registration import MarkerFix
+from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+from insole_core.reconstruct.pose_quality import PoseRefusedError
 
 Method = Literal["fused", "thesis"]
 
@@ -44,6 +46,11 @@ class ViewResult:
     residuals
     fixes
         Every marker that was found.
+    reprojection_px, displacement_mm
+        How well the markers fit in the colour image (root mean square), and the standard deviation
+        of the place of the foot's middle that comes with the pose's; not for the thesis's chain.
+    frames, left_out
+        How many depth frames there are, and how many of them showed something that had moved.
     """
 
     name: str
@@ -52,6 +59,10 @@ class ViewResult:
     sensor2reference: FloatArray | None = None
     residuals: Residuals | None = None
     fixes: tuple[MarkerFix, ...] = ()
+    reprojection_px: float | None = None
+    displacement_mm: float | None = None
+    frames: int = 0
+    left_out: int = 0
 
     @property
     def markers_found(self) -> int:
@@ -62,6 +73,27 @@ class ViewResult:
     def markers_used(self) -> int:
         """Markers that determined the pose."""
         return sum(fix.used for fix in self.fixes)
+
+
+def refused_result(name: str, error: ReconstructionError) -> ViewResult:
+    """Say why a view is not part of the foot, with its markers where a pose was found."""
+    if isinstance(error, PoseRefusedError):
+        return replace(placed_result(name, error.registration), reason=str(error))
+    return ViewResult(name, used=False, reason=str(error))
+
+
+def placed_result(name: str, registration: Registration) -> ViewResult:
+    """Say where a view stood; whether it is used is another question."""
+    pose, distances_mm = registration.camera_pose, registration.residuals_mm
+    return ViewResult(
+        name,
+        used=False,
+        sensor2reference=registration.sensor2reference,
+        residuals=Residuals.of(distances_mm) if len(distances_mm) else None,
+        fixes=registration.fixes,
+        reprojection_px=None if pose is None else pose.rms_px,
+        displacement_mm=registration.displacement_mm,
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +157,10 @@ def _view_json(view: ViewResult) -> dict[str, Any]:
         "residual_mm": None
         if residuals is None
         else {"mean": residuals.mean, "rms": residuals.rms, "max": residuals.max},
+        "reprojection_px": view.reprojection_px,
+        "displacement_mm": view.displacement_mm,
+        "frames": view.frames,
+        "frames_left_out": view.left_out,
         "sensor2reference": None if pose is None else pose.tolist(),
         "markers": [
             {
@@ -134,6 +170,8 @@ def _view_json(view: ViewResult) -> dict[str, Any]:
                 "residual_mm": fix.residual_mm,
                 "used": fix.used,
                 "reprojection_px": fix.reprojection_px,
+                "by_hand": fix.by_hand,
+                "excluded": fix.excluded,
             }
             for fix in view.fixes
         ],

@@ -15,6 +15,10 @@ from insole_core.sensing.sensor import Sensor
 _RIM_SHARE = 3 / 1280
 """Width of a blob's rim as a share of the image width."""
 _NEAR_MM = 4.0
+_PLACE_SHARE = 6 / 1280
+"""Half the width of what is looked at round a place, as a share of the image width."""
+_DISTANCES_MM = (400.0, 2000.0)
+_AROUND_PX = 10
 
 
 @dataclass(frozen=True)
@@ -38,15 +42,30 @@ class Sightings:
         Covariance of the pixels of each.
     fills : (n,) float64, optional
         How square each is (see `Blobs`).
+    placed
+        So many at the end are no blue spots, but places that somebody pointed at: they have NaN
+        for `spreads` and `fills`, and for `points` where the depth image tells nothing.
     """
 
     pixels: FloatArray
     points: FloatArray
     spreads: FloatArray | None = None
     fills: FloatArray | None = None
+    placed: int = 0
 
     def __len__(self) -> int:
         return len(self.points)
+
+    def with_places(self, pixels: FloatArray, points: FloatArray) -> Sightings:
+        """Add places (k, 2) that somebody pointed at, with their points (k, 3)."""
+        more = len(pixels)
+        return Sightings(
+            np.concatenate([self.pixels, pixels]),
+            np.concatenate([self.points, points]),
+            _extended(self.spreads, more),
+            _extended(self.fills, more),
+            self.placed + more,
+        )
 
 
 def locate_blobs(
@@ -79,6 +98,47 @@ def locate_blobs(
     in_color = np.column_stack([rays, np.ones(len(rays))]) * distance[good, None]
     spreads, fills = (None if x is None else x[good] for x in (blobs.spreads, blobs.fills))
     return Sightings(pixels, transform(inverse(sensor.depth2color), in_color), spreads, fills)
+
+
+def locate_places(pixels: FloatArray, points: FloatArray, sensor: Sensor) -> FloatArray:
+    """Place what somebody pointed at in space, by the depth readings round it.
+
+    Parameters
+    ----------
+    pixels : (n, 2) float64, px, colour image
+    points : (height, width, 3) float64, mm, depth camera frame, NaN = no reading
+    sensor
+
+    Returns
+    -------
+    (n, 3) float64, mm, depth camera frame; NaN where there is no reading
+    """
+    return np.array([_point_below(pixel, points, sensor) for pixel in pixels]).reshape(-1, 3)
+
+
+def _point_below(pixel: FloatArray, points: FloatArray, sensor: Sensor) -> FloatArray:
+    camera, color2depth = sensor.color_camera, inverse(sensor.depth2color)
+    ray = np.append(camera.normalised(pixel[None])[0], 1.0)
+    # Only the part of the depth image is looked at in which the ray can lie.
+    ends = sensor.depth_camera.project(
+        transform(color2depth, ray * np.array(_DISTANCES_MM)[:, None])
+    )
+    low = np.maximum(np.floor(ends.min(0)).astype(int) - _AROUND_PX, 0)
+    high = np.maximum(np.ceil(ends.max(0)).astype(int) + _AROUND_PX, 0)
+    patch = points[low[1] : high[1], low[0] : high[0]].reshape(-1, 3)
+    in_color = transform(sensor.depth2color, patch[np.isfinite(patch[:, 2])])
+    apart = np.linalg.norm(camera.project(in_color) - pixel, axis=1)
+    distances = in_color[apart < _PLACE_SHARE * camera.width, 2]
+    if len(distances) == 0:
+        return np.full(3, np.nan)
+    return transform(color2depth, ray * float(np.median(distances)))
+
+
+def _extended(values: FloatArray | None, more: int) -> FloatArray | None:
+    """Add so many unknown ones."""
+    if values is None:
+        return None
+    return np.concatenate([values, np.full((more, *values.shape[1:]), np.nan)])
 
 
 def _without_rim(labels: IndexArray) -> IndexArray:

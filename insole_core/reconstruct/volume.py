@@ -6,18 +6,17 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.recording.session import Box, Manifest, ReferenceSystem
+from insole_core.recording.session import Box, ReferenceSystem, Session
 
 _BLOCK_MM = 24.0
 """A marker's block, its mounting and a little air; the foot keeps so far inside of them."""
 _BELOW_SOLE_MM = 30.0
 
 
-def volume_of_interest(manifest: Manifest) -> Box:
-    """Give the manifest's volume, or else the space that the reference system encloses."""
-    if manifest.volume_of_interest is not None:
-        return manifest.volume_of_interest
-    return enclosed_volume(manifest.reference_system)
+def volume_of_interest(session: Session) -> Box:
+    """Give the volume set by hand, the manifest's, or the space that the markers enclose."""
+    recorded = session.edits.volume_of_interest or session.manifest.volume_of_interest
+    return recorded or enclosed_volume(session.manifest.reference_system)
 
 
 def is_inside(points: FloatArray, box: Box) -> BoolArray:

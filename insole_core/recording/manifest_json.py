@@ -36,13 +36,13 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
         Names the file and the key of the first violation.
     """
     root = JsonObject.parse(file, text)
-    _check_version(root)
+    check_version(root, FORMAT, VERSION)
     return Manifest(
         recorded_at=_date(root),
         side=Side(root.choice("side", [side.value for side in Side])),
         reference_system=parse_reference_system(root.object("reference_frame")),
         views=_view_names(root),
-        volume_of_interest=_box(root) if root.has("volume_of_interest_mm") else None,
+        volume_of_interest=parse_box(root) if root.has("volume_of_interest_mm") else None,
         capture_condition=_condition(root) if root.has("capture_condition") else None,
         extra={key: value for key, value in root.values.items() if key not in _KNOWN},
     )
@@ -76,16 +76,22 @@ def manifest_json(manifest: Manifest) -> dict[str, Any]:
     return {**values, **manifest.extra}
 
 
-def _check_version(root: JsonObject) -> None:
-    if root.value("format") != FORMAT:
-        raise root.fail("format", f'is {root.value("format")!r}, but must be "{FORMAT}"')
+def check_version(root: JsonObject, name: str, newest: int) -> None:
+    """Refuse another format than `name`, and a version that this program does not know.
+
+    Raises
+    ------
+    InputError
+    """
+    if root.value("format") != name:
+        raise root.fail("format", f'is {root.value("format")!r}, but must be "{name}"')
     version = root.value("version")
-    if isinstance(version, int) and version > VERSION:
+    if isinstance(version, int) and version > newest:
         raise InputError(
             f"{root.file} is of version {version}, which is newer than this program (it reads "
-            f"version {VERSION}); update the program."
+            f"version {newest}); update the program."
         )
-    root.integer("version", VERSION, VERSION)
+    root.integer("version", 1, newest)
 
 
 def _date(root: JsonObject) -> str:
@@ -130,7 +136,13 @@ def _view_names(root: JsonObject) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _box(root: JsonObject) -> Box:
+def parse_box(root: JsonObject) -> Box:
+    """Read the volume of interest of a root object.
+
+    Raises
+    ------
+    InputError
+    """
     box = root.object("volume_of_interest_mm")
     low, high = _xyz(box, "min"), _xyz(box, "max")
     if not all(a < b for a, b in zip(low, high, strict=True)):

@@ -9,6 +9,9 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.json_object import JsonObject
+from insole_core.recording.hand_edits import NO_EDITS, HandEdits
+from insole_core.recording.hand_edits_file import NAME as EDITS
+from insole_core.recording.hand_edits_file import edits_path, parse_edits
 from insole_core.recording.images import PngKind, check_png, decode_color, decode_depth
 from insole_core.recording.manifest_json import parse_manifest
 from insole_core.recording.sensor_json import DEPTH_SIZE, correction_name, parse_sensor
@@ -37,7 +40,7 @@ def read_session(path: Path) -> Session:
         )
     manifest = parse_manifest("manifest.json", store.read("manifest.json"))
     views = tuple(_view(store, name, manifest) for name in manifest.views)
-    return Session(manifest, views, str(path))
+    return Session(manifest, views, str(path), _edits(store, path, manifest))
 
 
 def is_session(path: Path) -> bool:
@@ -51,6 +54,17 @@ def _store(path: Path) -> Store:
     if not path.exists():
         raise InputError(f"{path} does not exist; check the name.")
     return ZipStore(path)
+
+
+def _edits(store: Store, path: Path, manifest: Manifest) -> HandEdits:
+    """Give what was corrected by hand; beside an archive counts before what is inside."""
+    place = edits_path(path)
+    if path.is_file() and place.is_file():
+        beside = FolderStore(place.parent)
+        return parse_edits(place.name, beside.read(place.name), manifest)
+    if EDITS in store.names():
+        return parse_edits(EDITS, store.read(EDITS), manifest)
+    return NO_EDITS
 
 
 def _view(store: Store, name: str, manifest: Manifest) -> View:

@@ -8,6 +8,7 @@ from typing import Any
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import Side
+from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.sensing.sensor import Sensor
 
 
@@ -95,3 +96,5 @@ class Session:
     views: tuple[View, ...]
     source: str
     """Where it was read from, for messages."""
+    edits: HandEdits = NO_EDITS
+    """What somebody corrected by hand; `reconstruct` honours it."""

@@ -13,6 +13,9 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
+from insole_core.recording.hand_edits import NO_EDITS
+from insole_core.recording.hand_edits_file import NAME as EDITS
+from insole_core.recording.hand_edits_file import edits_json
 from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.sensor_folder import write_sensor
@@ -60,6 +63,8 @@ def _write_parts(
     progress: Progress,
 ) -> None:
     _write_json(folder / "manifest.json", manifest_json(session.manifest))
+    if session.edits != NO_EDITS:
+        _write_json(folder / EDITS, edits_json(session.edits))
     for index, view in enumerate(session.views):
         progress.step(index / len(session.views), f"Writing view {view.name}")
         _write_view(view, folder / "views" / view.name)

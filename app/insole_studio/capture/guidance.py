@@ -135,7 +135,7 @@ def _locate(
     points = sensor.points(depth_mm)
     sightings = locate_blobs(find_blobs(color), points, sensor)
     try:
-        found = register(sightings, system, sensor.faces)
+        found = register(sightings, system, sensor)
     except ReconstructionError:
         return 0, None
     inside = is_inside(transform(found.sensor2reference, points), volume)

@@ -62,5 +62,5 @@ def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, np.ndarray]
     depth = view.sensor.depth_mm(capture_from_frames(view.name, frames).raw)
     blobs = find_blobs(view.read_color(0))
     sightings = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
-    fixes = register(sightings, system, view.sensor.faces).fixes
+    fixes = register(sightings, system, view.sensor).fixes
     return {fix.id: np.array(fix.pixel) for fix in fixes if fix.used}

@@ -137,7 +137,7 @@ def test_the_stated_deviation_is_that_of_many_draws() -> None:
         found = fit_camera_pose(replace(seen, distances_mm=depth), CAMERA, pose, noise)
         center = MARKERS.mean(0)
         shifts.append(transform(found.reference2color, center) - transform(pose, center))
-        stated.append(found.shift_deviation_mm)
+        stated.append(found.displacement_mm(center))
     scatter = np.sqrt((np.array(shifts) ** 2).sum(1).mean())
     # Robust weights cost some efficiency; the statement is on the safe side.
     assert scatter < np.mean(stated) < 3 * scatter

@@ -1,0 +1,150 @@
+"""What one view measured, its frames averaged, before anybody knows where its sensor stood."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.reconstruct.blobs import Blobs, find_blobs, sharpened
+from insole_core.reconstruct.coloring import mean_color
+from insole_core.reconstruct.marker_fix import Registration
+from insole_core.reconstruct.naming import with_places
+from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits
+from insole_core.reconstruct.registration import (
+    register,
+    register_in_image,
+    register_precisely,
+)
+from insole_core.reconstruct.remarks import check_still, motion_note
+from insole_core.reconstruct.result import ViewResult, placed_result
+from insole_core.reconstruct.sighting import Sightings, locate_blobs
+from insole_core.recording.hand_edits import ViewEdits
+from insole_core.recording.session import ReferenceSystem, View
+from insole_core.sensing.frames import RawAverage, average_raw, median_raw
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredView:
+    """One view, its frames averaged; all of it can be kept while the markers are corrected.
+
+    Parameters
+    ----------
+    view
+    raw : (480, 640) float64, raw units, corrected; NaN = no reading
+    points : (480, 640, 3) float64, mm, depth camera frame
+    color : (height, width, 3) uint8, RGB
+        Mean of the colour frames.
+    left_out
+        So many depth frames were left out, because something in them had moved.
+    motion_note
+        How far it moved, as the end of a sentence; mostly empty.
+    precise
+        Whether the centres of the markers are measured finer than a pixel.
+    """
+
+    view: View
+    raw: FloatArray
+    points: FloatArray
+    color: ByteArray
+    left_out: int
+    motion_note: str
+    precise: bool
+
+    @cached_property
+    def blobs(self) -> Blobs:
+        """What may be markers in the colour image."""
+        found = find_blobs(self.color)
+        return sharpened(self.color, found) if self.precise else found
+
+    @cached_property
+    def sightings(self) -> Sightings:
+        """The blobs that have a place in space."""
+        return locate_blobs(self.blobs, self.points, self.view.sensor)
+
+    def register(
+        self,
+        system: ReferenceSystem,
+        limits: RegistrationLimits = DEFAULT_LIMITS,
+        edits: ViewEdits = ViewEdits(),
+    ) -> Registration:
+        """Find where the sensor stood; quick enough to follow the hand that corrects the markers.
+
+        Raises
+        ------
+        ReconstructionError
+            With the reason, as the end of a sentence.
+        """
+        sensor = self.view.sensor
+        sightings = with_places(self.sightings, self.points, sensor, edits)
+        if not self.precise:
+            return register(sightings, system, sensor, limits, edits)
+        try:
+            return register_precisely(sightings, system, sensor, limits, edits)
+        except ReconstructionError as error:
+            try:
+                return register_in_image(self.blobs, system, sensor, limits, edits)
+            except ReconstructionError:
+                raise error from None
+
+
+def measure_view(view: View) -> MeasuredView:
+    """Average a view's frames in disparity, with all that they tell.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    average = average_raw(_depth_frames(view))
+    check_still(average)
+    raw, depth_mm = _depth(view, average)
+    note = motion_note(view, average, depth_mm)
+    points = view.sensor.points(depth_mm)
+    return MeasuredView(view, raw, points, mean_color(view), len(average.moved), note, precise=True)
+
+
+def used_result(measured: MeasuredView, registration: Registration) -> ViewResult:
+    """Say what a view that is part of the foot rests on."""
+    return replace(
+        placed_result(measured.view.name, registration),
+        used=True,
+        reason=measured.motion_note,
+        frames=measured.view.depth_count,
+        left_out=measured.left_out,
+    )
+
+
+def measure_as_thesis(view: View) -> MeasuredView:
+    """Take the median of a view's frames, depth in whole mm, thesis (12), (16), 6.1.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    median = median_raw(_depth_frames(view))
+    average = RawAverage(median, np.zeros_like(median), view.depth_count, (), 0.0)
+    raw, depth_mm = _depth(view, average)
+    points = view.sensor.points(np.asarray(np.rint(depth_mm)))
+    return MeasuredView(view, raw, points, mean_color(view), 0, "", precise=False)
+
+
+def _depth(view: View, average: RawAverage) -> tuple[FloatArray, FloatArray]:
+    """Corrected raw image and depth in mm."""
+    raw = view.sensor.corrected(average.raw)
+    depth_mm = view.sensor.disparity.depth_mm(raw)
+    if not np.isfinite(depth_mm).any():
+        raise ReconstructionError(
+            "its depth frames hold no reading; check the sensor's distance and that no "
+            "sunlight falls on the foot"
+        )
+    return raw, depth_mm
+
+
+def _depth_frames(view: View) -> Iterable[RawArray]:
+    return (view.read_depth(index) for index in range(view.depth_count))

@@ -1,0 +1,237 @@
+"""Which spot is which marker, once the hand has had its say."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.errors import ReconstructionError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.transforms import rigid
+from insole_core.reconstruct.assignment import Assignment
+from insole_core.reconstruct.pose_batch import PoseBatch, Sight, improved, matches
+from insole_core.reconstruct.sighting import Sightings, locate_places
+from insole_core.recording.hand_edits import NamedSpot, Region, ViewEdits
+from insole_core.recording.session import Marker
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.sensor import Sensor
+
+SNAP_SHARE = 12 / 1280
+"""A spot so near to where somebody pointed, as a share of the image width, was meant."""
+ENOUGH_NAMES = 4
+"""From so many markers on the hand alone says where the sensor is."""
+_FOLLOW_SHARES = np.geomspace(30, 3, 6) / 1280
+
+
+@dataclass(frozen=True, eq=False)
+class Naming:
+    """Spots with the markers they are.
+
+    Parameters
+    ----------
+    markers
+        Those that the view can see.
+    sightings
+    pairs
+        Indices into both, by the order of the markers.
+    by_hand, excluded : (k,) bool
+        Of each pair, whether somebody pointed at it, and whether somebody left it out.
+    """
+
+    markers: tuple[Marker, ...]
+    sightings: Sightings
+    pairs: Assignment
+    by_hand: BoolArray
+    excluded: BoolArray
+
+    @property
+    def positions(self) -> FloatArray:
+        """(k, 3) where the reference system has the markers, mm, reference frame."""
+        return positions_of(self.markers)[self.pairs.markers]
+
+    @property
+    def points(self) -> FloatArray:
+        """(k, 3) measured, mm, depth camera frame."""
+        return self.sightings.points[self.pairs.points]
+
+    @property
+    def pixels(self) -> FloatArray:
+        """(k, 2) in the colour image, px."""
+        return self.sightings.pixels[self.pairs.points]
+
+
+def positions_of(markers: tuple[Marker, ...]) -> FloatArray:
+    """Give the places (m, 3) of markers, mm, reference frame."""
+    return np.array([marker.position_mm for marker in markers], dtype=float).reshape(-1, 3)
+
+
+def searched(pixels: FloatArray, edits: ViewEdits) -> BoolArray:
+    """Tell which places (n, 2) of the colour image may show markers at all."""
+    may = np.ones(len(pixels), dtype=bool)
+    if edits.searched is not None:
+        may &= _inside(pixels, edits.searched)
+    for region in edits.ignored:
+        may &= ~_inside(pixels, region)
+    return may
+
+
+def with_places(
+    sightings: Sightings, points: FloatArray, sensor: Sensor, edits: ViewEdits
+) -> Sightings:
+    """Add the places that somebody pointed at and that no blue spot stands for.
+
+    Parameters
+    ----------
+    sightings
+    points : (height, width, 3) float64, mm, depth camera frame, NaN = no reading
+    sensor
+    edits
+    """
+    missing = [
+        spot.pixel
+        for spot in edits.named
+        if spot.exact or _nearest(spot, sightings, sensor.color_camera) is None
+    ]
+    if not missing:
+        return sightings
+    pixels = np.array(missing, dtype=float)
+    return sightings.with_places(pixels, locate_places(pixels, points, sensor))
+
+
+def named(
+    pairs: Assignment,
+    markers: tuple[Marker, ...],
+    sightings: Sightings,
+    camera: Camera,
+    edits: ViewEdits,
+) -> Naming:
+    """Put the hand's word over an assignment.
+
+    Raises
+    ------
+    ReconstructionError
+        When a place that was pointed at is not among the sightings, or too few markers are left.
+    """
+    index = {marker.id: number for number, marker in enumerate(markers)}
+    said = {
+        index[spot.id]: _row(spot, sightings, camera) for spot in edits.named if spot.id in index
+    }
+    rows = {
+        marker: (point, used)
+        for marker, point, used in zip(
+            pairs.markers.tolist(), pairs.points.tolist(), pairs.used.tolist(), strict=True
+        )
+        if point not in said.values()
+    }
+    rows |= {marker: (point, True) for marker, point in said.items()}
+    order = sorted(rows)
+    excluded = np.array([markers[marker].id in edits.excluded for marker in order], dtype=bool)
+    _check_enough(order, excluded, edits)
+    return Naming(
+        markers,
+        sightings,
+        Assignment(
+            np.array([rows[marker][0] for marker in order], dtype=np.int64),
+            np.array(order, dtype=np.int64),
+            np.array([rows[marker][1] for marker in order], dtype=bool) & ~excluded,
+        ),
+        np.array([marker in said for marker in order], dtype=bool),
+        excluded,
+    )
+
+
+def follow_names(
+    markers: tuple[Marker, ...], sightings: Sightings, camera: Camera, edits: ViewEdits
+) -> tuple[Assignment, FloatArray]:
+    """Find the camera from the markers that somebody pointed at, then the other markers.
+
+    Parameters
+    ----------
+    markers
+        Those that the view can see.
+    sightings
+        With the places that were pointed at.
+    camera
+        The colour camera.
+    edits
+        With names for four markers or more.
+
+    Returns
+    -------
+    Assignment, and reference2color : (4, 4) float64, mm
+
+    Raises
+    ------
+    ReconstructionError
+        When the camera cannot stand anywhere so that the markers are seen there.
+    """
+    index = {marker.id: number for number, marker in enumerate(markers)}
+    spots = [spot for spot in edits.named if spot.id in index]
+    positions = positions_of(markers)
+    pointed = np.array([_row(spot, sightings, camera) for spot in spots])
+    places = positions[[index[spot.id] for spot in spots]]
+    # Which of the rest may be markers; what was pointed at is one wherever it lies.
+    may = searched(sightings.pixels, edits)
+    may[pointed] = True
+    rows = np.flatnonzero(may)
+    sight = Sight(camera.normalised(sightings.pixels[rows]), positions)
+    poses = _pose_of(places, camera.normalised(sightings.pixels[pointed]))
+    for share in _FOLLOW_SHARES:
+        poses = improved(poses, sight, float(share * camera.width / camera.fx))
+    if len(poses.rotations) == 0:
+        raise ReconstructionError(
+            f"the {len(spots)} markers that were pointed at cannot be seen at these places from "
+            "anywhere; check which marker is which"
+        )
+    near = float(_FOLLOW_SHARES[-1] * camera.width / camera.fx)
+    nearest, explained, _ = matches(poses, sight, near)
+    found = np.flatnonzero(explained[0])
+    pairs = Assignment(rows[nearest[0, found]], found, np.ones(len(found), dtype=bool))
+    return pairs, rigid(poses.rotations[0], poses.translations[0])
+
+
+def _pose_of(places: FloatArray, rays: FloatArray) -> PoseBatch:
+    """Camera pose from markers (k, 3) and their normalised image coordinates (k, 2), k > 3."""
+    found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    if not found:
+        return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
+    return PoseBatch(cv2.Rodrigues(turn)[0][None], shift.reshape(1, 3))
+
+
+def _check_enough(order: list[int], excluded: BoolArray, edits: ViewEdits) -> None:
+    left = len(order) - int(excluded.sum())
+    if left < ENOUGH_NAMES:
+        raise ReconstructionError(
+            f"only {left} of the {len(order)} markers are left after the corrections by hand "
+            f"({edits.summary()}), and {ENOUGH_NAMES} are needed; include or add markers"
+        )
+
+
+def _row(spot: NamedSpot, sightings: Sightings, camera: Camera) -> int:
+    row = _nearest(spot, sightings, camera)
+    if row is None:
+        u, v = spot.pixel
+        raise ReconstructionError(
+            f"the marker {spot.id} was pointed at where the colour image shows nothing "
+            f"({u:.0f}, {v:.0f}); point at it again"
+        )
+    return row
+
+
+def _nearest(spot: NamedSpot, sightings: Sightings, camera: Camera) -> int | None:
+    """Give the sighting that was meant; a place that was added counts before a blue spot."""
+    if len(sightings) == 0:
+        return None
+    distance = np.linalg.norm(sightings.pixels - spot.pixel, axis=1)[::-1]
+    row = int(distance.argmin())
+    return len(distance) - 1 - row if distance[row] <= SNAP_SHARE * camera.width else None
+
+
+def _inside(pixels: FloatArray, region: Region) -> BoolArray:
+    outline = np.array(region, dtype=np.float32).reshape(-1, 1, 2)
+    return np.array(
+        [cv2.pointPolygonTest(outline, (float(u), float(v)), False) >= 0 for u, v in pixels],
+        dtype=bool,
+    )

@@ -1,0 +1,116 @@
+"""Whether a pose is good enough to be used; one that is not is refused with its markers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from insole_core.errors import ReconstructionError
+from insole_core.reconstruct.assignment import AssignmentLimits
+from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+
+
+@dataclass(frozen=True)
+class RegistrationLimits:
+    """When a pose is good enough to be used.
+
+    Parameters
+    ----------
+    residual_mm
+        Largest mean distance of the measured markers from the reference system.
+    least_used
+        So many markers must determine the pose, all when fewer were found; fused only.
+    reprojection_px
+        Largest root mean square of the distances in the colour image, fused only.
+    displacement_mm
+        Largest standard deviation of the place of the foot's middle, fused only.
+    turn_deviation_deg
+        Largest standard deviation of the direction, fused only.
+    assignment
+        When the assignment of blobs to markers is trusted.
+    """
+
+    residual_mm: float = 4.0
+    least_used: int = 6
+    reprojection_px: float = 1.0
+    displacement_mm: float = 1.5
+    turn_deviation_deg: float = 0.6
+    assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
+
+
+DEFAULT_LIMITS = RegistrationLimits()
+
+
+class PoseRefusedError(ReconstructionError):
+    """A pose was found, but it is not good enough; `registration` shows what it rests on."""
+
+    def __init__(self, reason: str, registration: Registration) -> None:
+        super().__init__(reason)
+        self.registration = registration
+
+
+def check_pose(registration: Registration, limits: RegistrationLimits) -> None:
+    """Refuse a pose below the limits.
+
+    Raises
+    ------
+    PoseRefusedError
+        With the reason, as the end of a sentence: which markers, which residuals.
+    """
+    for reason in (
+        _too_few(registration, limits),
+        _too_far(registration, limits),
+        _too_uncertain(registration, limits),
+    ):
+        if reason:
+            raise PoseRefusedError(reason, registration)
+
+
+def _too_few(registration: Registration, limits: RegistrationLimits) -> str:
+    if registration.camera_pose is None:
+        return ""
+    fixes = [fix for fix in registration.fixes if not fix.excluded]
+    used = sum(fix.used for fix in fixes)
+    if used >= min(limits.least_used, len(fixes)):
+        return ""
+    return (
+        f"only {used} of the {len(fixes)} markers agree with each other in the colour image "
+        f"({_worst_in_image(fixes)}); check that the reference system was not changed or moved"
+    )
+
+
+def _too_far(registration: Registration, limits: RegistrationLimits) -> str:
+    mean_mm = float(registration.residuals_mm.mean())  # too few would have been refused before
+    if mean_mm <= limits.residual_mm:
+        return ""
+    fixes = [fix for fix in registration.fixes if not fix.excluded]
+    worst = sorted(fixes, key=lambda fix: -fix.residual_mm)[:3]
+    named = ", ".join(f"{fix.id} {fix.residual_mm:.1f} mm" for fix in worst)
+    return (
+        f"its markers lie {mean_mm:.1f} mm from the reference system on average, more than "
+        f"{limits.residual_mm:g} mm (worst: {named}); check that the reference system was not "
+        "changed or moved"
+    )
+
+
+def _too_uncertain(registration: Registration, limits: RegistrationLimits) -> str:
+    pose, displacement_mm = registration.camera_pose, registration.displacement_mm
+    if pose is None or displacement_mm is None:
+        return ""
+    fixes = [fix for fix in registration.fixes if not fix.excluded]
+    for value, limit, what in (
+        (pose.rms_px, limits.reprojection_px, "px apart in the colour image"),
+        (displacement_mm, limits.displacement_mm, "mm uncertain at the foot"),
+        (pose.turn_deviation_deg, limits.turn_deviation_deg, "degrees uncertain in direction"),
+    ):
+        if value > limit:
+            return (
+                f"its markers leave the pose {value:.2f} {what}, more than {limit:g} "
+                f"({_worst_in_image(fixes)}); see that more markers are in view and that the "
+                "reference system was not moved"
+            )
+    return ""
+
+
+def _worst_in_image(fixes: list[MarkerFix]) -> str:
+    worst = sorted(fixes, key=lambda fix: -(fix.reprojection_px or 0.0))[:3]
+    return "worst: " + ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)

@@ -1,0 +1,132 @@
+"""marker_edits.json, the corrections by hand beside a session: between the file and the value."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from insole_core.errors import OutputError
+from insole_core.export.atomic import describe, replacing_file
+from insole_core.json_object import JsonObject
+from insole_core.recording.hand_edits import (
+    NO_EDITS,
+    HandEdits,
+    NamedSpot,
+    Pixel,
+    Region,
+    ViewEdits,
+)
+from insole_core.recording.manifest_json import check_version, parse_box
+from insole_core.recording.session import Manifest
+
+FORMAT = "insole-marker-edits"
+VERSION = 1
+NAME = "marker_edits.json"
+
+
+def edits_path(session: Path) -> Path:
+    """Give the place of the corrections: in the session's folder, or beside its archive."""
+    if session.suffix.lower() == ".zip":
+        return session.with_name(f"{session.stem}.{NAME}")
+    return session / NAME
+
+
+def write_edits(edits: HandEdits, session: Path) -> None:
+    """Keep the corrections of a session; none at all leave no file.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; what stood there before is untouched.
+    """
+    path = edits_path(session)
+    if edits == NO_EDITS:
+        try:
+            path.unlink(missing_ok=True)
+        except OSError as error:
+            raise OutputError(describe(path, error)) from error
+        return
+    with replacing_file(path) as beside:
+        beside.write_text(json.dumps(edits_json(edits), indent=1) + "\n", encoding="utf-8")
+
+
+def edits_json(edits: HandEdits) -> dict[str, Any]:
+    """Give the JSON form of corrections."""
+    values: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "views": {name: _view_json(view) for name, view in edits.views.items()},
+    }
+    if (box := edits.volume_of_interest) is not None:
+        values["volume_of_interest_mm"] = {"min": list(box.min_mm), "max": list(box.max_mm)}
+    return values
+
+
+def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
+    """Read corrections.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
+    root = JsonObject.parse(file, text)
+    check_version(root, FORMAT, VERSION)
+    views = root.object("views")
+    unknown = [name for name in views.values if name not in manifest.views]
+    if unknown:
+        raise views.fail(unknown[0], "is no view of this session")
+    return HandEdits(
+        {name: _view(views.object(name), manifest) for name in views.values},
+        parse_box(root) if root.has("volume_of_interest_mm") else None,
+    )
+
+
+def _view_json(view: ViewEdits) -> dict[str, Any]:
+    return {
+        "off": view.off,
+        "excluded": list(view.excluded),
+        "named": [
+            {"id": spot.id, "pixel": list(spot.pixel), "exact": spot.exact} for spot in view.named
+        ],
+        "ignored": [[list(corner) for corner in region] for region in view.ignored],
+        "searched": None if view.searched is None else [list(corner) for corner in view.searched],
+    }
+
+
+def _view(root: JsonObject, manifest: Manifest) -> ViewEdits:
+    known = [marker.id for marker in manifest.reference_system.markers]
+    excluded = root.items("excluded")
+    for marker in excluded:
+        if marker not in known:
+            raise root.fail("excluded", f"names {marker!r}, which no marker of this session is")
+    named = tuple(
+        NamedSpot(spot.choice("id", known), _pixel(spot, "pixel"), spot.flag("exact"))
+        for spot in root.objects("named")
+    )
+    if len({spot.id for spot in named}) < len(named):
+        raise root.fail("named", "names a marker twice")
+    ignored = root.items("ignored")
+    searched = root.value("searched")
+    return ViewEdits(
+        excluded=tuple(excluded),
+        named=named,
+        ignored=tuple(_region(root, f"ignored[{i}]", item) for i, item in enumerate(ignored)),
+        searched=None if searched is None else _region(root, "searched", searched),
+        off=root.flag("off"),
+    )
+
+
+def _region(root: JsonObject, key: str, corners: Any) -> Region:
+    if not isinstance(corners, list) or len(corners) < 3:
+        raise root.fail(key, "must be a list of three corners or more")
+    nested = JsonObject(
+        root.file, {str(i): c for i, c in enumerate(corners)}, f"{root.place}{key}."
+    )
+    return tuple(_pixel(nested, number) for number in nested.values)
+
+
+def _pixel(root: JsonObject, key: str) -> Pixel:
+    u, v = root.numbers(key, 2)
+    return u, v
