@@ -23,7 +23,7 @@ from insole_core.reconstruct.registration import (
 from insole_core.reconstruct.remarks import check_still, motion_note
 from insole_core.reconstruct.result import ViewResult, placed_result
 from insole_core.reconstruct.sighting import Sightings, locate_blobs
-from insole_core.recording.hand_edits import ViewEdits
+from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.frames import RawAverage, average_raw, median_raw
 
@@ -70,7 +70,7 @@ class MeasuredView:
         self,
         system: ReferenceSystem,
         limits: RegistrationLimits = DEFAULT_LIMITS,
-        edits: ViewEdits = ViewEdits(),
+        edits: ViewEdits = NO_VIEW_EDITS,
     ) -> Registration:
         """Find where the sensor stood; quick enough to follow the hand that corrects the markers.
 

@@ -32,8 +32,8 @@ class RegistrationLimits:
     residual_mm: float = 4.0
     least_used: int = 6
     reprojection_px: float = 1.0
-    displacement_mm: float = 1.5
-    turn_deviation_deg: float = 0.6
+    displacement_mm: float = 3.0
+    turn_deviation_deg: float = 1.0
     assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
 
 

@@ -50,6 +50,7 @@ def reconstruct(
     method: Method = "fused",
     progress: Progress = SILENT,
     limits: RegistrationLimits = DEFAULT_LIMITS,
+    *,
     on_preview: Callable[[TriangleMesh], None] | None = None,
     measure: Callable[[View], MeasuredView] = measure_view,
 ) -> Reconstruction:

@@ -32,7 +32,7 @@ from insole_core.reconstruct.naming import (
 from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits, check_pose
 from insole_core.reconstruct.sighting import Sightings
 from insole_core.reconstruct.volume import enclosed_volume
-from insole_core.recording.hand_edits import ViewEdits
+from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 
@@ -48,7 +48,7 @@ def register(
     system: ReferenceSystem,
     sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = ViewEdits(),
+    edits: ViewEdits = NO_VIEW_EDITS,
 ) -> Registration:
     """Determine a view's pose by Horn's method on the markers it saw, thesis (2) - (6).
 
@@ -80,7 +80,7 @@ def register_precisely(
     system: ReferenceSystem,
     sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = ViewEdits(),
+    edits: ViewEdits = NO_VIEW_EDITS,
 ) -> Registration:
     """Determine a view's pose by the least reprojection error, started and checked by Horn's.
 
@@ -117,7 +117,7 @@ def register_in_image(
     system: ReferenceSystem,
     sensor: Sensor,
     limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = ViewEdits(),
+    edits: ViewEdits = NO_VIEW_EDITS,
 ) -> Registration:
     """Determine a view's pose from its colour image alone, where depth does not tell who is who.
 
@@ -239,7 +239,7 @@ def _seen_in_image(fix: MarkerFix, projected: FloatArray, used: bool) -> MarkerF
 def _middle(system: ReferenceSystem) -> FloatArray:
     """Give the middle (3,) of where the foot is, mm, reference frame."""
     box = enclosed_volume(system)
-    return (np.array(box.min_mm) + np.array(box.max_mm)) / 2
+    return np.add(box.min_mm, box.max_mm) / 2
 
 
 def _spreads(naming: Naming) -> FloatArray | None:

@@ -15,6 +15,7 @@ from insole_core.sensing.frames import RawAverage
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
+_UNCERTAIN_MM = 1.5
 _STRAYED_PX = 4.0
 """Far beyond what noise does: 3 mm at 750 mm."""
 
@@ -54,11 +55,21 @@ def warnings_of(session: Session, results: list[ViewResult]) -> tuple[str, ...]:
     return (
         *(f"The view {r.name} is left out: {r.reason}." for r in results if not r.used),
         *(f"In the view {r.name} {r.reason}." for r in results if r.used and r.reason),
+        *_uncertain_poses(results),
         *_strayed_markers(results),
         *_hand_corrections(session, results),
         *_unseen_sides(session, results),
         *_same_places(session, results),
     )
+
+
+def _uncertain_poses(results: list[ViewResult]) -> list[str]:
+    return [
+        f"The markers of the view {result.name} leave its place uncertain by "
+        f"{result.displacement_mm:.1f} mm at the foot; see that more of them are in view."
+        for result in results
+        if result.used and (result.displacement_mm or 0.0) > _UNCERTAIN_MM
+    ]
 
 
 def _strayed_markers(results: list[ViewResult]) -> list[str]:

@@ -80,7 +80,7 @@ class ViewEdits:
     @property
     def corrects_markers(self) -> bool:
         """Whether anything was corrected that bears on the pose."""
-        return replace(self, off=False) != ViewEdits()
+        return replace(self, off=False) != NO_VIEW_EDITS
 
     def summary(self) -> str:
         """Say what was corrected, as a part of a sentence."""
@@ -93,6 +93,9 @@ class ViewEdits:
         if self.searched is not None or self.ignored:
             parts.append("the search limited to a region")
         return ", ".join(parts)
+
+
+NO_VIEW_EDITS = ViewEdits()
 
 
 @dataclass(frozen=True)
@@ -112,12 +115,12 @@ class HandEdits:
 
     def of(self, view: str) -> ViewEdits:
         """Give the corrections of a view."""
-        return self.views.get(view, ViewEdits())
+        return self.views.get(view, NO_VIEW_EDITS)
 
     def with_view(self, view: str, edits: ViewEdits) -> HandEdits:
         """Correct a view otherwise."""
         others = {name: other for name, other in self.views.items() if name != view}
-        return replace(self, views=others if edits == ViewEdits() else {**others, view: edits})
+        return replace(self, views=others if edits == NO_VIEW_EDITS else {**others, view: edits})
 
 
 NO_EDITS = HandEdits()

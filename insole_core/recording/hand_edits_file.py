@@ -19,6 +19,7 @@ from insole_core.recording.hand_edits import (
 )
 from insole_core.recording.manifest_json import check_version, parse_box
 from insole_core.recording.session import Manifest
+from insole_core.recording.store import ZipStore
 
 FORMAT = "insole-marker-edits"
 VERSION = 1
@@ -33,7 +34,7 @@ def edits_path(session: Path) -> Path:
 
 
 def write_edits(edits: HandEdits, session: Path) -> None:
-    """Keep the corrections of a session; none at all leave no file.
+    """Keep the corrections of a session; none at all leave no file, unless an archive has its own.
 
     Raises
     ------
@@ -41,7 +42,7 @@ def write_edits(edits: HandEdits, session: Path) -> None:
         When the place cannot be written; what stood there before is untouched.
     """
     path = edits_path(session)
-    if edits == NO_EDITS:
+    if edits == NO_EDITS and not _is_archive_with_edits(session):
         try:
             path.unlink(missing_ok=True)
         except OSError as error:
@@ -81,6 +82,10 @@ def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
         {name: _view(views.object(name), manifest) for name in views.values},
         parse_box(root) if root.has("volume_of_interest_mm") else None,
     )
+
+
+def _is_archive_with_edits(session: Path) -> bool:
+    return session.is_file() and NAME in ZipStore(session).names()
 
 
 def _view_json(view: ViewEdits) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -19,6 +20,8 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.recording.hand_edits import HandEdits, ViewEdits
+from insole_core.recording.hand_edits_file import write_edits
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli import run
 
@@ -130,12 +133,31 @@ def test_side_that_contradicts_the_shape(
     assert run([*call, "--force"]) == 0
 
 
+def test_reconstruct_heeds_corrections_by_hand_and_limits(tmp_path: Path) -> None:
+    session = tmp_path / "session.zip"
+    shutil.copy(SMALL_SESSION, session)
+    edits = HandEdits().with_view("left", ViewEdits(excluded=("S3",)))
+    write_edits(edits, session)
+    report, out = tmp_path / "report.json", tmp_path / "foot.ply"
+    call = ["reconstruct", str(session), "--out", str(out), "--report", str(report)]
+    assert run([*call, "--largest-displacement-mm", "0.7"]) == 0
+    told = json.loads(report.read_text())
+    assert [view["used"] for view in told["views"]] == [True, True, False]
+    assert "mm uncertain at the foot, more than 0.7" in told["views"][2]["reason"]
+    assert [m["id"] for m in told["views"][0]["markers"] if m["excluded"]] == ["S3"]
+    assert any("markers of the view left were corrected by hand" in w for w in told["warnings"])
+
+
 WRONG_CALLS = {
     "side against the manifest": (
         ["design", str(SMALL_SESSION), "--side", "right", "--out", "{tmp}/i.stl"],
         "was recorded as the left foot",
     ),
     "mesh without side": (["design", "{foot}", "--out", "{tmp}/i.stl"], "add --side"),
+    "a limit of nothing": (
+        ["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/f.ply", "--largest-residual-mm", "0"],
+        "--largest-residual-mm is 0, but must be above 0",
+    ),
     "foot as STL": (["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/f.stl"], "is written as"),
     "insole as picture": (
         ["design", "{foot}", "--side", "right", "--out", "{tmp}/i.png"],

@@ -8,12 +8,18 @@ import sys
 import time
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
 
 NAME = "reconstruct"
 HELP = "rebuild the coloured foot from a recorded session"
+LIMITS = (
+    ("residual-mm", "MM", "mean distance of the markers from the reference system"),
+    ("reprojection-px", "PX", "root mean square of the distances in the colour image"),
+    ("displacement-mm", "MM", "standard deviation of where the pose puts the foot"),
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,6 +31,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the best there is (default), or the chain of the 2013 thesis",
     )  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="report.json")
+    limits = parser.add_argument_group("when the pose of a view is refused")
+    for name, unit, what in LIMITS:
+        limits.add_argument(f"--largest-{name}", type=float, metavar=unit, help=what)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -35,7 +44,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     # Imported here, so that a wrong call answers at once.
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
-    from insole_core.reconstruct import reconstruct, report_json
+    from insole_core.reconstruct import RegistrationLimits, reconstruct, report_json
     from insole_core.recording.reader import read_session
 
     with ExitStack() as outputs:
@@ -43,7 +52,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         report = arguments.report and outputs.enter_context(replacing_file(arguments.report))
         progress.step(0.0, "Reading the session")
         session = read_session(arguments.session)
-        result = reconstruct(session, arguments.method, progress.part(0.1, 0.9))
+        limits = RegistrationLimits(**_given_limits(arguments))
+        result = reconstruct(session, arguments.method, progress.part(0.1, 0.9), limits)
         progress.step(0.9, "Writing the foot")
         write_ply(result.mesh, foot_file)
         for warning in result.warnings:
@@ -52,3 +62,15 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             values = report_json(result, time.perf_counter() - start)
             report.write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
     progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _given_limits(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Give the limits that the call names, by their names in the core."""
+    given = {}
+    for name, _unit, _what in LIMITS:
+        value = getattr(arguments, f"largest_{name.replace('-', '_')}")
+        if value is not None and not value > 0:
+            raise UsageError(f"--largest-{name} is {value:g}, but must be above 0.")
+        if value is not None:
+            given[name.replace("-", "_")] = value
+    return given
