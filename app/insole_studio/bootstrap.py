@@ -50,6 +50,7 @@ from insole_studio.tools.free_hand import FreeHandTool
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import KeyPointTool
 from insole_studio.tools.orbit import OrbitTool
+from insole_studio.tools.outline import OutlineTool
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.tools.plane import PlaneTool
 from insole_studio.tools.posting import PostingTool
@@ -237,6 +238,7 @@ def make_tools(section: Section) -> tuple[Tool, ...]:
         PelottTool(),
         FreeHandTool(),
         PostingTool(),
+        OutlineTool(),
         BrushTool(),
         PlaneTool(),
         SectionTool(section),

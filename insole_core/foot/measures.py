@@ -23,7 +23,7 @@ _INSTEP = 0.5
 _BAND_MM = 3.0
 _LEAST_DORSAL_MM, _SUMMIT_MM, _FACES_UP = 25.0, 3.0, 0.6
 _SHOE_ALLOWANCE_MM = 15.0
-_PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
+PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
 
 
 @dataclass(frozen=True)
@@ -102,11 +102,16 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
         "arch_index": at.arch_index(),
         "navicular_height": float(at["navicular"][2]) if "navicular" in landmarks else None,
         **_angles(foot, landmarks),
-        "shoe_size_eu": round(2 * size_mm / _PARIS_MM) / 2,
+        "shoe_size_eu": shoe_size_eu(length),
         "shoe_size_uk": round(2 * english) / 2,
         "shoe_size_us": round(2 * english) / 2 + 1,
         "mondopoint": float(np.ceil(length / _MONDOPOINT_MM) * _MONDOPOINT_MM),
     }
+
+
+def shoe_size_eu(foot_length_mm: float) -> float:
+    """The shoe in Paris points, to the half, that leaves 15 mm before the toes."""
+    return round(2 * (foot_length_mm + _SHOE_ALLOWANCE_MM) / PARIS_MM) / 2
 
 
 class _Along:

@@ -26,6 +26,7 @@ from insole_core.insole.design import (
 from insole_core.insole.filling import fill
 from insole_core.insole.heel import cupped, lifted, skived
 from insole_core.insole.height_field import HeightField
+from insole_core.insole.outline import outline_reach
 from insole_core.insole.posting import posted
 from insole_core.progress import SILENT, Progress
 
@@ -33,6 +34,7 @@ _FACING = -0.34  # z of a normal that still counts as plantar: walls up to 70 de
 _SAMPLES_PER_STEP = 1.5  # from sqrt 2 on, every node of a large triangle gets one
 _LAYER_MM = 3.0  # what lies higher over the lowest layer of a node belongs to another layer
 _COVERED = 0.3  # share of a node's cell that the foot must cover
+_WIDENING_MM = 10.0
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
 
 
@@ -83,7 +85,10 @@ def base_key(design: InsoleDesign) -> BaseKey:
     return (
         *(replace(c, id="", author="", created_at="") for c in shaping),
         design.least_thickness_mm,
-        *_sole_key(design),
+        design.grid_mm,
+        design.max_height_mm,
+        design.margin_mm,
+        design.outline,
     )
 
 
@@ -128,11 +133,11 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
 
     Heights are over the foot's ground, z = 0 of the insole frame.
     """
-    key = _sole_key(design)
+    grid = _grid_around(foot, design)
+    key = grid, design.max_height_mm
     kept = _soles.get(foot)
     if kept is not None and kept[0] == key:
         return kept[1]
-    grid = _grid_around(foot, design)
     progress.step(0.2, "Laying the grid over the sole")
     heights, known = _snap(foot.mesh, grid, design.max_height_mm)
     progress.step(0.7, "Continuing the surface to the edges")
@@ -145,15 +150,18 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     return sole
 
 
-def _sole_key(design: InsoleDesign) -> BaseKey:
-    return design.grid_mm, design.max_height_mm, design.margin_mm
-
-
 def _grid_around(foot: Foot, design: InsoleDesign) -> _Grid:
-    """Grid over the foot's outline and margin; the same for every posting of one foot."""
+    """Grid over foot and margin, and over the insole's outline where that reaches farther.
+
+    The same for every posting of one foot; an outline that is dragged widens it in large steps.
+    """
     low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _OUTLINE_HEIGHT_MM, :2]
-    start = np.floor((low.min(axis=0) - design.margin_mm) / design.grid_mm).astype(int)
-    end = np.ceil((low.max(axis=0) + design.margin_mm) / design.grid_mm).astype(int)
+    outline = outline_reach(foot, design.outline) + design.grid_mm * np.array([[-2], [2]])
+    first, last = low.min(axis=0) - design.margin_mm, low.max(axis=0) + design.margin_mm
+    first = first - _WIDENING_MM * np.ceil(np.maximum(first - outline[0], 0) / _WIDENING_MM)
+    last = last + _WIDENING_MM * np.ceil(np.maximum(outline[1] - last, 0) / _WIDENING_MM)
+    start = np.floor(first / design.grid_mm).astype(int)
+    end = np.ceil(last / design.grid_mm).astype(int)
     columns, rows = (int(n) for n in end - start + 1)
     return _Grid(design.grid_mm, (int(start[1]), int(start[0])), (rows, columns))
 

@@ -24,7 +24,7 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.outline_curve import crosses_itself
+from insole_core.insole.outline_curve import closed_curve, crosses_itself
 from insole_core.insole.pad_shapes import PAD_SHAPES, encloses_centre
 
 
@@ -107,6 +107,7 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
 """Least and greatest number of places in a list of them."""
 LEAST_DRAWN_POINTS = 4
+_CURVE_STRIDE = 4  # of the curve's points, that are enough to see whether it crosses itself
 
 
 def check_design(design: InsoleDesign) -> None:
@@ -213,5 +214,5 @@ def _check_outline(outline: Outline) -> None:
             f"points_mm of outline has {len(points)} places, and a drawn outline needs at least"
             f" {LEAST_DRAWN_POINTS}; draw it again."
         )
-    if crosses_itself(points):
+    if crosses_itself(closed_curve(points)[::_CURVE_STRIDE]):
         raise DesignError("The drawn outline of the insole crosses itself; move its points apart.")

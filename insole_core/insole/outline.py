@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmarks
+from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.sampling import sample_triangles
 from insole_core.insole.blending import smooth_step
 from insole_core.insole.design import InsoleDesign, Outline, Place
 from insole_core.insole.outline_curve import closed_curve
@@ -19,8 +24,9 @@ _BORDER_HEIGHT_MM = 30.0  # what lies higher does not widen the outline
 _HEEL_TO_BALL = (0.30, 0.55)
 _TOES = (0.75, 1.0)
 _BEHIND_HEADS_MM = 8.0
+_PITCH_MM = 1.0
+_low: WeakKeyDictionary[Foot, FloatArray] = WeakKeyDictionary()
 _CORNER = 0.04  # share of the length over which the front corners are rounded
-_PARIS_MM = 20 / 3
 
 
 def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> FloatArray:
@@ -32,6 +38,12 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
         A closed curve, counter-clockwise, the first point not repeated.
     """
     return closed_curve(outline_points(foot, design.outline, landmarks))
+
+
+def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
+    """Give the box (2, 2), mm, about the outline in its full length."""
+    curve = closed_curve(outline_points(foot, replace(outline, extent="full"), {}))
+    return np.stack([curve.min(axis=0), curve.max(axis=0)])
 
 
 def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:
@@ -70,7 +82,7 @@ def _edges(foot: Foot, outline: Outline, stations: FloatArray) -> tuple[FloatArr
 
 def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Least and greatest x of the foot about each share of its length."""
-    low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM]
+    low = _low_points(foot)
     share = low[:, 1] / foot.length_mm
     left, right = (np.full(len(stations), np.nan) for _ in range(2))
     for i, station in enumerate(stations):
@@ -82,15 +94,27 @@ def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
     return left, right
 
 
+def _low_points(foot: Foot) -> FloatArray:
+    """Points (n, 3) of what may widen the outline: all vertices, and some within large triangles.
+
+    Kept for each foot.
+    """
+    if foot not in _low:
+        part = foot.mesh.part(foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM)
+        samples = sample_triangles(part, _PITCH_MM).points
+        _low[foot] = np.concatenate([part.vertices, samples])
+    return _low[foot]
+
+
 def _stretched(stations: FloatArray, length_mm: float, outline: Outline) -> FloatArray:
     """y of the stations: the toes' allowance grows over the toes, a shoe's length over all."""
     if outline.source == "shoe_size" and outline.shoe_size_eu is not None:
-        return stations * _PARIS_MM * outline.shoe_size_eu
+        return stations * (PARIS_MM * outline.shoe_size_eu - outline.heel_allowance_mm)
     return stations * length_mm + outline.toe_allowance_mm * smooth_step(stations, *_TOES)
 
 
 def _tip(foot: Foot, outline: Outline) -> list[float]:
-    low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM]
+    low = _low_points(foot)
     front = low[low[:, 1] > low[:, 1].max() - _BAND * foot.length_mm, 0]
     return [float(front.mean()), float(_stretched(np.ones(1), foot.length_mm, outline)[0])]
 

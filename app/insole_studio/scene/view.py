@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -32,6 +34,20 @@ _ARROWS = {
 }
 
 
+class Offered(Protocol):
+    """A line of the menu under the pointer."""
+
+    @property
+    def text(self) -> str:
+        """What it says."""
+        ...
+
+    @property
+    def run(self) -> Callable[[], None]:
+        """What it does."""
+        ...
+
+
 class PointerSink(Protocol):
     """Who acts on the pointer: the hand that holds a tool."""
 
@@ -49,6 +65,14 @@ class PointerSink(Protocol):
 
     def cancel(self) -> bool:
         """Give the gesture up; False when there is none."""
+        ...
+
+    def double_click(self, event: PointerEvent) -> bool:
+        """Act on a double click; False leaves it to the camera."""
+        ...
+
+    def offers(self, event: PointerEvent) -> Sequence[Offered]:
+        """Give what can be done at a place."""
         ...
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
@@ -194,9 +218,22 @@ class SceneView(QWidget):
             event.button() == Qt.MouseButton.LeftButton and shift
         ):
             self._dragging = "pan"
+        elif event.button() == Qt.MouseButton.RightButton:
+            self._open_menu(event)
         elif event.button() == Qt.MouseButton.LeftButton:
             taken = self.sink is not None and self.sink.press(self._event(Phase.PRESS, event))
             self._dragging = "tool" if taken else "orbit"
+
+    def _open_menu(self, event: QMouseEvent) -> None:
+        """Offer what can be done here; the menu goes with its use."""
+        offers = () if self.sink is None else self.sink.offers(self._event(Phase.PRESS, event))
+        if not offers:
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for offer in offers:
+            menu.addAction(offer.text).triggered.connect(partial(_run, offer))
+        menu.popup(event.globalPosition().toPoint())
 
     def _moved(self, event: QMouseEvent) -> None:
         if self._dragging == "tool" and self.sink is not None:
@@ -217,7 +254,10 @@ class SceneView(QWidget):
         self._hover(event)
 
     def _double_clicked(self, event: QMouseEvent) -> None:
-        hit = self._hit(event.position())
+        pointer = self._event(Phase.PRESS, event)
+        if self.sink is not None and self.sink.double_click(pointer):
+            return
+        hit = pointer.surface_mm
         if hit is not None:
             self._change_camera(self.camera.centred(hit))
 
@@ -296,6 +336,10 @@ class SceneView(QWidget):
         distance = np.hypot(*offset.T)
         nearest = int(np.argmin(distance))
         return self.handles[nearest].name if distance[nearest] <= self.grab_px else None
+
+
+def _run(offer: Offered, _checked: bool = False) -> None:
+    offer.run()
 
 
 def _holds(modifiers: Qt.KeyboardModifier, key: Qt.KeyboardModifier) -> bool:

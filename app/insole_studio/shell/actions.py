@@ -255,6 +255,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "T",
     ),
     _tool(
+        "outline",
+        lambda: tr("Outline"),
+        lambda: tr("Drag the edge of the insole; from the foot, a shoe's size, or drawn"),
+        "U",
+    ),
+    _tool(
         "brush",
         lambda: tr("Brush"),
         lambda: tr("Raise, lower or smooth the surface with strokes"),

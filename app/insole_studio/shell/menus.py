@@ -19,6 +19,7 @@ TOOL_KEYS = (
     "tool_pelott",
     "tool_free_hand",
     "tool_posting",
+    "tool_outline",
     "tool_brush",
     "tool_plane",
     "tool_section",

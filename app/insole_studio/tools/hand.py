@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject, Signal
 
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.tools.tool import Gesture, Ground, Tool
+from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool
 from insole_studio.workbench.case import Case
 
 
@@ -65,6 +65,14 @@ class Hand(QObject):
         self._case.end_preview()
         self.gesture_ended.emit()
         return True
+
+    def double_click(self, event: PointerEvent, ground: Ground) -> bool:
+        """Act on a double click; False leaves it to the camera."""
+        return not self.is_busy and self.tool.double_click(self._case, event, ground)
+
+    def offers(self, event: PointerEvent, ground: Ground) -> tuple[MenuOffer, ...]:
+        """Give the lines of the menu under the pointer."""
+        return () if self.is_busy else self.tool.offers(self._case, event, ground)
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
         """Act on the wheel; False leaves it to the camera."""

@@ -6,8 +6,8 @@ with one `case.apply`. Closing it early leaves the case as it was.
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from dataclasses import replace
+from collections.abc import Callable, Generator
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Protocol, TypeVar
 
 import numpy as np
@@ -25,6 +25,14 @@ PLACE_STEP_MM = 0.1
 
 Record = TypeVar("Record", bound=Correction | InsoleDesign | ReferencePlane)
 Gesture = Generator[None, PointerEvent, None]
+
+
+@dataclass(frozen=True)
+class MenuOffer:
+    """One line of the menu under the pointer: its text and what it does."""
+
+    text: str
+    run: Callable[[], None]
 
 
 class Ground(Protocol):
@@ -70,6 +78,14 @@ class Tool:
     def press(self, _case: Case, _event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Begin a gesture; None leaves the press to the camera."""
         return None
+
+    def double_click(self, _case: Case, _event: PointerEvent, _ground: Ground) -> bool:
+        """Act on a double click; False leaves it to the camera."""
+        return False
+
+    def offers(self, _case: Case, _event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+        """Give what can be done at a place, for the menu under the pointer."""
+        return ()
 
     def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
         """Act on the wheel; False leaves it to the camera."""

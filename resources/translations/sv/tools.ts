@@ -4,6 +4,22 @@
     <context>
         <name>studio</name>
         <message>
+            <source>Add a point here</source>
+            <translation>Lägg till en punkt här</translation>
+        </message>
+        <message>
+            <source>Add a point to the outline</source>
+            <translation>Lägg till en punkt på konturen</translation>
+        </message>
+        <message>
+            <source>An outline needs at least {count} points; this one stays</source>
+            <translation>En kontur behöver minst {count} punkter; den här blir kvar</translation>
+        </message>
+        <message>
+            <source>Back to the outline of the foot</source>
+            <translation>Tillbaka till fotens kontur</translation>
+        </message>
+        <message>
             <source>Copy</source>
             <translation>Kopiera</translation>
         </message>
@@ -12,16 +28,48 @@
             <translation>Kopiera: {name}</translation>
         </message>
         <message>
+            <source>Drag a point of the outline; double click adds one on the line, or takes one away</source>
+            <translation>Dra i en punkt på konturen; dubbelklick lägger till en på linjen eller tar bort en</translation>
+        </message>
+        <message>
+            <source>Drag the edge of the insole; from the foot, a shoe's size, or drawn</source>
+            <translation>Dra i inläggets kant; från foten, en skostorlek eller ritad</translation>
+        </message>
+        <message>
+            <source>Drag to change the outline of the insole; double click takes the point away</source>
+            <translation>Dra för att ändra inläggets kontur; dubbelklick tar bort punkten</translation>
+        </message>
+        <message>
             <source>Free-hand</source>
             <translation>Frihand</translation>
+        </message>
+        <message>
+            <source>Move a point of the outline</source>
+            <translation>Flytta en punkt på konturen</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>Kontur</translation>
         </message>
         <message>
             <source>Plane</source>
             <translation>Plan</translation>
         </message>
         <message>
+            <source>Remove a point of the outline</source>
+            <translation>Ta bort en punkt på konturen</translation>
+        </message>
+        <message>
+            <source>Remove this point</source>
+            <translation>Ta bort punkten</translation>
+        </message>
+        <message>
             <source>Size</source>
             <translation>Storlek</translation>
+        </message>
+        <message>
+            <source>There the outline would cross itself; the last good place is kept</source>
+            <translation>Där skulle konturen korsa sig själv; den sista giltiga platsen behålls</translation>
         </message>
     </context>
 </TS>

@@ -171,9 +171,11 @@ def with_value(part: Part, key: str, value: float | str) -> Part:
 
 
 def _spec(part: Any, editable: Editable, key: str) -> FieldSpec | ChoiceSpec | None:
+    if isinstance(part, Outline) and not _acts(part, editable.name):
+        return None
     words = CHOICES.get(type(part), {}).get(editable.name)
     if words is not None:
-        options = tuple((word, WORDS[word]()) for word in _choosable(part, editable.name, words))
+        options = tuple((word, WORDS[word]()) for word in words)
         return ChoiceSpec(key, editable.label(), getattr(part, editable.name), options)
     value = _number(part, editable)
     if value is None:
@@ -192,13 +194,6 @@ def _spec(part: Any, editable: Editable, key: str) -> FieldSpec | ChoiceSpec | N
     )
 
 
-def _choosable(part: Any, name: str, words: tuple[str, ...]) -> tuple[str, ...]:
-    """Leave out what cannot be chosen by a word alone: a drawn outline needs its drawing."""
-    if isinstance(part, Outline) and name == "source" and part.points_mm is None:
-        return tuple(word for word in words if word != "drawn")
-    return words
-
-
 def _number(part: Any, editable: Editable) -> float | None:
     if isinstance(part, Pelott) and not _has(part, editable.name):
         return None
@@ -215,6 +210,15 @@ def _pair(part: Any, name: str) -> tuple[float, float] | None:
         half = np.ptp(local_outline(part), axis=0) / 2
         return round(float(half[0]), 1), round(float(half[1]), 1)
     return pair
+
+
+def _acts(outline: Outline, name: str) -> bool:
+    """Whether a value has a meaning for this kind of outline."""
+    if outline.source == "drawn":
+        return name == "source"
+    if name == "toe_allowance_mm":
+        return outline.source == "foot" and outline.extent == "full"
+    return name != "shoe_size_eu" or outline.source == "shoe_size"
 
 
 def _has(pad: Pelott, name: str) -> bool:

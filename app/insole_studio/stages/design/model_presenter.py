@@ -13,6 +13,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
+from insole_core.insole.outline_curve import closed_curve
 from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
@@ -22,12 +23,15 @@ from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import confidence, point_text, shown_points
 from insole_studio.tools.metatarsal import NEAR_MM, clearance
+from insole_studio.tools.outline import points_of
 from insole_studio.tools.pelott import selected_pelott
+from insole_studio.tools.tool import MenuOffer
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.section import Section, section_line
 
 OUTLINE_POINTS = 96
+OUTLINE_STRIDE = 3
 CONTOUR_MM = 1.0
 _NOTHING = (object(),) * 6
 
@@ -161,6 +165,14 @@ class ModelPresenter:
         """Give it up."""
         return self._hand.cancel()
 
+    def double_click(self, event: PointerEvent) -> bool:
+        """Let the tool act on a double click."""
+        return self._hand.double_click(event, self)
+
+    def offers(self, event: PointerEvent) -> Sequence[MenuOffer]:
+        """Give what can be done where the pointer is."""
+        return self._hand.offers(event, self)
+
     def wheel(self, event: PointerEvent, steps: float) -> bool:
         """Let the tool act on the wheel."""
         return self._hand.wheel(event, steps)
@@ -213,7 +225,13 @@ class ModelPresenter:
         for pad in pads:
             if pad.enabled:
                 lines[pad.id == self._case.selection].append(self._outline(pad))
+        if self._hand.tool.key == "outline":
+            lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
+
+    def _insole_outline(self) -> FloatArray:
+        curve = closed_curve(points_of(self._case.shown))[::OUTLINE_STRIDE]
+        return self._on_surface(np.concatenate([curve, curve[:1]]))
 
     def _outline(self, pad: Pelott) -> FloatArray:
         around = pad_outline(pad, OUTLINE_POINTS)

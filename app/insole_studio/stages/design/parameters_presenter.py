@@ -20,6 +20,7 @@ from insole_studio.texts import tr
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import name_of, pad_text
 from insole_studio.tools.hand import Hand
+from insole_studio.tools.outline import with_source
 from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
 from insole_studio.tools.tool import with_number
@@ -66,7 +67,10 @@ class ParametersPresenter:
             note = tr("The numbers of the design appear here.")
             self._panel.show_groups([FieldGroup("", note=note)])
             return
-        self._panel.show_groups([*self._groups(design), *_make_groups(design)])
+        make = _make_groups(design)
+        if self._hand.tool.key == "outline":
+            make = [make[-1], *make[:-1]]
+        self._panel.show_groups([*self._groups(design), *make])
 
     def edit(self, key: str, value: Any) -> None:
         """Take a value; edits of one field that follow each other are one undo."""
@@ -84,8 +88,9 @@ class ParametersPresenter:
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
         tool, selected = self._hand.tool, self._selected(design)
-        if tool.key == "plane":
-            return [_plane_group(self._case.shown.annotations.plane)]
+        if tool.key in ("outline", "plane"):
+            shown = self._case.shown.annotations.plane
+            return [_plane_group(shown)] if tool.key == "plane" else []
         if tool.key == "posting" and not (selected and selected.type != Posting.type):
             return [_posting_group(posting_of(design) or Posting())]
         if selected is not None:
@@ -177,7 +182,12 @@ class ParametersPresenter:
     def _edit_outline(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
-            changed = replace(design, outline=with_value(design.outline, name, value))
+            outline = (
+                with_source(self._case.record, value)
+                if name == "source"
+                else with_value(design.outline, name, value)
+            )
+            changed = replace(design, outline=outline)
             self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
 
     def _edit_plane(self, name: str, value: float) -> None:

@@ -1,0 +1,152 @@
+"""The outline is dragged as a spline, by real mouse events in the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from insole_core.insole.design import Outline
+from insole_studio.bootstrap import Application
+from insole_studio.scene.view import SceneView
+from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.number_field import NumberField
+
+LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+
+
+@pytest.fixture(params=["foot", "insole"])
+def view(opened: Application, request: pytest.FixtureRequest) -> SceneView:
+    """Either view: the tool works in both."""
+    opened.window.actions_by_key["tool_outline"].trigger()
+    scene: SceneView = getattr(opened.stage, request.param).scene
+    return scene
+
+
+def outline(app: Application) -> Outline:
+    assert app.case.record.design is not None
+    return app.case.record.design.outline
+
+
+def pixel(view: SceneView, number: int) -> QPoint:
+    """Where a point of the outline is seen."""
+    handle = next(h for h in view.handles if h.name == f"outline:{number}")
+    x, y = view.look.pixels_of(np.array(handle.position_mm))[0]
+    return QPoint(round(x), round(y))
+
+
+def place(view: SceneView, number: int) -> np.ndarray:
+    handle = next(h for h in view.handles if h.name == f"outline:{number}")
+    return np.array(handle.position_mm[:2])
+
+
+def drag(view: SceneView, start: QPoint, end: QPoint) -> None:
+    QTest.mousePress(view.surface, LEFT, pos=start)
+    QTest.mouseMove(view.surface, (start + end) / 2)
+    QTest.mouseMove(view.surface, end)
+    QApplication.processEvents()
+    QTest.mouseRelease(view.surface, LEFT, pos=end)
+
+
+def test_a_point_is_dragged_and_undone(
+    opened: Application, view: SceneView, settle: Callable[[], None]
+) -> None:
+    before = place(view, 5)
+    others = [h.position_mm[:2] for h in view.handles if h.name != "outline:5"]
+    drag(view, pixel(view, 5), pixel(view, 5) + QPoint(12, 0))
+    settle()
+    assert outline(opened).source == "drawn"
+    moved = place(view, 5) - before
+    assert np.hypot(*moved) == pytest.approx(12 * view.look.mm_per_px, abs=0.2)
+    assert [h.position_mm[:2] for h in view.handles if h.name != "outline:5"] == others
+    assert opened.surface.mesh is not None
+    assert opened.case.history.undo_sentence == "Move a point of the outline"
+    assert len(opened.case.history) == 1
+    opened.window.actions_by_key["undo"].trigger()
+    assert outline(opened).source == "foot"
+
+
+def test_escape_restores_the_outline(opened: Application, view: SceneView) -> None:
+    start = pixel(view, 5)
+    QTest.mousePress(view.surface, LEFT, pos=start)
+    QTest.mouseMove(view.surface, start + QPoint(15, 0))
+    assert opened.case.shown.design != opened.case.record.design
+    QTest.keyClick(view.surface, Qt.Key.Key_Escape)
+    assert opened.case.shown.design == opened.case.record.design
+    QTest.mouseRelease(view.surface, LEFT, pos=start)
+    assert len(opened.case.history) == 0
+
+
+def test_a_click_alone_changes_nothing(opened: Application, view: SceneView) -> None:
+    QTest.mouseClick(view.surface, LEFT, pos=pixel(view, 3))
+    assert outline(opened).source == "foot"
+    assert len(opened.case.history) == 0
+
+
+def test_double_click_takes_a_point_away_and_adds_one(opened: Application, view: SceneView) -> None:
+    count = len(view.handles)
+    QTest.mouseDClick(view.surface, LEFT, pos=pixel(view, 6))
+    assert len(view.handles) == count - 1
+    between = (pixel(view, 5) + pixel(view, 6)) / 2
+    QTest.mouseDClick(view.surface, LEFT, pos=between)
+    assert len(view.handles) == count
+    assert len(opened.case.history) == 2
+
+
+def test_the_menu_under_the_pointer_offers_the_same(opened: Application, view: SceneView) -> None:
+    count = len(view.handles)
+    QTest.mouseClick(view.surface, RIGHT, pos=pixel(view, 6))
+    (menu,) = view.findChildren(QMenu)
+    remove = next(a for a in menu.actions() if a.text() == "Remove this point")
+    remove.trigger()
+    menu.close()
+    assert len(view.handles) == count - 1
+
+
+def test_an_outline_that_would_cross_itself_is_held(opened: Application, view: SceneView) -> None:
+    line = np.array([place(view, n) for n in range(len(view.handles))])
+    left, right = pixel(view, int(line[:, 0].argmin())), pixel(view, int(line[:, 0].argmax()))
+    drag(view, left, right + (right - left))
+    assert "cross itself" in opened.hand.tool.hint(opened.case)
+    assert not opened.surface.problem
+
+
+def test_arrow_keys_move_the_last_point(opened: Application, view: SceneView) -> None:
+    drag(view, pixel(view, 5), pixel(view, 5) + QPoint(12, 0))
+    before = place(view, 5)
+    for _ in range(3):
+        QTest.keyClick(view.surface, Qt.Key.Key_Up)
+    assert place(view, 5) - before == pytest.approx((0.0, 1.5), abs=0.02)
+    assert len(opened.case.history) == 2
+
+
+def choose(app: Application, source: str) -> None:
+    field = next(
+        c
+        for c in app.stage.parameters.findChildren(Choice)
+        if c.property("key") == "outline.source"
+    )
+    field.setCurrentIndex(field.findData(source))
+    field.activated.emit(field.currentIndex())
+
+
+def test_the_size_of_the_shoe_is_proposed(opened: Application) -> None:
+    choose(opened, "shoe_size")
+    # (250 + 15) mm / 6.67 mm = 39.75, to the half.
+    assert outline(opened).shoe_size_eu == 40.0
+    QApplication.processEvents()
+    fields = {f.property("key") for f in opened.stage.parameters.findChildren(NumberField)}
+    assert "outline.shoe_size_eu" in fields
+
+
+def test_drawing_begins_with_the_outline_there_is(opened: Application) -> None:
+    opened.window.actions_by_key["tool_outline"].trigger()
+    before = [h.position_mm[:2] for h in opened.stage.insole.scene.handles]
+    choose(opened, "drawn")
+    assert outline(opened).points_mm == tuple(before)
+    choose(opened, "foot")
+    assert outline(opened).points_mm is None
