@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import time
 from collections.abc import Callable
 from typing import NoReturn
@@ -45,8 +46,9 @@ from kinect_v1.modes import (
     Register,
     StreamMode,
 )
+from kinect_v1.sensors import list_sensors
 from kinect_v1.streams import Frame, Stream
-from kinect_v1.usb_bus import UsbBus
+from kinect_v1.usb_bus import UsbBus, UsbError
 
 QUICK = CameraSettings(watchdog_s=0.3, command_limit_s=0.1)
 
@@ -281,6 +283,22 @@ def test_sensors_on_one_controller_take_turns(
             other.stop_depth()
 
 
+def test_bandwidth_is_held_without_switching_anything_on(
+    make_bus: Callable[..., UsbBus], kinects: list[EmulatedKinect]
+) -> None:
+    shared = make_bus(kinects[0], kinects[2], controllers=(4, 4))
+    with open_camera(SERIALS[0], bus=shared) as one, open_camera(SERIALS[2], bus=shared) as other:
+        for first, second in ((one, other), (other, one)):
+            with first.reserving():
+                assert not any(kinect.camera.emitter_on for kinect in kinects)
+                with pytest.raises(BandwidthError, match="bus 4"), second.reserving():
+                    pass
+        depth = other.start_depth()
+        with other.reserving():  # beside what runs already
+            assert depth.read().number == 0
+        assert depth.read().number == 1
+
+
 def test_unplug_and_replug(
     emulated: EmulatedBus, kinects: list[EmulatedKinect], images: Images
 ) -> None:
@@ -327,6 +345,27 @@ def test_a_second_program_is_told_who_has_the_sensor(bus: UsbBus) -> None:
             open_camera(SERIALS[0], bus=bus)
         assert_one_sentence(caught.value)
     open_camera(SERIALS[0], bus=bus).close()
+
+
+def test_a_sensor_that_another_program_uses_is_listed_so(bus: UsbBus) -> None:
+    with open_camera(SERIALS[1], bus=bus) as camera:
+        problems = {sensor.serial: sensor.problem for sensor in list_sensors(bus)}
+        assert "used by another program" in (problems.pop(SERIALS[1]) or "")
+        assert set(problems.values()) == {None}
+        camera.start_depth().read()
+    assert not any(sensor.problem for sensor in list_sensors(bus))
+
+
+def test_a_camera_that_the_system_left_unconfigured(
+    emulated: EmulatedBus, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_arguments: object) -> None:
+        raise UsbError("Entity not found", None, errno.ENOENT)
+
+    monkeypatch.setattr(emulated, "claim_interface", refuse)
+    with pytest.raises(BandwidthError, match="controller of its own") as caught:
+        open_camera(SERIALS[0], bus=UsbBus(emulated))
+    assert_one_sentence(caught.value)
 
 
 def test_without_permission_the_rule_is_named(emulated: EmulatedBus) -> None:

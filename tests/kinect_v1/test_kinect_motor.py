@@ -40,6 +40,15 @@ def test_newer_models_through_their_audio_part(
     assert (device.led, device.tilt_deg) == (3, -31)
 
 
+def test_newer_models_are_lit_when_they_are_opened(
+    make_bus: Callable[..., UsbBus], kinects: list[EmulatedKinect]
+) -> None:
+    bus = make_bus(*kinects)
+    for serial, kinect in zip(SERIALS, kinects, strict=True):
+        open_camera(serial, bus=bus).close()
+        assert kinect.audio.led == (0 if kinect.motor else 3)
+
+
 def test_without_firmware_only_the_led_works(make_bus: Callable[..., UsbBus]) -> None:
     kinect = EmulatedKinect(Model.WINDOWS, SERIALS[0], make_calibration(0), {}, firmware=False)
     with open_camera(bus=make_bus(kinect)) as camera:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 
 from insole_core.errors import InsoleError
@@ -41,15 +41,20 @@ class Watcher:
     is_cancelled
         Is asked all the time.
     wait_for_hand
-        Returns when somebody has put the sensor of a view in its place.
+        Returns when somebody has put the sensor of a step in its place.
     show
         Is given every depth image and colour picture that comes, by serial number.
     """
 
     report: Callable[[CaptureStatus], None]
     is_cancelled: Callable[[], bool] = _never
-    wait_for_hand: Callable[[str], None] = lambda _sentence: None
+    wait_for_hand: Callable[[Step], None] = lambda _step: None
     show: Callable[[str, RawArray | ByteArray], None] = _nothing_shown
+
+
+def hand_sentence(step: Step) -> str:
+    """Say what somebody has to do before a step."""
+    return f"Put the sensor in its place for view {step.names}"
 
 
 def open_sensors(rig: Rig, serials: Iterable[str]) -> dict[str, OpenSensor]:
@@ -127,8 +132,10 @@ class Capturing:
         """
         plan = self._plan
         self._draft.check_room(plan.frames, plan.color_frames, len(plan.views))
-        tilts = self._tilts_before()
+        tilts: dict[str, float] = {}
         try:
+            self._check_controllers()
+            tilts.update(self._tilts_before())
             for step in plan.steps:
                 self._take(step, tilts)
         except SensorError as error:
@@ -140,20 +147,32 @@ class Capturing:
         warnings = (warning for view in self._views.values() for warning in view.warnings)
         return tuple(dict.fromkeys(warnings))
 
+    def _check_controllers(self) -> None:
+        """Make sure that every step's streams fit their controllers, before the first frame."""
+        steps = {frozenset(shot.serial for shot in step.shots) for step in self._plan.steps}
+        for serials in sorted(steps, key=sorted):
+            wanted = [self._sensors[serial] for serial in sorted(serials)]
+            if all(sensor.streams for sensor in wanted):
+                continue
+            buses = {sensor.bus for sensor in wanted}
+            for serial, other in self._sensors.items():
+                if serial not in serials and other.bus in buses:
+                    other.stop()
+            with ExitStack() as held:
+                for sensor in wanted:
+                    held.enter_context(sensor.reserving())
+
     def _tilts_before(self) -> dict[str, float]:
         tilted = {shot.serial for shot in self._plan.shots if shot.tilt_deg}
         return {serial: self._sensors[serial].tilt_deg() for serial in sorted(tilted)}
 
     def _take(self, step: Step, tilts: dict[str, float]) -> None:
-        names = " and ".join(shot.view for shot in step.shots)
+        names = step.names
         if step.by_hand:
-            sentence = f"Put the sensor in its place for view {names}"
-            self._tell(Phase.MOVING, sentence)
-            self._watcher.wait_for_hand(sentence)
+            self._tell(Phase.MOVING, hand_sentence(step))
+            self._watcher.wait_for_hand(step)
         for shot in step.shots:
-            if shot.serial in tilts:
-                self._tell(Phase.MOVING, f"Tilting the sensor for view {shot.view}")
-                self._sensors[shot.serial].tilt_to(tilts[shot.serial] + shot.tilt_deg)
+            self._move(shot, step.by_hand, tilts.get(shot.serial))
         self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}")
         started_s = self._light_only(step)
         taken = [
@@ -164,6 +183,15 @@ class Capturing:
         for series in taken:
             self._finish(series)
         self._tell(Phase.VERIFYING, f"View {names} is on the disk")
+
+    def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
+        """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
+        sensor = self._sensors[shot.serial]
+        if level_deg is not None:
+            self._tell(Phase.MOVING, f"Tilting the sensor for view {shot.view}")
+            sensor.tilt_to(level_deg + shot.tilt_deg)
+        if by_hand or level_deg is not None:
+            sensor.stop()  # what is under way was seen from the place before
 
     def _light_only(self, step: Step) -> float:
         """Switch the emitters of all other sensors off and those of a step on.

@@ -24,6 +24,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Manifest
 from insole_core.recording.writer import write_session
+from insole_studio.capture.request import kept_request
 from insole_studio.capture.workplace import Calibrated
 
 _FACTS = "capture"
@@ -88,8 +89,8 @@ class Draft:
             raise OutputError(describe(folder, error)) from error
 
     @classmethod
-    def reopen(cls, folder: Path, order: Sequence[str]) -> Draft:
-        """Go on with a draft that a capture has left.
+    def reopen(cls, folder: Path, order: Sequence[str] = ()) -> Draft:
+        """Go on with a draft that a capture has left; without an order, in the one it had.
 
         Raises
         ------
@@ -100,7 +101,9 @@ class Draft:
         facts = manifest.extra.get(_FACTS)
         if not isinstance(facts, dict):
             raise InputError(f"{folder} was not left by a capture; choose the folder it named.")
-        draft = cls(folder, manifest, [*order, *(view for view in facts if view not in order)])
+        kept = kept_request(manifest.extra)
+        wanted = order or (kept.plan().views if kept else ())
+        draft = cls(folder, manifest, [*wanted, *(view for view in facts if view not in wanted)])
         draft._facts = facts
         return draft
 
@@ -113,6 +116,10 @@ class Draft:
     def views(self) -> tuple[str, ...]:
         """The finished views, in order."""
         return tuple(view for view in self._order if view in self._facts)
+
+    def expect(self, order: Sequence[str]) -> None:
+        """Take other views in too, in another order."""
+        self._order = [*order, *(view for view in self._order if view not in order)]
 
     def check_room(self, frames: int, color_frames: int, views: int) -> None:
         """Check that the disk has room for so much.

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.session import Session, View
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.plan import MOST_BURSTS, burst_tilt_deg, burst_view
 from kinect_v1.calibration import Calibration, ZeroPlane
 from kinect_v1.emulation.bus import EmulatedBus
-from kinect_v1.emulation.device import EmulatedKinect
+from kinect_v1.emulation.device import EmulatedKinect, Footage
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
 from kinect_v1.models import Model
 from kinect_v1.pixels import mosaic
@@ -19,10 +22,12 @@ _CUT_ROWS = 32
 """A picture of 1280 × 960 is one of 1280 × 1024 without so many rows at top and bottom."""
 
 
-def emulated_bus(session: Session, speed: float = 1.0) -> EmulatedBus:
-    """Plug in a sensor for each serial number of a session, each with a controller of its own.
+class EmulatedRoom:
+    """A sensor for each serial number of a session, each with a USB controller of its own.
 
-    A sensor that gave several views plays the first of them.
+    A sensor that gave several views was tilted by its motor, where the views are named like bursts
+    (``left``, ``left_2``), or moved by hand. So it plays what belongs to its tilt, at the place it
+    was put in last; first the one of its first view.
 
     Parameters
     ----------
@@ -30,26 +35,63 @@ def emulated_bus(session: Session, speed: float = 1.0) -> EmulatedBus:
     speed
         Of the sensors' time; 1 = real.
     """
-    first = {view.sensor.serial: view for view in reversed(session.views)}
-    serials = dict.fromkeys(view.sensor.serial for view in session.views)
-    return EmulatedBus([_kinect(first[serial]) for serial in serials], speed=speed)
+
+    def __init__(self, session: Session, speed: float = 1.0) -> None:
+        self._scenes = {
+            place: {burst_tilt_deg(burst): _footage(view) for burst, view in enumerate(bursts)}
+            for place, bursts in _bursts_by_place(session).items()
+        }
+        self._serials = dict(emulated_views(session))
+        self._kinects: dict[str, EmulatedKinect] = {}
+        sensors = {view.name: view.sensor for view in session.views}
+        for place, serial in self._serials.items():
+            if serial not in self._kinects:
+                self._kinects[serial] = _kinect(sensors[place], self._scenes[place])
+        self.bus = EmulatedBus(list(self._kinects.values()), speed=speed)
+
+    def put(self, serial: str, place: str) -> None:
+        """Put a sensor where it gave a view, as somebody would by hand."""
+        if self._serials.get(place) == serial:
+            self._kinects[serial].face(self._scenes[place])
 
 
 def emulated_views(session: Session) -> tuple[tuple[str, str], ...]:
-    """Give view and serial number of the views that the emulated sensors play."""
-    serials: dict[str, str] = {}
+    """Give view and serial number of each place, without the further bursts."""
+    places = _bursts_by_place(session).items()
+    return tuple((place, views[0].sensor.serial) for place, views in places)
+
+
+def emulated_bursts(session: Session) -> int:
+    """Tell how many bursts every view has."""
+    return min(MOST_BURSTS, *map(len, _bursts_by_place(session).values()))
+
+
+def _bursts_by_place(session: Session) -> dict[str, list[View]]:
+    """Give the views of each place, the further bursts behind the first."""
+    left = {view.name: view for view in session.views}
+    places: dict[str, list[View]] = {}
     for view in session.views:
-        serials.setdefault(view.sensor.serial, view.name)
-    return tuple((view, serial) for serial, view in serials.items())
+        if view.name not in left:
+            continue
+        bursts = places[view.name] = [left.pop(view.name)]
+        while (other := left.get(burst_view(view.name, len(bursts)))) is not None:
+            if other.sensor.serial != view.sensor.serial:
+                break
+            bursts.append(left.pop(other.name))
+    return places
 
 
-def _kinect(view: View) -> EmulatedKinect:
+def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
+    calibration = factory_calibration(sensor)
+    kinect = EmulatedKinect(Model.XBOX_1414, sensor.serial, calibration, scenes[0.0])
+    kinect.face(scenes)
+    return kinect
+
+
+def _footage(view: View) -> dict[str, list[bytes]]:
     depth = [view.read_depth(index) for index in range(view.depth_count)]
     mosaics = [mosaic(_whole(view.read_color(index))) for index in range(view.color_count)]
-    footage = make_footage(depth, mosaics)
-    return EmulatedKinect(
-        Model.XBOX_1414, view.sensor.serial, factory_calibration(view.sensor), footage
-    )
+    return make_footage(depth, mosaics)
 
 
 def _whole(color: ByteArray) -> ByteArray:

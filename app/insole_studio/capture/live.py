@@ -49,10 +49,10 @@ class LiveSensors:
         except SensorError as error:
             self._problem = str(error)
             return
-        problems = [sensor.problem for sensor in found if sensor.problem is not None]
-        self._problem = problems[0] if problems else None
-        for sensor in found:
-            if sensor.problem is None and sensor.serial and sensor.serial not in self.opened:
+        others = [sensor for sensor in found if sensor.serial not in self.opened]
+        self._problem = next((sensor.problem for sensor in others if sensor.problem), None)
+        for sensor in others:
+            if sensor.problem is None and sensor.serial:
                 self._open(sensor.serial, sensor.model or "", sensor.bus)
 
     def start(self) -> None:

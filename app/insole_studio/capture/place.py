@@ -8,8 +8,9 @@ from pathlib import Path
 
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
-from insole_studio.capture.emulation import emulated_bus, emulated_views
+from insole_studio.capture.emulation import EmulatedRoom, emulated_bursts, emulated_views
 from insole_studio.capture.errors import translating
+from insole_studio.capture.plan import Step
 from insole_studio.capture.rig import Rig
 from insole_studio.capture.workplace import (
     SensorFiles,
@@ -43,6 +44,11 @@ class Place:
         """The session that is emulated."""
         return None if self.emulate is None else read_session(self.emulate)
 
+    @cached_property
+    def room(self) -> EmulatedRoom | None:
+        """The emulated sensors."""
+        return None if self.session is None else EmulatedRoom(self.session)
+
     def rig(self) -> Rig:
         """Find the sensors' bus, or make the emulated one.
 
@@ -53,8 +59,8 @@ class Place:
         SensorError
             When there is no libusb.
         """
-        if self.session is not None:
-            return Rig(UsbBus(emulated_bus(self.session)))
+        if self.room is not None:
+            return Rig(UsbBus(self.room.bus))
         with translating():
             return Rig(system_bus())
 
@@ -70,5 +76,15 @@ class Place:
         return own_workplace(self.stored, self.system_file)
 
     def usual_views(self) -> tuple[tuple[str, str], ...]:
-        """Give view and serial number of each emulated sensor; nothing for real ones."""
+        """Give view and serial number of each emulated view; nothing for real sensors."""
         return () if self.session is None else emulated_views(self.session)
+
+    def usual_bursts(self) -> int:
+        """Give how many series a view emulated sensors have; one for real sensors."""
+        return 1 if self.session is None else emulated_bursts(self.session)
+
+    def put(self, step: Step) -> None:
+        """Put emulated sensors where a step wants them; real ones somebody has put there."""
+        if self.room is not None:
+            for shot in step.shots:
+                self.room.put(shot.serial, shot.place)

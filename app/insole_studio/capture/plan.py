@@ -30,11 +30,14 @@ class Shot:
         Of the sensor.
     tilt_deg
         How far its motor tilts it for this shot, from where it stood before the capture.
+    place
+        Where the sensor stands: the view without the number of the burst.
     """
 
     view: str
     serial: str
     tilt_deg: float = 0.0
+    place: str = ""
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,11 @@ class Step:
 
     shots: tuple[Shot, ...]
     by_hand: bool = False
+
+    @property
+    def names(self) -> str:
+        """Its views, for sentences."""
+        return " and ".join(shot.view for shot in self.shots)
 
 
 @dataclass(frozen=True)
@@ -86,12 +94,19 @@ class CapturePlan:
         return tuple(dict.fromkeys(shot.serial for shot in self.shots))
 
     def only(self, views: Sequence[str]) -> CapturePlan:
-        """Give the plan that captures some views again."""
-        steps = (
-            replace(step, shots=tuple(shot for shot in step.shots if shot.view in views))
-            for step in self.steps
-        )
-        return replace(self, steps=tuple(step for step in steps if step.shots))
+        """Give the plan that captures some views again.
+
+        A sensor that is moved by hand may stand anywhere by then, so it has to be put in its place.
+        """
+        moved = {shot.serial for step in self.steps if step.by_hand for shot in step.shots}
+        steps: list[Step] = []
+        for step in self.steps:
+            shots = tuple(shot for shot in step.shots if shot.view in views)
+            before = steps[-1].shots[-1].place if steps else None
+            by_hand = any(shot.serial in moved and shot.place != before for shot in shots)
+            if shots:
+                steps.append(Step(shots, by_hand))
+        return replace(self, steps=tuple(steps))
 
 
 def make_plan(
@@ -169,10 +184,20 @@ def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
 
 
 def _round(assignment: Sequence[tuple[str, str]], burst: int) -> tuple[Shot, ...]:
-    """Give the shots of the n-th burst: tilted by 0, 1, −1, 2, −2 … degrees."""
-    tilt_deg = _BURST_STEP_DEG * (burst + 1) // 2 * (1 if burst % 2 else -1)
-    suffix = f"_{burst + 1}" if burst else ""
-    return tuple(Shot(view + suffix, serial, tilt_deg + 0.0) for view, serial in assignment)
+    return tuple(
+        Shot(burst_view(view, burst), serial, burst_tilt_deg(burst), view)
+        for view, serial in assignment
+    )
+
+
+def burst_view(view: str, burst: int) -> str:
+    """Name the view of a burst, which is counted from 0: ``left``, ``left_2``, ``left_3`` …"""
+    return f"{view}_{burst + 1}" if burst else view
+
+
+def burst_tilt_deg(burst: int) -> float:
+    """Give the tilt of a burst, which is counted from 0: 0, 1, −1, 2, −2 … degrees."""
+    return _BURST_STEP_DEG * ((burst + 1) // 2) * (1.0 if burst % 2 else -1.0) + 0.0
 
 
 def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[Step]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import TracebackType
 from typing import Self
 
@@ -16,7 +19,7 @@ from insole_studio.capture.status import FoundSensor
 from kinect_v1.camera import Camera, CameraSettings, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import BAYER_640, BAYER_1280, StreamMode
-from kinect_v1.motor import Led
+from kinect_v1.motor import Led, Posture
 from kinect_v1.pixels import demosaic
 from kinect_v1.sensors import SensorInfo, list_sensors
 from kinect_v1.streams import Frame, Stream, StreamCounts
@@ -140,6 +143,23 @@ class OpenSensor:
             if self._depth is None:
                 self._depth = self._camera.start_depth()
 
+    @property
+    def streams(self) -> bool:
+        """Whether depth and colour run."""
+        return self._depth is not None and self._color is not None
+
+    @contextmanager
+    def reserving(self) -> Iterator[None]:
+        """Hold the bandwidth of depth and colour meanwhile, and switch nothing on.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller cannot carry them.
+        """
+        with translating(), self._camera.reserving():
+            yield
+
     def stop_depth(self) -> None:
         """Switch the emitter off.
 
@@ -199,8 +219,7 @@ class OpenSensor:
         ------
         SensorError
         """
-        with translating():
-            return self._camera.motor.posture().tilt_deg or 0.0
+        return self._wait_until_still(lambda posture: not posture.moving).tilt_deg or 0.0
 
     def tilt_to(self, tilt_deg: float) -> None:
         """Tilt it and wait until it stands still.
@@ -209,10 +228,28 @@ class OpenSensor:
         ------
         SensorError
         """
-        limit_s = time.monotonic() + _TILT_LIMIT_S
         with translating():
             self._camera.motor.set_tilt(tilt_deg)
-            while self._camera.motor.posture().moving and time.monotonic() < limit_s:
+        self._wait_until_still(lambda posture: _arrived(posture, tilt_deg))
+
+    def roll_deg(self) -> float:
+        """Tell by how much it leans to a side, by its accelerometer; its motor cannot mend that.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            x, y, _z = self._camera.motor.posture().acceleration_g
+        return math.degrees(math.atan2(x, abs(y))) if x or y else 0.0
+
+    def _wait_until_still(self, is_still: Callable[[Posture], bool]) -> Posture:
+        limit_s = time.monotonic() + _TILT_LIMIT_S
+        with translating():
+            while True:
+                posture = self._camera.motor.posture()
+                if is_still(posture) or time.monotonic() > limit_s:
+                    return posture
                 time.sleep(_TILT_POLL_S)
 
     def blink(self, on: bool) -> None:
@@ -234,6 +271,13 @@ class OpenSensor:
         """
         with translating():
             self._camera.close()
+
+
+def _arrived(posture: Posture, tilt_deg: float) -> bool:
+    """Tell whether a motor stands; where the model does not say, whether it is where it should."""
+    if posture.moving is not None:
+        return not posture.moving
+    return posture.tilt_deg is not None and abs(posture.tilt_deg - tilt_deg) < 1.0
 
 
 def _poll(stream: Stream | None) -> Frame | None:

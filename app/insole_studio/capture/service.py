@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import time
 from collections import deque
+from collections.abc import Callable
 from multiprocessing.connection import Connection
 
 from insole_core.errors import InsoleError
@@ -28,12 +29,15 @@ from insole_studio.capture.messages import (
     Told,
 )
 from insole_studio.capture.place import Place
+from insole_studio.capture.plan import Step
 from insole_studio.capture.status import CaptureStatus, Phase
 from insole_studio.capture.workplace import Workplace
 
 _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25
 _FIND_PERIOD_S = 2.0
+_ROLL_DEG = 1.0
+"""A smaller lean is the accelerometer's noise."""
 
 
 def serve(connection: Connection, board: FrameBoard, place: Place) -> None:
@@ -44,7 +48,7 @@ def serve(connection: Connection, board: FrameBoard, place: Place) -> None:
     except InsoleError as error:
         connection.send(Sensors((), str(error)))
         return
-    service = _Service(connection, LiveSensors(rig, board.write), workplace)
+    service = _Service(connection, LiveSensors(rig, board.write), workplace, place.put)
     try:
         service.run()
     finally:
@@ -54,10 +58,17 @@ def serve(connection: Connection, board: FrameBoard, place: Place) -> None:
 class _Service:
     """One loop: orders, frames, and now and then the state of the sensors."""
 
-    def __init__(self, connection: Connection, live: LiveSensors, workplace: Workplace) -> None:
+    def __init__(
+        self,
+        connection: Connection,
+        live: LiveSensors,
+        workplace: Workplace,
+        put: Callable[[Step], None],
+    ) -> None:
         self._connection = connection
         self._live = live
         self._workplace = workplace
+        self._put = put
         self._waiting: deque[Command] = deque()
         self._quitting = False
         self._last: CaptureStatus | None = None
@@ -123,8 +134,21 @@ class _Service:
 
     def _tilt(self, command: Tilt) -> None:
         sensor = self._live.opened[command.serial]
-        turned = 0.0 if command.by_deg is None else sensor.tilt_deg() + command.by_deg
-        sensor.tilt_to(turned)
+        if command.by_deg is not None:
+            sensor.tilt_to(sensor.tilt_deg() + command.by_deg)
+            return
+        sensor.tilt_to(0.0)
+        self._tell_roll(command.serial, abs(sensor.roll_deg()))
+
+    def _tell_roll(self, serial: str, roll_deg: float) -> None:
+        """Say what the motor cannot mend."""
+        if roll_deg >= _ROLL_DEG:
+            self._send(
+                Told(
+                    f"Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot "
+                    "mend; straighten it by hand and level it again."
+                )
+            )
 
     def _capture(self, order: Start) -> None:
         """Carry a plan out; whatever happens, one last status says how it ended."""
@@ -173,7 +197,7 @@ class _Service:
             return True
         return self._quitting
 
-    def _wait_for_hand(self, _sentence: str) -> None:
+    def _wait_for_hand(self, step: Step) -> None:
         """Stream on until somebody says that the sensor stands."""
         self._live.start()
         while not any(isinstance(command, Placed) for command in self._waiting):
@@ -182,6 +206,7 @@ class _Service:
             if not self._live.pump():
                 time.sleep(_IDLE_S)
         self._waiting.clear()
+        self._put(step)
 
     def _end(self, phase: Phase, sentence: str) -> None:
         views = self._last.views if self._last is not None else ()

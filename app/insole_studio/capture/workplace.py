@@ -59,7 +59,7 @@ class Workplace:
     volume_of_interest
         None lets the reconstruction find it.
     recorded
-        Sensors of the session that is emulated, by serial number.
+        Sensors of the session that is emulated, by view.
     """
 
     system: ReferenceSystem
@@ -75,18 +75,18 @@ class Workplace:
         InputError, CalibrationError
             When the stored one cannot be used.
         """
-        faces = view_faces(view, self.system)
-        known = self.known(opened.serial, faces)
+        known = self.known(opened.serial, view)
         if known is not None:
             return known
+        faces = view_faces(view, self.system)
         sentence = (
             f"Sensor {opened.serial} is not calibrated; the numbers of its factory are used, which "
             "are several millimetres less exact."
         )
         return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
 
-    def known(self, serial: str, faces: tuple[str, ...]) -> Calibrated | None:
-        """Give the calibration of a serial number, as far as this room knows it.
+    def known(self, serial: str, view: str) -> Calibrated | None:
+        """Give the calibration of a serial number for a view, as far as this room knows it.
 
         Raises
         ------
@@ -94,9 +94,17 @@ class Workplace:
         """
         stored = self.stored.load(serial)
         if stored is not None:
-            return _checked(replace(stored, faces=faces))
-        recorded = self.recorded.get(serial)
+            return _checked(replace(stored, faces=view_faces(view, self.system)))
+        recorded = self._recorded(serial, view)
         return None if recorded is None else Calibrated(recorded, "recording")
+
+    def _recorded(self, serial: str, view: str) -> Sensor | None:
+        """Give the sensor of a recorded view; for another view, with the markers this one sees."""
+        same = self.recorded.get(view)
+        if same is not None and same.serial == serial:
+            return same
+        other = next((s for s in self.recorded.values() if s.serial == serial), None)
+        return other and replace(other, faces=view_faces(view, self.system))
 
 
 def _checked(sensor: Sensor) -> Calibrated:
@@ -126,5 +134,5 @@ def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> Workp
 def recorded_workplace(stored: SensorFiles, session: Session) -> Workplace:
     """Give the room in which a session was recorded, for its emulated sensors."""
     manifest = session.manifest
-    recorded = {view.sensor.serial: view.sensor for view in reversed(session.views)}
+    recorded = {view.name: view.sensor for view in session.views}
     return Workplace(manifest.reference_system, stored, manifest.volume_of_interest, recorded)

@@ -6,7 +6,9 @@ import argparse
 import sys
 from collections.abc import Sequence
 from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,7 +20,8 @@ if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
     from insole_studio.capture.draft import Draft
     from insole_studio.capture.place import Place
-    from insole_studio.capture.plan import CapturePlan
+    from insole_studio.capture.plan import CapturePlan, Step
+    from insole_studio.capture.request import PlanRequest
     from insole_studio.capture.status import CaptureStatus
     from insole_studio.capture.workplace import Workplace
 
@@ -41,9 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--simultaneous", action="store_true",
         help="all sensors at once; for sensors that do not see the same surface",
     )  # fmt: skip
-    parser.add_argument(
-        "--bursts", type=int, default=1, help="series a view, a degree of tilt apart (1)"
-    )
+    parser.add_argument("--bursts", type=int, help="series a view, a degree of tilt apart (1)")
     parser.add_argument("--weight-bearing", choices=["none", "semi", "full"], default="none")
     parser.add_argument("--held", action="store_true", help="somebody held the foot")
     parser.add_argument("--notes", default="", help="about the capture")
@@ -64,10 +65,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
     place = place_of(arguments, arguments.reference)
     rig, workplace = place.rig(), place.workplace()
-    plan = _plan(arguments, _assignment(arguments.views, place, len(rig.require())))
-    draft = _draft(arguments, plan, place, workplace)
+    found = len(rig.require())
+    left = _left_draft(arguments.resume) if arguments.resume else None
+    request = _request(arguments, place, found, left)
+    draft = left or _new_draft(arguments, request, place, workplace)
     with closing(draft):
-        plan = plan.only([view for view in plan.views if view not in draft.views])
+        draft.expect(request.plan().views)
+        plan = _missing(request.plan(), draft.views)
 
         def report(status: CaptureStatus) -> None:
             progress.step(0.95 * status.fraction, status.sentence)
@@ -75,7 +79,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         try:
             sensors = open_sensors(rig, plan.serials)
             try:
-                watcher = Watcher(report, wait_for_hand=_wait_for_hand)
+                watcher = Watcher(report, wait_for_hand=partial(_wait_for_hand, place))
                 warnings = Capturing(sensors, plan, workplace, draft, watcher).run()
             finally:
                 close_sensors(sensors.values())
@@ -96,40 +100,51 @@ def _check_out(path: Path) -> None:
         )
 
 
-def _assignment(views: Sequence[str] | None, place: Place, found: int) -> Sequence[tuple[str, str]]:
-    from insole_studio.capture.plan import parse_assignment
+def _left_draft(folder: Path) -> Draft:
+    from insole_studio.capture.draft import Draft
 
-    assignment = parse_assignment(views) if views else place.usual_views()
+    return Draft.reopen(folder)
+
+
+def _request(
+    arguments: argparse.Namespace, place: Place, found: int, left: Draft | None
+) -> PlanRequest:
+    """Give what is to be captured: as the call says, else as it was begun, else as it is played."""
+    from insole_studio.capture.plan import parse_assignment
+    from insole_studio.capture.request import PlanRequest, kept_request
+
+    kept = kept_request(left.manifest.extra) if left else None
+    if kept and arguments.views is None:
+        return kept
+    assignment = parse_assignment(arguments.views) if arguments.views else place.usual_views()
     if not assignment:
         raise UsageError(
             f"Say which of the {found} sensors gives which view, for example --views left=SERIAL "
             "right=SERIAL top=SERIAL; insole-studio sensors lists the serial numbers."
         )
-    return assignment
-
-
-def _plan(arguments: argparse.Namespace, assignment: Sequence[tuple[str, str]]) -> CapturePlan:
-    from insole_studio.capture.plan import make_plan
-
-    return make_plan(
-        assignment,
-        frames=arguments.frames,
-        color_frames=arguments.color_frames,
-        simultaneous=arguments.simultaneous,
-        bursts=arguments.bursts,
+    usual_bursts = 1 if arguments.views else place.usual_bursts()
+    return PlanRequest(
+        tuple(assignment),
+        arguments.frames,
+        arguments.color_frames,
+        arguments.simultaneous,
+        usual_bursts if arguments.bursts is None else arguments.bursts,
     )
 
 
-def _draft(
-    arguments: argparse.Namespace, plan: CapturePlan, place: Place, workplace: Workplace
+def _missing(plan: CapturePlan, finished: Sequence[str]) -> CapturePlan:
+    return plan.only([view for view in plan.views if view not in finished]) if finished else plan
+
+
+def _new_draft(
+    arguments: argparse.Namespace, request: PlanRequest, place: Place, workplace: Workplace
 ) -> Draft:
     from insole_studio.capture.draft import Draft, drafts_folder_of_user
 
-    if arguments.resume:
-        return Draft.reopen(arguments.resume, plan.views)
-    manifest = _manifest(arguments, place, workplace)
+    views = request.plan().views
+    manifest = replace(_manifest(arguments, place, workplace), extra=request.as_extra())
     name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side.value}"
-    return Draft(drafts_folder_of_user() / name, manifest, plan.views)
+    return Draft(drafts_folder_of_user() / name, manifest, views)
 
 
 def _manifest(arguments: argparse.Namespace, place: Place, workplace: Workplace) -> Manifest:
@@ -152,8 +167,14 @@ def _manifest(arguments: argparse.Namespace, place: Place, workplace: Workplace)
     )
 
 
-def _wait_for_hand(sentence: str) -> None:
-    print(f"{sentence}, then press Enter.", file=sys.stderr, flush=True)
+def _wait_for_hand(place: Place, step: Step) -> None:
+    """Ask for a sensor to be moved; emulated ones need no hand."""
+    from insole_studio.capture.capturing import hand_sentence
+
+    if place.room is not None:
+        place.put(step)
+        return
+    print(f"{hand_sentence(step)}, then press Enter.", file=sys.stderr, flush=True)
     if not sys.stdin.readline():
         raise UsageError(
             "A sensor has to be moved by hand, but nobody can press Enter here; run this in a "

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kinect_v1 import modes
-from kinect_v1.camera import Camera, open_camera
+from kinect_v1.camera import Camera, CameraSettings, open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.playback import recorded_kinect
 from kinect_v1.errors import KinectError, NoSensorError, UnsupportedError
@@ -29,6 +29,7 @@ VIDEO_MODES: dict[str, StreamMode | None] = {
     "none": None,
 }
 _STATUS_LINES = 2
+_PATIENT = CameraSettings(watchdog_s=3.0)
 
 
 def main(arguments: list[str] | None = None, find_bus: Callable[[], UsbBus] = system_bus) -> int:
@@ -110,7 +111,7 @@ def _start(camera: Camera, options: argparse.Namespace) -> tuple[Stream, Stream 
 
 
 def _view(options: argparse.Namespace, bus: UsbBus) -> None:
-    with open_camera(options.serial, bus=bus) as camera:
+    with open_camera(options.serial, _PATIENT, bus) as camera:
         depth, video = _start(camera, options)
         print(CLEAR, end="")
         shown = 0
@@ -139,7 +140,10 @@ def _posture(camera: Camera) -> Posture | None:
 
 def _record(options: argparse.Namespace, bus: UsbBus) -> None:
     wanted = options.frames or 10
-    with recording_folder(options.folder) as writer, open_camera(options.serial, bus=bus) as camera:
+    with (
+        recording_folder(options.folder) as writer,
+        open_camera(options.serial, _PATIENT, bus) as camera,
+    ):
         posture = _posture(camera)
         if posture is not None:
             writer.add_posture(posture)

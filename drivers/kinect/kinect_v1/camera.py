@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from contextlib import ExitStack, suppress
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Self
@@ -31,7 +32,7 @@ from kinect_v1.modes import (
     StreamKind,
     StreamMode,
 )
-from kinect_v1.motor import Motor, open_motor
+from kinect_v1.motor import Led, Motor, open_motor
 from kinect_v1.sensors import FoundSensor, find_sensor
 from kinect_v1.streams import WATCHDOG_S, Deliver, Stream
 from kinect_v1.usb_bus import RunningStream, UsbBus, system_bus
@@ -129,7 +130,7 @@ class Camera:
             self.calibration = self._read_calibration()
             self._apply(settings)
         except KinectError:
-            self._function.close()
+            self.close()
             raise
 
     def __enter__(self) -> Self:
@@ -159,6 +160,23 @@ class Camera:
                 "The large infrared picture cannot run beside depth; stop depth first."
             )
         return self._start(VIDEO, mode, deliver)
+
+    @contextmanager
+    def reserving(self) -> Iterator[None]:
+        """Hold the controller's bandwidth for both streams meanwhile, and switch nothing on.
+
+        Raises
+        ------
+        BandwidthError
+            When the controller cannot carry them.
+        """
+        with ExitStack() as held:
+            held.callback(self._release_if_idle)
+            self._prepare_interface()
+            for mode in (DEPTH_11, BAYER_640):
+                if mode.kind not in self._running:
+                    held.callback(self._transfer(Stream(mode)).stop)
+            yield
 
     def stop_depth(self) -> None:
         """Stop depth, which switches the projector off."""
@@ -225,6 +243,13 @@ class Camera:
         self._channel.drain()
         self._write(DEPTH.switch, STREAM_OFF)
         self._write(VIDEO.switch, STREAM_OFF)
+        self._light_up()
+
+    def _light_up(self) -> None:
+        """Light the LED of the newer models, some of which leave the bus otherwise."""
+        if not self.model.has_motor_function:
+            with suppress(KinectError):  # a sensor whose audio part does not answer still measures
+                self.motor.set_led(Led.GREEN)
 
     def _read_calibration(self) -> Calibration:
         fixed = self._channel.send(Opcode.FIXED_PARAMETERS, words(0, 0, 0, 0, 0))
@@ -252,19 +277,26 @@ class Camera:
         if mode.kind is not kind:
             raise UnsupportedError(f"{mode.name} is no mode of the {kind.name} stream.")
         self._stop(kind)
-        alternate = self.model.streaming_alternate
-        if not self._running and alternate:
-            self._function.select_alternate(alternate)
         stream = Stream(mode, deliver, self._settings.watchdog_s)
-        running = self._function.start_stream(kind.endpoint, alternate, stream)
-        self._running[kind] = (running, stream)
         try:
+            self._prepare_interface()
+            self._running[kind] = (self._transfer(stream), stream)
             for register, value in mode.start:
                 self._write(register, value)
         except KinectError:
             self._stop(kind)
+            self._release_if_idle()
             raise
         return stream
+
+    def _prepare_interface(self) -> None:
+        """Select the alternate setting that has the endpoints."""
+        if not self._running and self.model.streaming_alternate:
+            self._function.select_alternate(self.model.streaming_alternate)
+
+    def _transfer(self, stream: Stream) -> RunningStream:
+        endpoint = stream.mode.kind.endpoint
+        return self._function.start_stream(endpoint, self.model.streaming_alternate, stream)
 
     def _stop(self, kind: StreamKind) -> None:
         """Switch the stream off, then end its transfers; all of it also when the device is gone."""
@@ -277,10 +309,11 @@ class Camera:
         finally:
             running.stop()
             stream.end(StoppedError(f"The {kind.name} stream was stopped; start it again."))
-        if not self._running:
-            self._release_bandwidth()
+        self._release_if_idle()
 
-    def _release_bandwidth(self) -> None:
+    def _release_if_idle(self) -> None:
         """Make the controller forget the reservation, which EHCI keeps even after a close."""
+        if self._running:
+            return
         with suppress(UnpluggedError, TransferError):  # gone, or a firmware that refuses
             self._function.select_alternate(0)

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from kinect_v1 import commands
 from kinect_v1.commands import Opcode, words
-from kinect_v1.errors import ProtocolError, TransferError
+from kinect_v1.errors import NoAnswerError, ProtocolError, TransferError
 
 _POLL_S = 0.001
 COMMAND_LIMIT_S = 2.0
@@ -86,11 +86,11 @@ class CommandChannel:
         deadline = time.monotonic() + self._limit_s
         stale = False
         while time.monotonic() < deadline:
-            reply = self._pipe.control_in(0, commands.REPLY_BYTES)
+            reply = self._read_reply()
             if commands.is_pending(reply):
                 time.sleep(_POLL_S)
                 continue
-            stale = commands.reply_tag(reply) not in (None, tag)
+            stale = commands.answers(reply) not in (None, (opcode, tag))
             if not stale:
                 return commands.decode_reply(reply, opcode, tag)
         if stale:
@@ -98,10 +98,17 @@ class CommandChannel:
                 "The sensor answers other commands than those it was sent; unplug the sensor and "
                 "plug it in again."
             )
-        raise TransferError(
+        raise NoAnswerError(
             f"The sensor does not answer (command 0x{opcode:02x}, {self._limit_s:g} s); unplug "
             "the sensor and plug it in again."
         )
+
+    def _read_reply(self) -> bytes:
+        """Read once; a device that holds the request back has not answered yet."""
+        try:
+            return self._pipe.control_in(0, commands.REPLY_BYTES)
+        except NoAnswerError:
+            return b""
 
 
 def _word(data: bytes, index: int, opcode: int) -> int:

@@ -95,12 +95,12 @@ def is_pending(reply: bytes) -> bool:
     return len(reply) in (0, REPLY_BYTES)
 
 
-def reply_tag(reply: bytes) -> int | None:
-    """Tag of a reply; None where the bytes are no reply at all."""
+def answers(reply: bytes) -> tuple[int, int] | None:
+    """Opcode and tag of the command that a reply answers; None where it is no reply at all."""
     if len(reply) < HEADER_BYTES or not reply.startswith(REPLY_MAGIC):
         return None
-    tag: int = _HEADER.unpack_from(reply)[3]
-    return tag
+    _magic, _length, opcode, tag = _HEADER.unpack_from(reply)
+    return opcode, tag
 
 
 def decode_reply(reply: bytes, opcode: int, tag: int) -> bytes:

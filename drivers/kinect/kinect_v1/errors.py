@@ -41,6 +41,10 @@ class TransferError(KinectError):
     """A transfer failed, was refused by the device, or timed out."""
 
 
+class NoAnswerError(TransferError):
+    """A transfer timed out."""
+
+
 class ProtocolError(KinectError):
     """The device answered something that is not the protocol."""
 

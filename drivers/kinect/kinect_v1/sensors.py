@@ -61,6 +61,18 @@ class FoundSensor:
         finally:
             self.close()
 
+    def check_free(self) -> None:
+        """Check that no other program uses the camera.
+
+        Raises
+        ------
+        InUseError
+        """
+        try:
+            self.camera.check_free()
+        finally:
+            self.close()
+
     def close(self) -> None:
         """Give both functions back."""
         self.camera.close()
@@ -112,7 +124,7 @@ def _anywhere(_one: UsbFunction, _other: UsbFunction) -> bool:
 
 
 def list_sensors(bus: UsbBus) -> list[SensorInfo]:
-    """Describe every sensor that is plugged in; nothing is claimed, so none is disturbed."""
+    """Describe every sensor that is plugged in; none that is in use is disturbed."""
     sensors, motors = find_sensors(bus)
     found = [info for sensor in sensors if (info := _describe(sensor)) is not None]
     return found + [
@@ -123,11 +135,15 @@ def list_sensors(bus: UsbBus) -> list[SensorInfo]:
 def _describe(sensor: FoundSensor) -> SensorInfo | None:
     """Describe a sensor; None for a camera that has no serial number at all."""
     camera = sensor.camera
+    serial, problem = None, None
     try:
         serial = sensor.serial()
+        if serial is None:
+            return None
+        sensor.check_free()
     except KinectError as error:
-        return SensorInfo(None, sensor.model, camera.bus, camera.place, str(error))
-    return SensorInfo(serial, sensor.model, camera.bus, camera.place) if serial else None
+        problem = str(error)
+    return SensorInfo(serial, sensor.model, camera.bus, camera.place, problem)
 
 
 def find_sensor(bus: UsbBus, serial: str | None) -> tuple[FoundSensor, str]:

@@ -7,7 +7,7 @@ stand on a pyusb backend that can also run isochronous streams: libusb's, or the
 from __future__ import annotations
 
 import errno
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
@@ -18,9 +18,11 @@ import usb.core
 import usb.util
 
 from kinect_v1.errors import (
+    BandwidthError,
     InUseError,
     KinectError,
     LibusbMissingError,
+    NoAnswerError,
     NoPermissionError,
     TransferError,
     UnsupportedError,
@@ -207,19 +209,41 @@ class UsbFunction:
             return int(self._device[0].bNumInterfaces)
 
     def claim(self) -> None:
-        """Take the function from the kernel's driver and from other programs."""
+        """Take the function from the kernel's driver."""
         with _translating(self):
             self._detach_kernel_driver()
+            self._claim()
+
+    def check_free(self) -> None:
+        """Check that no other program holds the function, which the kernel's driver may keep.
+
+        Raises
+        ------
+        InUseError
+        """
+        with _translating(self):
+            if not self._kernel_driver_active():
+                self._claim()
+                usb.util.release_interface(self._device, _INTERFACE)
+
+    def _claim(self) -> None:
+        try:
             usb.util.claim_interface(self._device, _INTERFACE)
+        except UsbError as error:
+            if error.errno != errno.ENOENT:
+                raise
+            raise BandwidthError(
+                f"The system could not set up {self._name[0].lower()}{self._name[1:]}, most often "
+                "because that USB controller is full; plug the sensor into a controller of its own."
+            ) from error
+
+    def _kernel_driver_active(self) -> bool:
+        """Tell whether the kernel's driver has it; False where the system cannot say."""
+        return bool(_where_possible(self._device.is_kernel_driver_active))
 
     def _detach_kernel_driver(self) -> None:
-        try:
-            if self._device.is_kernel_driver_active(_INTERFACE):
-                self._device.detach_kernel_driver(_INTERFACE)
-        except (NotImplementedError, UsbError) as error:
-            if getattr(error, "errno", None) in (errno.ENODEV, errno.EACCES):
-                raise
-            # else a system whose drivers cannot be asked or detached; the claim will tell
+        if self._kernel_driver_active():
+            _where_possible(self._device.detach_kernel_driver)
 
     def select_alternate(self, alternate: int) -> None:
         """Select an alternate setting; setting it again gives reserved bandwidth back."""
@@ -297,6 +321,16 @@ def _translating(function: UsbFunction) -> Iterator[None]:
         ) from error
 
 
+def _where_possible(ask: Callable[[int], object]) -> object:
+    """Ask about the kernel's driver; None where a system cannot, whose claim will tell."""
+    try:
+        return ask(_INTERFACE)
+    except (NotImplementedError, UsbError) as error:
+        if getattr(error, "errno", None) in (errno.ENODEV, errno.EACCES):
+            raise
+        return None
+
+
 def _translated(error: Any, function: UsbFunction) -> KinectError:
     """Say in one sentence what a USB error means and what to do."""
     name = function._name
@@ -312,5 +346,5 @@ def _translated(error: Any, function: UsbFunction) -> KinectError:
     if error.errno == errno.ENOSPC:
         return bandwidth_full(function.bus)
     if error.errno == errno.ETIMEDOUT:
-        return TransferError(f"{name} does not answer; {_REPLUG}")
+        return NoAnswerError(f"{name} does not answer; {_REPLUG}")
     return TransferError(f"{name} failed ({error.strerror}); {_REPLUG}")

@@ -21,7 +21,7 @@ from insole_studio.capture import draft as draft_module
 from insole_studio.capture.capturing import open_sensors
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.errors import BusFullError, NoSensorFoundError, SensorError
-from insole_studio.capture.plan import CapturePlan, make_plan
+from insole_studio.capture.plan import CapturePlan, Step, make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
 from kinect_v1.emulation.faults import Fault
 from kinect_v1.emulation.playback import make_footage
@@ -117,10 +117,13 @@ def test_simultaneous_on_one_controller_names_bus_and_remedy(make: Callable[...,
 
 
 def test_a_sensor_is_moved_by_hand(bench: Bench) -> None:
-    asked: list[str] = []
+    asked: list[Step] = []
     plan = make_plan([("left", "A1"), ("right", "A1")], frames=FRAMES)
     bench.capture(plan, wait_for_hand=asked.append)
-    assert asked == ["Put the sensor in its place for view right"]
+    assert asked == [plan.steps[1]]
+    assert bench.told[-1].sentence == "View right is on the disk"
+    asking = [status.sentence for status in bench.told if status.phase is Phase.MOVING]
+    assert asking == ["Put the sensor in its place for view right"]
     assert bench.draft.views == ("left", "right")
 
 

@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+import time
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -7,6 +10,7 @@ import pytest
 
 from insole_core.geometry.transforms import rigid
 from insole_core.recording.reader import read_session
+from insole_core.recording.session import Session
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -15,9 +19,14 @@ from insole_core.sensing.disparity import (
     TangentDisparity,
 )
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.emulation import emulated_bus, emulated_views, factory_calibration
+from insole_studio.capture.emulation import (
+    EmulatedRoom,
+    emulated_bursts,
+    emulated_views,
+    factory_calibration,
+)
 from insole_studio.capture.factory import factory_sensor, usual_sensor
-from insole_studio.capture.rig import Rig
+from insole_studio.capture.rig import OpenSensor, Rig, raw_image
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
 from kinect_v1.usb_bus import UsbBus
 
@@ -57,8 +66,53 @@ def test_a_smaller_picture_keeps_its_middle() -> None:
 
 def test_every_sensor_of_a_session_is_found(small_session: Path) -> None:
     session = read_session(small_session)
-    rig = Rig(UsbBus(emulated_bus(session)))
+    rig = Rig(UsbBus(EmulatedRoom(session).bus))
     found = rig.require()
     assert [s.serial for s in found] == [view.sensor.serial for view in session.views]
     assert len({s.bus for s in found}) == 3
     assert emulated_views(session) == tuple((v.name, v.sensor.serial) for v in session.views)
+    assert emulated_bursts(session) == 1
+
+
+def renamed(session: Session, names: Sequence[str], serials: Sequence[str]) -> Session:
+    """Give the same views under other names, by other sensors."""
+    views = tuple(
+        replace(view, name=name, sensor=replace(view.sensor, serial=serial))
+        for view, name, serial in zip(session.views, names, serials, strict=True)
+    )
+    return replace(session, manifest=replace(session.manifest, views=tuple(names)), views=views)
+
+
+def test_bursts_and_places_are_told_apart(small_session: Path) -> None:
+    session = read_session(small_session)
+    bursts = renamed(session, ("left", "left_2", "left_3"), ("A", "A", "A"))
+    assert (emulated_views(bursts), emulated_bursts(bursts)) == ((("left", "A"),), 3)
+    mixed = renamed(session, ("left", "left_2", "right"), ("A", "B", "A"))
+    assert emulated_views(mixed) == (("left", "A"), ("left_2", "B"), ("right", "A"))
+    assert emulated_bursts(mixed) == 1
+
+
+def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> None:
+    session = read_session(small_session)
+    moved = renamed(session, ("left", "left_2", "right"), ("A", "A", "A"))
+    room = EmulatedRoom(moved, speed=4.0)
+
+    def seen(sensor: OpenSensor) -> str:
+        sensor.start()
+        while (frame := sensor.poll_depth()) is None:
+            time.sleep(0.002)
+        sensor.stop()
+        image = raw_image(frame)
+        (view,) = (v.name for v in moved.views if np.array_equal(v.read_depth(0), image))
+        return view
+
+    with Rig(UsbBus(room.bus)).open("A") as sensor:
+        assert seen(sensor) == "left"
+        sensor.tilt_to(1.0)
+        assert seen(sensor) == "left_2"
+        room.put("A", "right")
+        assert seen(sensor) == "right"
+        room.put("A", "nowhere")
+        assert seen(sensor) == "right"
+        room.put("A", "left")
+        assert seen(sensor) == "left_2"

@@ -1,11 +1,14 @@
 from __future__ import annotations
 
+import json
+
 import pytest
 from capture_samples import ASSIGNMENT
 
 from insole_core.errors import UsageError
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_studio.capture.plan import Shot, Step, make_plan, parse_assignment, view_faces
+from insole_studio.capture.request import PlanRequest, kept_request
 
 
 def test_sensors_take_turns_by_default() -> None:
@@ -22,7 +25,7 @@ def test_sensors_take_turns_by_default() -> None:
 
 def test_simultaneous_is_one_step() -> None:
     (step,) = make_plan(ASSIGNMENT, simultaneous=True).steps
-    assert step.shots == tuple(Shot(view, serial) for view, serial in ASSIGNMENT)
+    assert step.shots == tuple(Shot(view, serial, 0.0, view) for view, serial in ASSIGNMENT)
 
 
 def test_a_sensor_named_twice_is_moved_by_hand() -> None:
@@ -33,12 +36,12 @@ def test_a_sensor_named_twice_is_moved_by_hand() -> None:
 def test_bursts_tilt_to_both_sides() -> None:
     plan = make_plan([("left", "A1"), ("right", "B2")], bursts=3)
     assert plan.steps == (
-        Step((Shot("left", "A1"),)),
-        Step((Shot("left_2", "A1", 1.0),)),
-        Step((Shot("left_3", "A1", -1.0),)),
-        Step((Shot("right", "B2"),)),
-        Step((Shot("right_2", "B2", 1.0),)),
-        Step((Shot("right_3", "B2", -1.0),)),
+        Step((Shot("left", "A1", 0.0, "left"),)),
+        Step((Shot("left_2", "A1", 1.0, "left"),)),
+        Step((Shot("left_3", "A1", -1.0, "left"),)),
+        Step((Shot("right", "B2", 0.0, "right"),)),
+        Step((Shot("right_2", "B2", 1.0, "right"),)),
+        Step((Shot("right_3", "B2", -1.0, "right"),)),
     )
 
 
@@ -46,6 +49,38 @@ def test_one_view_can_be_repeated() -> None:
     plan = make_plan(ASSIGNMENT, simultaneous=True, frames=3)
     assert plan.only(["right"]).views == ("right",)
     assert plan.only(["right"]).frames == 3
+
+
+def test_a_moved_sensor_is_put_back_for_what_is_missing() -> None:
+    plan = make_plan([("left", "A1"), ("right", "A1"), ("top", "B2")], bursts=2)
+    again = plan.only(["left_2", "right", "right_2", "top"])
+    assert [(step.names, step.by_hand) for step in again.steps] == [
+        ("left_2", True),
+        ("right", True),
+        ("right_2", False),
+        ("top", False),
+    ]
+
+
+@pytest.mark.parametrize(
+    "request_made",
+    [
+        PlanRequest(ASSIGNMENT, frames=3, simultaneous=True),
+        PlanRequest((("left", "A1"), ("right", "A1")), bursts=2, color_frames=4),
+    ],
+)
+def test_a_request_is_kept(request_made: PlanRequest) -> None:
+    kept = json.loads(json.dumps(request_made.as_extra()))
+    assert kept_request(kept) == request_made
+
+
+@pytest.mark.parametrize(
+    "damage", [{"assignment": [["left"]]}, {"frames": "ten"}, {"bursts": 0}, {"speed": 1}]
+)
+def test_a_request_that_cannot_be_carried_out_is_none(damage: dict[str, object]) -> None:
+    (kept,) = PlanRequest(ASSIGNMENT).as_extra().values()
+    assert kept_request({"capture_plan": {**kept, **damage}}) is None
+    assert kept_request({}) is None
 
 
 def test_assignment_is_read() -> None:

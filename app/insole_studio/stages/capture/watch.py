@@ -42,7 +42,7 @@ class SensorWatch:
 
     def __init__(self, workplace: Workplace, serial: str, view: str) -> None:
         faces = view_faces(view, workplace.system)
-        known = workplace.known(serial, faces)
+        known = workplace.known(serial, view)
         self._sensor = known.sensor if known else usual_sensor(serial, faces, _FULL_COLOR)
         self._system = workplace.system
         self._volume = workplace.volume_of_interest or enclosed_volume(workplace.system)

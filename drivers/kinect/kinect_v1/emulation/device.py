@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from kinect_v1 import calibration as factory
 from kinect_v1 import commands
@@ -241,8 +241,9 @@ class EmulatedCamera(EmulatedFunction):
 class EmulatedMotor(EmulatedFunction):
     """The motor of model 1414, with LED and accelerometer."""
 
-    def __init__(self) -> None:
+    def __init__(self, tilted: Callable[[float], None]) -> None:
         super().__init__((0x02B0, 0x0105), ("Xbox NUI Motor", MANUFACTURER), (((),),), power_ma=100)
+        self._tilted = tilted
         self.led = 0
         self.tilt_deg = 0.0
         self.acceleration_counts = (0, 819, 0)
@@ -255,6 +256,7 @@ class EmulatedMotor(EmulatedFunction):
             self.led = value
         else:
             self.tilt_deg = (value - 0x10000 if value & 0x8000 else value) / 2
+            self._tilted(self.tilt_deg)
 
     def control_in(self, kind: int, request: int, value: int, length: int) -> bytes:
         """Give the state."""
@@ -269,7 +271,9 @@ class EmulatedMotor(EmulatedFunction):
 class EmulatedAudio(EmulatedFunction):
     """The audio part, through which models 1473 and Kinect for Windows tilt and light."""
 
-    def __init__(self, model: Model, serial: str, *, firmware: bool) -> None:
+    def __init__(
+        self, model: Model, serial: str, tilted: Callable[[float], None], *, firmware: bool
+    ) -> None:
         product = (0x02C3 if firmware else 0x02BE) if model is Model.WINDOWS else 0x02AD
         interfaces: tuple[Interface, ...] = ((AUDIO_ENDPOINTS,),)
         if firmware:
@@ -280,6 +284,7 @@ class EmulatedAudio(EmulatedFunction):
         self.tilt_deg = 0
         self.acceleration_counts = (0, 819, 0)
         self._firmware = firmware
+        self._tilted = tilted
         self._replies: list[bytes] = []
 
     def bulk_out(self, data: bytes) -> None:
@@ -290,6 +295,7 @@ class EmulatedAudio(EmulatedFunction):
             (self.led,) = struct.unpack_from("<I", data, 16)
         elif self._firmware and command == 0x803B and len(data) == 20:
             (self.tilt_deg,) = struct.unpack_from("<i", data, 16)
+            self._tilted(self.tilt_deg)
         elif self._firmware and command == 0x8032:
             state = struct.pack("<4i", *self.acceleration_counts, self.tilt_deg)
             self._replies.append(bytes(16) + state + bytes(72))
@@ -334,8 +340,24 @@ class EmulatedKinect:
         self.serial = serial
         self.powered = powered
         self.camera = EmulatedCamera(model, serial, calibration, footage)
-        self.motor = EmulatedMotor() if model.has_motor_function else None
-        self.audio = EmulatedAudio(model, serial, firmware=firmware)
+        self.motor = EmulatedMotor(self._look) if model.has_motor_function else None
+        self.audio = EmulatedAudio(model, serial, self._look, firmware=firmware)
+        self._scenes: Mapping[float, Footage] = {0.0: footage}
+
+    def face(self, scenes: Mapping[float, Footage]) -> None:
+        """Stand elsewhere; give what is seen there, from the next start of a stream on.
+
+        Parameters
+        ----------
+        scenes
+            By the tilt in degrees; the nearest counts.
+        """
+        self._scenes = scenes
+        self._look(self.motor.tilt_deg if self.motor else self.audio.tilt_deg)
+
+    def _look(self, tilt_deg: float) -> None:
+        nearest = min(self._scenes, key=lambda scene_deg: abs(scene_deg - tilt_deg))
+        self.camera.footage = self._scenes[nearest]
 
     def functions(self) -> list[EmulatedFunction]:
         """Give the functions that answer, in the order of the hub's ports."""
