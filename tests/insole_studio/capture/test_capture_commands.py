@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import io
 import json
 from pathlib import Path
 
@@ -50,8 +52,9 @@ def test_sensors_as_json(small_session: Path, capsys: pytest.CaptureFixture[str]
 
 
 @pytest.mark.shared
-def test_a_session_comes_through_bit_for_bit(shared_data: Path, tmp_path: Path) -> None:
-    original = shared_data / "sessions" / "left_a"
+@pytest.mark.parametrize("name", ["left_a", "right_d"])
+def test_a_session_comes_through_bit_for_bit(name: str, shared_data: Path, tmp_path: Path) -> None:
+    original = shared_data / "sessions" / name
     out = tmp_path / "captured"
     assert run(["capture", "--emulate", str(original), "--out", str(out)]) == 0
     sent, came = read_session(original), read_session(out)
@@ -63,7 +66,10 @@ def test_a_session_comes_through_bit_for_bit(shared_data: Path, tmp_path: Path) 
         for index in range(10):
             assert np.array_equal(after.read_depth(index), before.read_depth(index))
         assert np.array_equal(after.read_color(0), demosaic(mosaic(before.read_color(0))))
-        assert after.sensor.serial == before.sensor.serial
+        assert (after.sensor.serial, after.sensor.faces) == (
+            before.sensor.serial,
+            before.sensor.faces,
+        )
         assert after.sensor.disparity == before.sensor.disparity
         assert after.sensor.correction is not None
     facts = came.manifest.extra["capture"]
@@ -90,6 +96,55 @@ def test_plan_and_condition_are_the_callers(small_session: Path, tmp_path: Path)
         ("heel", second, 3),
         ("left", first, 3),
     ]
+
+
+def test_what_is_missing_is_captured_as_it_was_begun(
+    small_session: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One sensor, moved by hand: the disk fills up with the second view, then there is room."""
+    serial = read_session(small_session).views[0].sensor.serial
+    out, write = tmp_path / "session", draft._write
+
+    def fill(path: Path, image: np.ndarray) -> None:
+        if path.parent.name.endswith("top"):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        write(path, image)
+
+    monkeypatch.setattr(draft, "_write", fill)
+    call = ["capture", "--emulate", str(small_session), "--out", str(out)]
+    views = ["--views", f"left={serial}", f"top={serial}", "--frames", "2"]
+    assert run([*call, *views, "--side", "right"]) == 1
+    assert not out.exists()
+    told = last_line(capsys)
+    assert "the disk is full" in told
+    folder = told.split("--resume ")[1]
+    monkeypatch.setattr(draft, "_write", write)
+    assert run([*call, "--resume", folder]) == 0
+    session = read_session(out)
+    assert [(view.name, view.depth_count) for view in session.views] == [("left", 2), ("top", 2)]
+    assert session.manifest.side.value == "right"
+    assert not list((tmp_path / "drafts").iterdir())
+
+
+def test_a_sensor_that_is_moved_by_hand_needs_a_hand(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    kinect = EmulatedKinect(
+        Model.XBOX_1414, "A1", TYPICAL_CALIBRATION, make_footage(depth_frames(1), [color_mosaic(1)])
+    )
+    bus = UsbBus(EmulatedBus([kinect], speed=8.0))
+    monkeypatch.setattr("insole_studio.capture.place.system_bus", lambda: bus)
+    views = ["--views", "left=A1", "right=A1", "--side", "left", "--frames", "2"]
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    assert run(["capture", "--out", str(tmp_path / "s"), *views]) == 2
+    assert "nobody can press Enter here" in last_line(capsys)
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n"))
+    assert run(["capture", "--out", str(tmp_path / "s"), *views]) == 0
+    assert "place for view right, then press Enter." in capsys.readouterr().err
+    assert read_session(tmp_path / "s").manifest.views == ("left", "right")
 
 
 def test_an_unknown_sensor_leaves_nothing(
