@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial import cKDTree
 
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 
 _EVENING_ROUNDS = 3
+_LEAST_DISTANCE = 0.7
+"""Share of the ring's width that its vertices keep from all others."""
 
 
 def grown(mesh: TriangleMesh, width_mm: float) -> TriangleMesh:
     """Add a ring of triangles along every border, tangential to the surface.
 
-    Where borders touch each other in one vertex nothing is added.
+    Nothing is added where borders touch each other in one vertex, or where the ring would run
+    into the surface on the other side of a narrow gap.
 
     Parameters
     ----------
@@ -28,14 +32,21 @@ def grown(mesh: TriangleMesh, width_mm: float) -> TriangleMesh:
     """
     count = len(mesh.vertices)
     ends = _border_edges(mesh)
-    simple = np.bincount(ends.ravel(), minlength=count) == 2
+    free = np.bincount(ends.ravel(), minlength=count) == 2
+    ring = mesh.vertices + width_mm * _outwards(mesh, ends)
+    free[free] = _is_free(ring[free], mesh, width_mm)
+    a, b = ends[free[ends].all(1)].T
+    source = np.unique([a, b])
     new = np.full(count, -1, dtype=np.int64)
-    new[simple] = count + np.arange(simple.sum())
-    ring = mesh.vertices[simple] + width_mm * _outwards(mesh, ends)[simple]
-    a, b = ends[simple[ends].all(1)].T
+    new[source] = count + np.arange(len(source))
     added = np.concatenate([np.stack([b, a, new[a]], 1), np.stack([b, new[a], new[b]], 1)])
     triangles = np.concatenate([mesh.triangles, added.astype(np.int32)])
-    return TriangleMesh(np.concatenate([mesh.vertices, ring]), triangles)
+    return TriangleMesh(np.concatenate([mesh.vertices, ring[source]]), triangles)
+
+
+def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArray:
+    near, _ = cKDTree(mesh.vertices).query(points)
+    return np.asarray(near > _LEAST_DISTANCE * width_mm)
 
 
 def _border_edges(mesh: TriangleMesh) -> IntArray:

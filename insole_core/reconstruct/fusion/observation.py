@@ -46,7 +46,6 @@ class Observations:
 
 def observe(
     reading: Reading,
-    pixels: FloatArray,
     mesh: TriangleMesh,
     normals: FloatArray,
     caster: RayCaster,
@@ -56,15 +55,14 @@ def observe(
     Parameters
     ----------
     reading
-    pixels : (height, width, 2) float64, px
-        Where in the depth image each reading belongs.
     mesh, caster
         The same surface.
     normals : (n, 3) float64
         Along which the vertices may move.
     """
-    known = np.isfinite(reading.raw)
-    rays = reading.directions(pixels[known])
+    known = reading.known
+    pixels = reading.pixels[known]
+    rays = reading.directions(pixels)
     hits = caster.cast(reading.origin_mm, rays)
     rays, raw = rays[hits.ray], reading.raw[known][hits.ray]
     corners = mesh.triangles[hits.triangle]
@@ -84,7 +82,7 @@ def observe(
     pixel_mm = depth_mm / reading.sensor.depth_camera.fx
     tangent = np.sqrt(1 / np.clip(cosine, 0.05, 1) ** 2 - 1)
     variance = _NOISE_RAW**2 + (_SPOT_OFFSET_PX * slope * pixel_mm * tangent) ** 2
-    view_terms = _view_terms(reading, pixels[known][hits.ray[good]])
+    view_terms = _view_terms(reading, pixels[hits.ray[good]])
     return Observations(design, residuals[good], 1 / (SHARED_PX * variance[good]), view_terms)
 
 

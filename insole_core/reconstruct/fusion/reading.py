@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
@@ -49,6 +50,24 @@ class Reading:
         return np.stack([u + self.corner[0], v + self.corner[1]], axis=-1)
 
     @cached_property
+    def known(self) -> BoolArray:
+        """(height, width) where something was measured."""
+        return np.isfinite(self.raw)
+
+    @cached_property
+    def surface_points(self) -> FloatArray:
+        """(n, 3) places of all that was measured, mm, reference frame."""
+        return self.points(self.raw)[self.known]
+
+    @cached_property
+    def _tree(self) -> cKDTree:
+        return cKDTree(self.surface_points)
+
+    def distance_mm(self, points: FloatArray, farthest_mm: float) -> FloatArray:
+        """Distance (n,) of places (n, 3) from what was measured; inf beyond `farthest_mm`."""
+        return np.asarray(self._tree.query(points, distance_upper_bound=farthest_mm)[0])
+
+    @cached_property
     def origin_mm(self) -> FloatArray:
         """(3,) place of the depth camera, reference frame."""
         return np.asarray(self.sensor2reference[:3, 3])
@@ -85,7 +104,11 @@ class Reading:
 
     def without(self, wrong: BoolArray) -> Reading:
         """Leave out some pixels (height, width)."""
-        return replace(self, raw=np.where(wrong, np.nan, self.raw))
+        return self.with_raw(np.where(wrong, np.nan, self.raw))
+
+    def with_raw(self, raw: FloatArray) -> Reading:
+        """Exchange the raw numbers (height, width)."""
+        return replace(self, raw=raw)
 
 
 def read_volume(

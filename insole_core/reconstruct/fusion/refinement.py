@@ -66,7 +66,6 @@ class RefinedSurface:
 def refine(
     mesh: TriangleMesh,
     readings: list[Reading],
-    pixels: list[FloatArray],
     limits: RefinementLimits = RefinementLimits(),
 ) -> RefinedSurface:
     """Move the vertices along their normals to the posterior's maximum.
@@ -79,15 +78,10 @@ def refine(
     ----------
     mesh
     readings
-    pixels
-        For each reading, where its pixels belong, (height, width, 2).
     """
     normals = smoothed_normals(mesh, 5)
     caster = RayCaster(mesh)
-    seen = [
-        observe(reading, at, mesh, normals, caster)
-        for reading, at in zip(readings, pixels, strict=True)
-    ]
+    seen = [observe(reading, mesh, normals, caster) for reading in readings]
     system = _System.of(mesh, normals, seen, limits)
     displacement = np.zeros(len(mesh.vertices))
     views = np.zeros(3 * len(seen))

@@ -63,7 +63,7 @@ def find_silhouette(reading: Reading) -> Silhouette | None:
     """
     camera = reading.sensor.color_camera
     scale = camera.fx / reading.sensor.depth_camera.fx
-    known = np.isfinite(reading.raw)
+    known = reading.known
     pixels = _in_color(reading, known)
     margin = int(np.ceil(_RING[1] * scale))
     low = np.maximum(np.floor(pixels.min(0)).astype(np.int64) - margin, 0)
@@ -92,27 +92,25 @@ def find_silhouette(reading: Reading) -> Silhouette | None:
     return Silhouette((int(low[0]), int(low[1])), signed, background)
 
 
-def within_outline(reading: Reading) -> Reading:
+def is_beside(points: FloatArray, reading: Reading, outline: Silhouette) -> BoolArray:
+    """Tell which places (n, 3), reference frame, the colour image shows to lie beside the foot."""
+    in_color = transform(inverse(reading.color2reference), points)
+    camera = reading.sensor.color_camera
+    outside_px = outline.look_up(camera.project(in_color))
+    return np.asarray(outside_px * in_color[:, 2] / camera.fx > _TOLERANCE_MM)
+
+
+def within_outline(reading: Reading, outline: Silhouette | None) -> Reading:
     """Leave out readings that the colour image shows to lie beside the foot.
 
     The sensor compares windows, so that the foot's disparity spreads beyond its edge and closes
     the gaps between toes; the colour image has neither fault.
     """
-    silhouette = find_silhouette(reading)
-    if silhouette is None:
+    if outline is None:
         return reading
-    known = np.isfinite(reading.raw)
-    beside = np.zeros(known.shape, dtype=bool)
-    beside[known] = _outside_mm(reading, silhouette) > _TOLERANCE_MM
+    beside = np.zeros(reading.known.shape, dtype=bool)
+    beside[reading.known] = is_beside(reading.surface_points, reading, outline)
     return reading.without(beside)
-
-
-def _outside_mm(reading: Reading, silhouette: Silhouette) -> FloatArray:
-    """How far outside the foot's outline each reading (n,) is seen; -inf where that is unsure."""
-    points = reading.points(reading.raw)[np.isfinite(reading.raw)]
-    in_color = transform(inverse(reading.color2reference), points)
-    pixels = reading.sensor.color_camera.project(in_color)
-    return silhouette.look_up(pixels) * in_color[:, 2] / reading.sensor.color_camera.fx
 
 
 def _in_color(reading: Reading, chosen: BoolArray) -> FloatArray:

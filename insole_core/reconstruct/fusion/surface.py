@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray
 from insole_core.geometry.border_growth import grown
@@ -17,9 +16,15 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
-from insole_core.reconstruct.fusion.silhouette import within_outline
+from insole_core.reconstruct.fusion.silhouette import (
+    Silhouette,
+    find_silhouette,
+    is_beside,
+    within_outline,
+)
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 from insole_core.reconstruct.fusion.texture import color_vertices
+from insole_core.reconstruct.fusion.window import without_window_error
 from insole_core.reconstruct.result import Surface
 
 _RELAXING_ROUNDS = 10
@@ -37,17 +42,22 @@ class FusionLimits:
     lattice, refinement
     reach_mm
         The mesh that is refined ends so far from the nearest reading.
-    border_mm
-        By so much it is first grown: the lattice ends a cell before the readings do.
+    ring_mm, rings
+        Before that it is grown by rings of this width: near its edge the foot is too steep for
+        the sensor, and its window must be known as a whole.
     support_mm
         The refined surface ends so far from the nearest reading.
+    own_mm
+        A view's outline cuts the surface where it measured so near to it.
     """
 
     lattice: FieldLimits = field(default_factory=FieldLimits)
     refinement: RefinementLimits = field(default_factory=RefinementLimits)
     reach_mm: float = 3.5
-    border_mm: float = 1.2
-    support_mm: float = 1.5
+    ring_mm: float = 1.5
+    rings: int = 2
+    support_mm: float = 1.75
+    own_mm: float = 6.0
 
 
 def fuse(
@@ -68,13 +78,15 @@ def fuse(
         Is given the coloured mesh before refinement, as soon as there is one.
     """
     progress.step(0.0, "Joining the views")
-    readings = [within_outline(reading) for reading in readings]
+    outlines = [find_silhouette(reading) for reading in readings]
+    readings = [within_outline(*pair) for pair in zip(readings, outlines, strict=True)]
     coarse = _mesh(readings, limits)
     if on_preview is not None:
         on_preview(replace(coarse, colors=color_vertices(coarse, readings)))
     progress.step(0.4, "Refining the surface")
-    refined = refine(coarse, readings, [reading.pixels for reading in readings], limits.refinement)
-    kept = _near_readings(refined.mesh, readings, limits.support_mm)
+    corrected = [without_window_error(reading, coarse) for reading in readings]
+    refined = refine(coarse, corrected, limits.refinement)
+    kept = _is_supported(refined.mesh, readings, outlines, limits)
     kept[kept] = in_large_pieces(refined.mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
     fine, ends = subdivided(refined.mesh.part(kept))
@@ -84,17 +96,29 @@ def fuse(
 
 def _mesh(readings: list[Reading], limits: FusionLimits) -> TriangleMesh:
     mesh = mesh_views(readings, [smooth_depth(reading) for reading in readings], limits.lattice)
-    mesh = mesh.part(_near_readings(mesh, readings, limits.reach_mm))
+    nearest = [reading.distance_mm(mesh.vertices, limits.reach_mm) for reading in readings]
+    mesh = mesh.part(np.any(np.isfinite(nearest), axis=0))
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
     mesh = TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
-    mesh = grown(mesh, limits.border_mm)
-    return TriangleMesh(relaxed(mesh, _EVENING_ROUNDS), mesh.triangles)
+    for _ in range(limits.rings):
+        mesh = grown(mesh, limits.ring_mm)
+        mesh = TriangleMesh(relaxed(mesh, _EVENING_ROUNDS), mesh.triangles)
+    return mesh
 
 
-def _near_readings(mesh: TriangleMesh, readings: list[Reading], reach_mm: float) -> BoolArray:
-    """Tell which vertices (n,) have a reading near them."""
-    points = np.concatenate(
-        [reading.points(reading.raw)[np.isfinite(reading.raw)] for reading in readings]
-    )
-    distance, _ = cKDTree(points).query(mesh.vertices, distance_upper_bound=reach_mm)
-    return np.isfinite(distance)
+def _is_supported(
+    mesh: TriangleMesh,
+    readings: list[Reading],
+    outlines: list[Silhouette | None],
+    limits: FusionLimits,
+) -> BoolArray:
+    """Tell which vertices (n,) have a reading near them and lie beside no outline."""
+    near = np.zeros(len(mesh.vertices), dtype=bool)
+    beside = np.zeros(len(mesh.vertices), dtype=bool)
+    for reading, outline in zip(readings, outlines, strict=True):
+        distance_mm = reading.distance_mm(mesh.vertices, limits.own_mm)
+        near |= distance_mm < limits.support_mm
+        own = np.isfinite(distance_mm)
+        if outline is not None:
+            beside[own] |= is_beside(mesh.vertices[own], reading, outline)
+    return near & ~beside
