@@ -56,8 +56,8 @@ def test_layers_are_the_insole_cut_in_three(layered):
     cover, shell, base = (to_manifold(part.mesh) for part in parts)
     assert (cover ^ shell).volume() == pytest.approx(0, abs=1e-3)
     assert (cover ^ base).volume() == pytest.approx(0, abs=1e-3)
-    # The cover is 2 mm thick: its volume is that of the surface above the foot's contact.
-    assert 1.9 < volumes[0] / top_area(layered, piece) < 2.6
+    # The cover is 2 mm thick, less at the rim, where the walls cut it.
+    assert 1.7 < volumes[0] / top_area(layered, piece) < 2.0
 
 
 def top_area(insole: Insole, piece: Piece) -> float:
