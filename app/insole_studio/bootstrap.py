@@ -20,6 +20,7 @@ from insole_core.errors import OutputError, UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_core.insole.rules import load_rules
+from insole_core.solids.shop import read_shop
 from insole_studio.capture.place import Place
 from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
@@ -43,6 +44,7 @@ from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.design.stage import DesignStage
+from insole_studio.stages.export.stage import ExportStage
 from insole_studio.texts import load_language, tr
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import pad_text
@@ -58,6 +60,7 @@ from insole_studio.tools.section import SectionTool
 from insole_studio.tools.tool import Tool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.export_rules import ExportRules
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section
@@ -107,6 +110,7 @@ class Application:
     def close(self) -> None:
         """Stop the threads, free the renderers, remember the settings."""
         self.studio.rooms.capture.close()
+        self.studio.rooms.exporting.close()
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
@@ -168,7 +172,9 @@ def build_application(
             autosave=autosave,
         ),
         saving=saving,
-        exporting=Exporting(case, jobs, dialogue, window),
+        exporting=Exporting(
+            case, jobs, dialogue, partial(_make_export, settings, places, case), window
+        ),
         editing=Editing(case, hand),
         prescribing=Prescribing(case, hand, pads, dialogue),
         appearance=Appearance(
@@ -228,6 +234,18 @@ def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:
     except UsageError as error:
         log.warning("the views of the sensors are forgotten: %s", error)
         return ()
+
+
+def _make_export(
+    settings: Settings, places: Places, case: Case, ask_path: Callable[[str], Path | None]
+) -> ExportStage:
+    return ExportStage(
+        case=case,
+        rules=ExportRules(places.settings_file.parent / "export.json"),
+        shop=read_shop(),
+        ask_path=ask_path,
+        dark=is_dark(settings.theme),
+    )
 
 
 def make_tools(section: Section) -> tuple[Tool, ...]:

@@ -15,7 +15,15 @@ from insole_core.resources import resource_path
 from insole_studio.texts import load_language, tr
 
 SWEDISH = resource_path("translations/sv")
-DESIGN_PARTS = ("shell", "stages/capture", "stages/design", "tools", "widgets", "scene")
+DESIGN_PARTS = (
+    "shell",
+    "stages/capture",
+    "stages/design",
+    "stages/export",
+    "tools",
+    "widgets",
+    "scene",
+)
 
 
 def texts_of_the_code() -> Iterator[str]:

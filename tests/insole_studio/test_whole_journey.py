@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEventLoop, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -20,6 +20,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott, Posting
 from insole_studio.bootstrap import Places, ScriptedStudio
 from insole_studio.scene.view import SceneView
+from insole_studio.stages.export.stage import ExportStage
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.landmarks import metatarsal_line
 
@@ -67,6 +68,24 @@ class Hands:
         QTest.keyClicks(field, text)
         QTest.keyClick(field, Qt.Key.Key_Return)
         self._done()
+
+    def export(self) -> None:
+        """Press the button of the stage that checks and exports, once the checks are done."""
+        stage = self.app.studio.rooms.exporting.checking.stage
+        assert stage is not None
+        self._wait(stage)
+        stage.view.export.click()
+        self._wait(stage)
+        self._done()
+        stage.grab().save(str(self._pictures / "6-checked.png"))
+        stage.close()
+
+    def _wait(self, stage: ExportStage) -> None:
+        while stage.jobs.is_running():
+            loop = QEventLoop()
+            stage.jobs.ended.connect(loop.quit)
+            loop.exec()
+        QApplication.processEvents()
 
     def picture(self, name: str) -> None:
         self.studio.screenshot(self._pictures / f"{name}.png")
@@ -122,6 +141,7 @@ def test_the_standard_case_takes_few_actions(
         lambda *_: tmp_path / "insole.stl"
     )
     hands.choose("export")
+    hands.export()
     hands.picture("6-exported")
 
     design = case.record.design
@@ -131,6 +151,6 @@ def test_the_standard_case_takes_few_actions(
     assert isinstance(posting, Posting)
     assert posting.rearfoot_deg == 4.0
     assert design.thickness_mm == 4.0
-    assert (tmp_path / "insole.stl").stat().st_size > 1e6
+    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
     assert hands.actions <= MOST_ACTIONS
     print(f"{hands.actions} actions")

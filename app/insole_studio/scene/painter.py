@@ -38,13 +38,14 @@ class Scheme:
     text: str
     accent: str
     mark: str
+    alarm: str
 
     @classmethod
     def of(cls, dark: bool) -> Scheme:
         """Give the light or the dark scheme."""
         if dark:
-            return cls("#24272b", "#3a3f45", "#e6e8ea", "#5aa9f2", "#ffb454")
-        return cls("#dfe3e7", "#f7f8f9", "#33383d", "#1668b8", "#b35900")
+            return cls("#24272b", "#3a3f45", "#e6e8ea", "#5aa9f2", "#ffb454", "#ff6b5e")
+        return cls("#dfe3e7", "#f7f8f9", "#33383d", "#1668b8", "#b35900", "#c22316")
 
 
 class Painter:
@@ -196,6 +197,11 @@ class Painter:
             self._show_dots(f"points-{name}", places, 9.0, color)
         places = [point.position_mm for point in points]
         self._show_texts("key-names", places, [f"  {point.text}" for point in points], 12)
+
+    def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
+        """Mark places (n, 3) that need attention, the chosen ones stronger."""
+        self._show_dots("spots", list(spots_mm), 4.0, self.scheme.mark)
+        self._show_dots("spots-chosen", list(chosen_mm), 6.0, self.scheme.alarm)
 
     def show_label(self, place_mm: FloatArray | None, text: str) -> None:
         """Write a measure at a place; None for none."""

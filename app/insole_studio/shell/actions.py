@@ -192,8 +192,8 @@ ACTIONS: tuple[ActionRecord, ...] = (
     ),
     ActionRecord(
         "export",
-        lambda: tr("Export insole…"),
-        lambda: tr("Write the insole for the shop: STL, 3MF, OBJ or PLY"),
+        lambda: tr("Check & export…").replace("&", "&&"),
+        lambda: tr("Check the insole and write it for the shop, with its papers"),
         lambda rooms, _on: rooms.exporting.ask_export(),
         icon="export",
         shortcut="Ctrl+E",

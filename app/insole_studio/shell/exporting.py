@@ -1,37 +1,55 @@
-"""What leaves for the shop: the solid of the insole, and its outline on paper."""
+"""What leaves for the shop: the solid of the insole with its papers, and its outline on paper."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.record import CaseRecord
-from insole_core.export.solid_file import write_solids
-from insole_core.export.three_mf import Part
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
-from insole_core.solids.solid import make_solid
+from insole_core.solids.delivery import Delivery, Places, deliver, outputs
+from insole_core.solids.rules import read_rules
+from insole_core.solids.shop import read_shop
 from insole_studio.jobs import Jobs
 from insole_studio.shell.dialogue import Dialogue
-from insole_studio.shell.file_kinds import SOLID_KINDS
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.saving import file_stem
+from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.steps import whose
+from insole_studio.stages.export.stage import ExportStage
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.shop_order import OrderChoice, make_pieces
 
 CHANNEL = "export"
+AskPath = Callable[[str], Path | None]
 
 
 class Exporting(QObject):
-    """Builds the chosen design of the foot at hand anew and writes it, beside the window."""
+    """Opens the export stage, and writes what needs no questions.
+
+    Parameters
+    ----------
+    case
+    jobs
+    dialogue
+    make_stage
+        Constructs the export stage, given what lets the user choose a path by its suffix.
+    """
 
     changed = Signal()
     """Something was exported."""
 
     def __init__(
-        self, case: Case, jobs: Jobs, dialogue: Dialogue, parent: QObject | None = None
+        self,
+        case: Case,
+        jobs: Jobs,
+        dialogue: Dialogue,
+        make_stage: Callable[[AskPath], ExportStage],
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._case = case
@@ -39,35 +57,50 @@ class Exporting(QObject):
         self._dialogue = dialogue
         self.exported: CaseRecord | None = None
         """What was exported last."""
+        self.checking = StageWindow(lambda: self._connected(make_stage(self._ask_path)), self)
+        """The stage, while it is open."""
 
     def ask_export(self) -> None:
-        """Let the user choose where the STL file goes."""
-        path = self._dialogue.questions.file_to_write(f"{file_stem(self._case)}.stl", SOLID_KINDS)
-        if path is not None:
-            self.export_to(path if path.suffix else path.with_suffix(".stl"))
+        """Open the stage that checks and exports."""
+        self.checking.open()
+
+    def close(self) -> None:
+        """Close the stage, if it is open."""
+        self.checking.close()
 
     def export_to(self, path: Path) -> None:
-        """Build the insole anew and write it, beside the window."""
+        """Write the plain insole of the foot at hand, beside the window."""
         record = self._case.record
-        foot, design = record.foot, record.design
-        if foot is None or design is None:
+        if record.current is None:
             self._dialogue.show_sentence(
                 tr("There is no insole to export yet; open a session or a mesh.")
             )
             return
 
         def write(progress: Progress) -> None:
-            insole = build_insole(foot, design, progress.part(0.0, 0.8))
-            solid = make_solid(insole, progress=progress.part(0.8, 0.9))
-            progress.step(0.9, tr("Writing the file"))
-            write_solids([Part(solid, f"{design.side} insole")], path)
+            with outputs(Places(path)) as beside:
+                plain = OrderChoice(most_triangles=None)
+                pieces = make_pieces(record, plain, read_rules(), progress.part(0.0, 0.9))
+                deliver(Delivery(pieces, read_shop()), Places(path), beside, progress.part(0.9, 1))
 
         def done(_nothing: None) -> None:
-            self.exported = record
-            self.changed.emit()
-            self._dialogue.say(tr("Exported {name}").format(name=path.name))
+            self._note(record, [path])
 
         self._jobs.start(CHANNEL, write, done, self._dialogue.show_error)
+
+    def _connected(self, stage: ExportStage) -> ExportStage:
+        stage.exported.connect(self._note)
+        return stage
+
+    def _ask_path(self, suffix: str) -> Path | None:
+        kinds = f"{suffix[1:].upper()} (*{suffix})"
+        return self._dialogue.questions.file_to_write(f"{file_stem(self._case)}{suffix}", kinds)
+
+    def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
+        self.exported = record
+        self.changed.emit()
+        names = ", ".join(path.name for path in paths)
+        self._dialogue.say(tr("Exported {name}").format(name=names))
 
     def ask_print_outline(self) -> None:
         """Let the user choose where the PDF goes."""

@@ -6,7 +6,6 @@ from insole_studio.texts import tr
 from insole_studio.workbench.opening import CASE_SUFFIX, MESH_SUFFIXES
 
 TEMPLATE_SUFFIX = ".insole-template"
-SOLID_KINDS = "STL (*.stl);;3MF (*.3mf);;OBJ (*.obj);;PLY (*.ply)"
 
 
 def case_kinds() -> str:

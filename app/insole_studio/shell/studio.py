@@ -92,6 +92,7 @@ class Studio(QObject):
         self._hand.cancel()
         self.rooms.capture.close()
         self.rooms.calibrate.close()
+        self.rooms.exporting.close()
         self._autosave.forget()
         self.rooms.appearance.remember_layout()
         self._window.close_for_good()

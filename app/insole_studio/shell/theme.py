@@ -107,6 +107,11 @@ def _style_sheet(colors: Colors) -> str:
     QToolButton:checked {{ background: {colors.accent}; color: {colors.on_accent};
                            border-radius: 4px; }}
     QToolButton:checked:disabled {{ background: {colors.raised}; color: {colors.quiet}; }}
+    QLabel#check-sign {{ border-radius: 11px; font-weight: 700; background: {colors.raised}; }}
+    QLabel#check-sign[state="passed"] {{ background: #1b7a3d; color: white; }}
+    QLabel#check-sign[state="warning"] {{ background: {colors.warning};
+                                          color: {colors.on_warning}; }}
+    QLabel#check-sign[state="blocking"] {{ background: #b3261e; color: white; }}
     QPushButton#row {{ text-align: left; padding: 4px 6px; border: none; border-radius: 4px; }}
     QPushButton#row:checked {{ background: {colors.accent}; color: {colors.on_accent}; }}
     QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}

@@ -1,0 +1,208 @@
+"""The fields of an order: what is made, how, what is written on it, and which papers go along."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import cast
+
+from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFormLayout,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.solids.marking import Relief
+from insole_core.solids.shop import Block
+from insole_core.solids.solid import Kind
+from insole_studio.texts import tr
+from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.workbench.shop_order import OrderChoice
+
+_TEXT = ".stl text"
+_LINES_PX = 52
+
+
+@dataclass(frozen=True)
+class Stock:
+    """What can be chosen."""
+
+    blocks: Sequence[Block]
+    materials: Sequence[str]
+
+
+class OrderForm(QWidget):
+    """Shows an `OrderChoice`, and emits another one when a field is edited."""
+
+    edited = Signal(object)
+
+    def __init__(self, stock: Stock, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._blocks = {block.name: block for block in stock.blocks}
+        self.kind = Choice(
+            [
+                ("insole", tr("Insole, trimmed")),
+                ("block", tr("Contact surface in a block")),
+                ("positive", tr("Foot as a mould")),
+            ]
+        )
+        self.both = QCheckBox(tr("Both feet"))
+        self.block = Choice(
+            [("", tr("None")), *((name, _text(block)) for name, block in self._blocks.items())]
+        )
+        self.draft = NumberField("°", least=-15, greatest=30, step=0.5)
+        self.chamfer = NumberField("mm", least=0, greatest=10, step=0.5)
+        self.cutter = NumberField("mm", least=1, greatest=40, step=0.5)
+        self.material = QComboBox()
+        self.material.setEditable(True)
+        self.material.addItems(["", *stock.materials])
+        self.format = Choice(
+            [
+                (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
+                (".ply", "PLY"),
+            ]
+        )  # fmt: skip
+        self.layered = QCheckBox(tr("Layers as objects"))
+        self.limited = QCheckBox(tr("Fewer triangles"))
+        self.triangles = NumberField("", least=2000, greatest=2_000_000, step=5000, decimals=0)
+        self.deviation = NumberField("mm", least=0.005, greatest=2, step=0.01, decimals=3)
+        self.relief = Choice(
+            [("", tr("Nothing")), ("engraved", tr("Engraved")), ("raised", tr("Raised"))]
+        )
+        self.pseudonym = QLineEdit()
+        self.text = QPlainTextEdit()
+        self.text.setTabChangesFocus(True)
+        self.text.setFixedHeight(_LINES_PX)
+        self.text.setPlaceholderText(tr("Pseudonym, side and date"))
+        self.job_sheet = QCheckBox(tr("Job sheet for the shop (PDF)"))
+        self.prescription = QCheckBox(tr("Prescription for the record (PDF)"))
+        self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
+        self._choice = OrderChoice()
+        self._lay_out()
+        self._connect()
+
+    def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
+        """Show what is ordered."""
+        self._choice = choice
+        with QSignalBlocker(self):
+            self.kind.show_value(choice.kind)
+            self.block.show_value("" if choice.block is None else choice.block.name)
+            self.format.show_value(_TEXT if choice.ascii_stl else choice.suffix)
+            self.relief.show_value(choice.relief or "")
+            for box, on in self._boxes(choice):
+                box.setChecked(on)
+            for field, value in self._numbers(choice):
+                field.show_value(value)
+            for line, text in ((self.pseudonym, choice.pseudonym),):
+                if line.text() != text:
+                    line.setText(text)
+            if self.text.toPlainText() != choice.text:
+                self.text.setPlainText(choice.text)
+            self.material.setCurrentText(choice.material)
+        self.both.setVisible(has_pair)
+        self.layered.setVisible(choice.suffix == ".3mf" and choice.kind == "insole")
+        self._form.setRowVisible(self.text, choice.relief is not None)
+        for field in (self.triangles, self.deviation):
+            self._form.setRowVisible(field, choice.most_triangles is not None)
+        self._form.setRowVisible(self.draft, choice.kind != "block")
+        self._form.setRowVisible(self.chamfer, choice.kind == "insole")
+
+    def show_cutter(self, diameter_mm: float) -> None:
+        """Show the diameter of the cutter that hollows are held against."""
+        self.cutter.show_value(diameter_mm)
+
+    def choice(self) -> OrderChoice:
+        """Give the order as it stands in the fields."""
+        form = self.format.currentData()
+        return OrderChoice(
+            kind=cast(Kind, self.kind.currentData()),
+            both=self.both.isChecked(),
+            suffix=".stl" if form == _TEXT else form,
+            ascii_stl=form == _TEXT,
+            layered=self.layered.isChecked(),
+            draft_deg=self.draft.value(),
+            chamfer_mm=self.chamfer.value(),
+            most_triangles=int(self.triangles.value()) if self.limited.isChecked() else None,
+            most_deviation_mm=self.deviation.value(),
+            relief=cast("Relief | None", self.relief.currentData() or None),
+            pseudonym=self.pseudonym.text().strip(),
+            text=self.text.toPlainText(),
+            material=self.material.currentText().strip(),
+            block=self._blocks.get(self.block.currentData()),
+            job_sheet=self.job_sheet.isChecked(),
+            prescription=self.prescription.isChecked(),
+            checks=self.checks.isChecked(),
+        )
+
+    def _boxes(self, choice: OrderChoice) -> list[tuple[QCheckBox, bool]]:
+        return [
+            (self.both, choice.both),
+            (self.layered, choice.layered),
+            (self.limited, choice.most_triangles is not None),
+            (self.job_sheet, choice.job_sheet),
+            (self.prescription, choice.prescription),
+            (self.checks, choice.checks),
+        ]
+
+    def _numbers(self, choice: OrderChoice) -> list[tuple[NumberField, float]]:
+        triangles = choice.most_triangles or self.triangles.value()
+        return [
+            (self.draft, choice.draft_deg),
+            (self.chamfer, choice.chamfer_mm),
+            (self.triangles, triangles),
+            (self.deviation, choice.most_deviation_mm),
+        ]
+
+    def _lay_out(self) -> None:
+        self._form = QFormLayout()
+        self._form.setVerticalSpacing(6)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        rows: list[tuple[str, QWidget]] = [
+            (tr("Piece"), self.kind), ("", self.both), (tr("Block"), self.block),
+            (tr("Cutter ⌀"), self.cutter), (tr("Draft"), self.draft),
+            (tr("Chamfer"), self.chamfer), (tr("Material"), self.material),
+            (tr("Format"), self.format), ("", self.layered), ("", self.limited),
+            (tr("At most"), self.triangles), (tr("Deviation"), self.deviation),
+            (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
+            (tr("Text"), self.text),
+        ]  # fmt: skip
+        for name, field in rows:
+            self._form.addRow(name, field)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 8, 0)
+        layout.addLayout(self._form)
+        papers = QLabel(tr("Papers"))
+        papers.setObjectName("heading")
+        for widget in (papers, self.job_sheet, self.prescription, self.checks):
+            layout.addWidget(widget)
+        layout.addStretch(1)
+
+    def _connect(self) -> None:
+        for choice in (self.kind, self.block, self.format, self.relief):
+            choice.edited.connect(self._pass_on)
+        for field in (self.draft, self.chamfer, self.triangles, self.deviation):
+            field.edited.connect(self._pass_on)
+        for box, _ in self._boxes(self._choice):
+            box.toggled.connect(self._pass_on)
+        self.material.currentTextChanged.connect(self._pass_on)
+        self.pseudonym.textEdited.connect(self._pass_on)
+        self.text.textChanged.connect(self._pass_on)
+
+    def _pass_on(self) -> None:
+        if self.signalsBlocked():
+            return
+        choice = self.choice()
+        if choice != self._choice:
+            self._choice = choice
+            self.edited.emit(choice)
+
+
+def _text(block: Block) -> str:
+    return f"{block.name}, " + " × ".join(f"{length:g}" for length in block.size_mm)

@@ -1,0 +1,76 @@
+"""The export stage as a window of its own: checks what is made, and hands it to the shop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from insole_core.solids.shop import Shop
+from insole_studio.jobs import Jobs
+from insole_studio.stages.export.order_form import Stock
+from insole_studio.stages.export.presenter import ExportPresenter
+from insole_studio.stages.export.view import ExportView
+from insole_studio.texts import tr
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.export_rules import ExportRules
+
+_SIZE = (1280, 700)
+
+
+class ExportStage(QWidget):
+    """Check & export.
+
+    Parameters
+    ----------
+    case
+    rules
+        Keeps the clinic's rules.
+    shop
+    ask_path
+        Lets the user choose a place to write to, by the suffix of the format.
+    dark
+        Whether the theme is dark.
+    """
+
+    closed = Signal()
+    exported = Signal(object, object)
+    """A record was delivered to paths."""
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        rules: ExportRules,
+        shop: Shop,
+        ask_path: Callable[[str], Path | None],
+        dark: bool,
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(tr("Check & export") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = ExportView(Stock(shop.blocks, shop.materials), dark)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self.jobs = Jobs(self)
+        self.presenter = ExportPresenter(
+            self.view,
+            case=case,
+            jobs=self.jobs,
+            rules=rules,
+            shop=shop,
+            ask_path=ask_path,
+            exported=self.exported.emit,
+        )
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what runs and free the renderer."""
+        self.presenter.close()
+        self.jobs.close()
+        self.view.model.scene.close_scene()
+        event.accept()
+        self.closed.emit()

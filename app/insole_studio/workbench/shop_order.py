@@ -1,0 +1,203 @@
+"""What the user orders for the open case, and how the core is asked for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from insole_core.cases.record import CaseRecord, FootRecord, Patient
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.progress import SILENT, Progress
+from insole_core.solids.checks import Override
+from insole_core.solids.delivery import Delivery, Places, deliver, outputs
+from insole_core.solids.marking import Relief
+from insole_core.solids.order import Order, Piece, make_piece
+from insole_core.solids.rules import Rules
+from insole_core.solids.shop import Block, Shop
+from insole_core.solids.solid import Kind, SolidOptions
+
+_SIDE_WORDS = ("left", "right", "pair")
+
+
+@dataclass(frozen=True)
+class OrderChoice:
+    """What the fields of the export stage say.
+
+    Parameters
+    ----------
+    both
+        Whether the other foot of the case is made too.
+    suffix, ascii_stl
+        The format.
+    most_triangles
+        None for no target.
+    relief
+        None for no letters.
+    pseudonym, text
+        Whose it is, for the shop; what is written on it, by default pseudonym, side and date.
+    block
+        None for pieces that lie as they were designed.
+    """
+
+    kind: Kind = "insole"
+    both: bool = False
+    suffix: str = ".stl"
+    ascii_stl: bool = False
+    layered: bool = False
+    draft_deg: float = 3.0
+    chamfer_mm: float = 0.0
+    most_triangles: int | None = 40_000
+    most_deviation_mm: float = 0.05
+    relief: Relief | None = None
+    pseudonym: str = ""
+    text: str = ""
+    material: str = ""
+    block: Block | None = None
+    job_sheet: bool = True
+    prescription: bool = False
+    checks: bool = False
+
+    def makes_alike(self, other: OrderChoice) -> bool:
+        """Whether the same solids come of both: papers and formats do not matter."""
+        return self._of_the_solid == other._of_the_solid
+
+    @property
+    def _of_the_solid(self) -> OrderChoice:
+        relief = self.relief
+        return replace(
+            self, suffix="", ascii_stl=False, layered=False, material="", job_sheet=False,
+            prescription=False, checks=False, pseudonym=self.pseudonym if relief else "",
+            text=self.text if relief else "",
+        )  # fmt: skip
+
+
+def feet_of(record: CaseRecord, choice: OrderChoice) -> tuple[FootRecord, ...]:
+    """Give the feet that are ordered: the one at hand, or both, the left one first."""
+    if choice.both and len(record.feet) == 2:
+        return record.feet
+    return () if record.current is None else (record.current,)
+
+
+def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
+    """Give the lines that are written on a piece."""
+    if choice.relief is None:
+        return ()
+    if choice.text.strip():
+        return tuple(choice.text.splitlines())
+    day = datetime.now(UTC).date().isoformat()
+    return tuple(line for line in (choice.pseudonym.strip(), f"{side} {day}") if line)
+
+
+def make_pieces(
+    record: CaseRecord, choice: OrderChoice, rules: Rules, progress: Progress = SILENT
+) -> tuple[Piece, ...]:
+    """Build, make and check what is ordered.
+
+    Raises
+    ------
+    DesignError
+        When one of the pieces cannot be had.
+    """
+    feet = feet_of(record, choice)
+    if choice.block is not None:
+        rules = replace(rules, block_mm=choice.block.size_mm)
+    return tuple(
+        _piece(foot, choice, rules, part)
+        for foot, part in zip(feet, progress.parts(len(feet)), strict=True)
+    )
+
+
+def _piece(foot: FootRecord, choice: OrderChoice, rules: Rules, progress: Progress) -> Piece:
+    insole = build_insole(foot.foot, foot.design, progress.part(0.0, 0.4))
+    order = Order(
+        kind=choice.kind,
+        options=SolidOptions(draft_deg=choice.draft_deg, chamfer_mm=choice.chamfer_mm),
+        mark=mark_of(choice, foot.side),
+        relief=choice.relief or "engraved",
+        most_triangles=choice.most_triangles,
+        most_deviation_mm=choice.most_deviation_mm,
+        layered=choice.layered and choice.suffix == ".3mf",
+    )
+    return make_piece(insole, order, rules, progress.part(0.4, 1.0))
+
+
+def write_order(
+    pieces: Sequence[Piece],
+    choice: OrderChoice,
+    path: Path,
+    *,
+    shop: Shop,
+    patient: Patient,
+    override: Override | None = None,
+    progress: Progress = SILENT,
+) -> tuple[Path, ...]:
+    """Write the pieces with their papers: all of it or nothing.
+
+    Parameters
+    ----------
+    path
+        As the user chose it; each name says its side once.
+    override
+        Is recorded in the file of the checks, which is written whenever there is one.
+
+    Returns
+    -------
+    The files of the solids.
+
+    Raises
+    ------
+    DesignError
+        When a blocking check failed and nobody overrides it, or a pair does not fit its block.
+    OutputError
+        When a place cannot be written.
+    """
+    layered = choice.layered and choice.suffix == ".3mf"
+    pieces = [replace(piece, order=replace(piece.order, layered=layered)) for piece in pieces]
+    groups = [pieces] if choice.block is not None else [[piece] for piece in pieces]
+    places = [_places(path, _word(group), choice, override is not None) for group in groups]
+    with ExitStack() as stack:
+        beside = [stack.enter_context(outputs(place)) for place in places]
+        for group, place, temporary, part in zip(
+            groups, places, beside, progress.parts(len(groups)), strict=True
+        ):
+            delivery = Delivery(
+                tuple(group),
+                shop,
+                identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
+                patient=_patient_facts(patient),
+                material=choice.material,
+                block=choice.block if len(group) > 1 else None,
+                override=override,
+                ascii_stl=choice.ascii_stl,
+            )
+            deliver(delivery, place, temporary, part)
+    return tuple(place.solid for place in places)
+
+
+def _word(group: Sequence[Piece]) -> str:
+    return str(group[0].side) if len(group) == 1 else "pair"
+
+
+def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Places:
+    """Name the files; left or right stands in each name."""
+    stem = path.stem if path.suffix.lower() == choice.suffix else path.name
+    stem = "-".join([*(part for part in stem.split("-") if part not in _SIDE_WORDS), word])
+
+    def named(wanted: bool, ending: str) -> Path | None:
+        return path.with_name(stem + ending) if wanted else None
+
+    return Places(
+        path.with_name(stem + choice.suffix),
+        named(choice.checks or overridden, "-checks.json"),
+        named(choice.job_sheet, "-job-sheet.pdf"),
+        named(choice.prescription, "-prescription.pdf"),
+    )
+
+
+def _patient_facts(patient: Patient) -> dict[str, str]:
+    facts = {"name": patient.name, "born": patient.born, "visit": patient.visit}
+    return {key: value for key, value in facts.items() if value}

@@ -1,0 +1,279 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>At most</source>
+            <translation>Högst</translation>
+        </message>
+        <message>
+            <source>Block</source>
+            <translation>Block</translation>
+        </message>
+        <message>
+            <source>Both feet</source>
+            <translation>Båda fötterna</translation>
+        </message>
+        <message>
+            <source>Chamfer</source>
+            <translation>Fas</translation>
+        </message>
+        <message>
+            <source>Check &amp; export…</source>
+            <translation>Kontrollera &amp; exportera…</translation>
+        </message>
+        <message>
+            <source>Check the insole and write it for the shop, with its papers</source>
+            <translation>Kontrollera inlägget och skriv det för verkstaden, med papper</translation>
+        </message>
+        <message>
+            <source>Checks</source>
+            <translation>Kontroller</translation>
+        </message>
+        <message>
+            <source>Closed solid</source>
+            <translation>Sluten kropp</translation>
+        </message>
+        <message>
+            <source>Contact surface in a block</source>
+            <translation>Kontaktytan i ett block</translation>
+        </message>
+        <message>
+            <source>Cutter ⌀</source>
+            <translation>Fräs ⌀</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>Avvikelse</translation>
+        </message>
+        <message>
+            <source>Draft</source>
+            <translation>Släppning</translation>
+        </message>
+        <message>
+            <source>Engraved</source>
+            <translation>Graverat</translation>
+        </message>
+        <message>
+            <source>Export all the same, because</source>
+            <translation>Exportera ändå, därför att</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportera…</translation>
+        </message>
+        <message>
+            <source>Fewer triangles</source>
+            <translation>Färre trianglar</translation>
+        </message>
+        <message>
+            <source>Fits the block</source>
+            <translation>Ryms i blocket</translation>
+        </message>
+        <message>
+            <source>Fits the shoe</source>
+            <translation>Ryms i skon</translation>
+        </message>
+        <message>
+            <source>Foot as a mould</source>
+            <translation>Foten som form</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>Format</translation>
+        </message>
+        <message>
+            <source>Height of step</source>
+            <translation>Steghöjd</translation>
+        </message>
+        <message>
+            <source>Here comes the piece, once it is made.</source>
+            <translation>Här visas arbetsstycket när det är gjort.</translation>
+        </message>
+        <message>
+            <source>Hollows for the cutter</source>
+            <translation>Hålkälar för fräsen</translation>
+        </message>
+        <message>
+            <source>In the block</source>
+            <translation>I blocket</translation>
+        </message>
+        <message>
+            <source>Insole, trimmed</source>
+            <translation>Inlägg, beskuret</translation>
+        </message>
+        <message>
+            <source>Job sheet for the shop (PDF)</source>
+            <translation>Arbetsblad för verkstaden (PDF)</translation>
+        </message>
+        <message>
+            <source>Layers as objects</source>
+            <translation>Skikten som objekt</translation>
+        </message>
+        <message>
+            <source>Least thickness</source>
+            <translation>Minsta tjocklek</translation>
+        </message>
+        <message>
+            <source>Left</source>
+            <translation>Vänster</translation>
+        </message>
+        <message>
+            <source>Look there</source>
+            <translation>Titta där</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Inget</translation>
+        </message>
+        <message>
+            <source>Nothing</source>
+            <translation>Ingenting</translation>
+        </message>
+        <message>
+            <source>On the bottom</source>
+            <translation>På undersidan</translation>
+        </message>
+        <message>
+            <source>Order</source>
+            <translation>Beställning</translation>
+        </message>
+        <message>
+            <source>Outcome of the checks (JSON)</source>
+            <translation>Kontrollernas utfall (JSON)</translation>
+        </message>
+        <message>
+            <source>Papers</source>
+            <translation>Papper</translation>
+        </message>
+        <message>
+            <source>Piece</source>
+            <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Prescription for the record (PDF)</source>
+            <translation>Ordination för journalen (PDF)</translation>
+        </message>
+        <message>
+            <source>Pseudonym</source>
+            <translation>Pseudonym</translation>
+        </message>
+        <message>
+            <source>Pseudonym, side and date</source>
+            <translation>Pseudonym, sida och datum</translation>
+        </message>
+        <message>
+            <source>Raised</source>
+            <translation>Upphöjt</translation>
+        </message>
+        <message>
+            <source>Reason, for the record</source>
+            <translation>Skäl, för journalen</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Höger</translation>
+        </message>
+        <message>
+            <source>STL as text</source>
+            <translation>STL som text</translation>
+        </message>
+        <message>
+            <source>Something unexpected happened; nothing was written. Please report it.</source>
+            <translation>Något oväntat hände; inget skrevs. Anmäl det gärna.</translation>
+        </message>
+        <message>
+            <source>Stopped. Change the order to make it again.</source>
+            <translation>Stoppat. Ändra beställningen för att göra om det.</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <source>The font has no letters {letters}; a likeness or “?” stands for them.</source>
+            <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
+        </message>
+        <message>
+            <source>They deviate by {deviation:.3f} mm at most.</source>
+            <translation>De avviker högst {deviation:.3f} mm.</translation>
+        </message>
+        <message>
+            <source>Undercut from above</source>
+            <translation>Underskärning från ovan</translation>
+        </message>
+        <message>
+            <source>blocks</source>
+            <translation>stoppar</translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>sluten</translation>
+        </message>
+        <message>
+            <source>does not apply to this piece</source>
+            <translation>gäller inte detta arbetsstycke</translation>
+        </message>
+        <message>
+            <source>is being checked</source>
+            <translation>kontrolleras</translation>
+        </message>
+        <message>
+            <source>not checked</source>
+            <translation>inte kontrollerat</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>av</translation>
+        </message>
+        <message>
+            <source>open or inside out</source>
+            <translation>öppen eller ut och in</translation>
+        </message>
+        <message>
+            <source>unknown</source>
+            <translation>okänd</translation>
+        </message>
+        <message>
+            <source>warns</source>
+            <translation>varnar</translation>
+        </message>
+        <message>
+            <source>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles</source>
+            <translation>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} trianglar</translation>
+        </message>
+        <message>
+            <source>{value:.0f} mm² cannot be reached from above</source>
+            <translation>{value:.0f} mm² nås inte från ovan</translation>
+        </message>
+        <message>
+            <source>{value:.1f} mm at the highest place</source>
+            <translation>{value:.1f} mm på högsta stället</translation>
+        </message>
+        <message>
+            <source>{value:.1f} mm of rise over 1 mm</source>
+            <translation>{value:.1f} mm stigning på 1 mm</translation>
+        </message>
+        <message>
+            <source>{value:.1f} mm to spare</source>
+            <translation>{value:.1f} mm till godo</translation>
+        </message>
+        <message>
+            <source>{value:.1f} mm too large</source>
+            <translation>{value:.1f} mm för stort</translation>
+        </message>
+        <message>
+            <source>{value:.2f} mm at the thinnest place</source>
+            <translation>{value:.2f} mm på tunnaste stället</translation>
+        </message>
+        <message>
+            <source>{value:.2f} mm of material is left in hollows</source>
+            <translation>{value:.2f} mm material blir kvar i hålkälar</translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,245 @@
+"""The user checks a piece, orders it otherwise, and hands it to the shop."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import trimesh
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.design import InsoleDesign
+from insole_core.solids.shop import read_shop
+from insole_studio.stages.export.rows import CheckState
+from insole_studio.stages.export.stage import ExportStage
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.export_rules import ExportRules
+
+SHOP = read_shop()
+PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
+NOWHERE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
+
+
+@pytest.fixture
+def case(make_foot: Callable[[Side], Foot]) -> Case:
+    built = Case()
+    feet = tuple(
+        FootRecord.begun(make_foot(side), NOWHERE, InsoleDesign(side, grid_mm=2.0)) for side in Side
+    )
+    record = CaseRecord(Patient(name="Anna Berg", born="1980-01-01"), feet, Side.LEFT)
+    built.open(record, None)
+    built.author = "A. Ek"
+    return built
+
+
+class Chosen:
+    """Answers the question for a path."""
+
+    def __init__(self) -> None:
+        self.path: Path | None = None
+
+    def __call__(self, _suffix: str) -> Path | None:
+        return self.path
+
+
+@pytest.fixture
+def chosen() -> Chosen:
+    return Chosen()
+
+
+@pytest.fixture
+def stage(
+    qapp: QApplication,
+    qtbot: QtBot,
+    case: Case,
+    tmp_path: Path,
+    chosen: Chosen,
+) -> Iterator[ExportStage]:
+    rules = ExportRules(tmp_path / "config" / "export.json")
+    built = ExportStage(case=case, rules=rules, shop=SHOP, ask_path=chosen, dark=False)
+    built.show()
+    yield built
+    built.close()
+    built.deleteLater()
+
+
+@pytest.fixture
+def settle(qtbot: QtBot, stage: ExportStage) -> Callable[[], None]:
+    def wait() -> None:
+        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+
+    wait()
+    return wait
+
+
+def sign_of(stage: ExportStage, name: str) -> CheckState:
+    return CheckState(stage.view.check_list.rows[name].sign.property("state"))
+
+
+def order(stage: ExportStage, **changes: object) -> None:
+    stage.presenter.edit_choice(replace(stage.view.form.choice(), **changes))  # type: ignore[arg-type]
+
+
+def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
+    assert sign_of(stage, "watertight") is CheckState.PASSED
+    assert "triangles" in stage.view.summary_text()
+    assert stage.view.export.isEnabled()
+    assert not stage.view.reason.isVisible()
+
+
+def test_export_names_the_side_and_writes_what_is_wanted(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    told: list[tuple[CaseRecord, Sequence[Path]]] = []
+    stage.exported.connect(lambda record, paths: told.append((record, paths)))
+    order(stage, suffix=".3mf", prescription=True, checks=True, pseudonym="P-7")
+    settle()
+    chosen.path = tmp_path / "out" / "anna.3mf"
+    chosen.path.parent.mkdir()
+    stage.view.export.click()
+    settle()
+    assert sorted(path.name for path in chosen.path.parent.iterdir()) == [
+        "anna-left-checks.json", "anna-left-job-sheet.pdf", "anna-left-prescription.pdf",
+        "anna-left.3mf",
+    ]  # fmt: skip
+    assert told[0][1] == (tmp_path / "out" / "anna-left.3mf",)
+    assert "anna-left.3mf" in stage.view.summary_text()
+
+
+def test_pair_is_nested_into_one_block(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    order(stage, both=True, block=PAIR, job_sheet=False)
+    settle()
+    stage.presenter.show_piece("nest")
+    chosen.path = tmp_path / "anna.stl"
+    stage.view.export.click()
+    settle()
+    mesh = trimesh.load_mesh(tmp_path / "anna-pair.stl")
+    assert len(mesh.split()) == 2
+    assert mesh.bounds.min() >= 0
+
+
+def test_pair_without_a_block_is_two_files(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    order(stage, both=True, job_sheet=False)
+    settle()
+    chosen.path = tmp_path / "anna-left.stl"
+    stage.view.export.click()
+    settle()
+    assert sorted(p.name for p in tmp_path.glob("*.stl")) == [
+        "anna-left.stl",
+        "anna-right.stl",
+    ]
+
+
+def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    stage.view.rule_edited.emit("shoe_height", "blocking", 2.0)
+    settle()
+    assert sign_of(stage, "shoe_height") is CheckState.BLOCKING
+    assert not stage.view.export.isEnabled()
+    assert stage.view.reason.isVisible()
+    stage.view.reason.setText("high boot")
+    stage.view.reason_edited.emit("high boot")
+    assert stage.view.export.isEnabled()
+    chosen.path = tmp_path / "anna.stl"
+    stage.view.export.click()
+    settle()
+    override = json.loads((tmp_path / "anna-left-checks.json").read_text())["override"]
+    assert (override["author"], override["reason"]) == ("A. Ek", "high boot")
+
+
+def test_rules_are_remembered(
+    stage: ExportStage, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    stage.view.rule_edited.emit("step", "off", 9.0)
+    stage.view.cutter_edited.emit(16.0)
+    settle()
+    rules = ExportRules(tmp_path / "config" / "export.json").load()
+    assert (rules.policies["step"], rules.limits["step"]) == ("off", 9.0)
+    assert rules.cutter_diameter_mm == 16.0
+    assert sign_of(stage, "step") is CheckState.OFF
+
+
+@pytest.fixture
+def broken_rules(tmp_path: Path) -> None:
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "export.json").write_text("{")
+
+
+def test_rules_that_cannot_be_read_are_named_and_the_products_hold(
+    broken_rules: None, stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    assert "no valid JSON" in stage.view.error_text()
+    assert sign_of(stage, "watertight") is CheckState.PASSED
+
+
+def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None]) -> None:
+    stage.view.rule_edited.emit("shoe_height", "warning", 2.0)
+    settle()
+    stage.view.check_list.rows["shoe_height"].sentence.click()
+    x, y, _ = stage.view.model.scene.camera.focal_mm
+    (piece,) = stage.presenter.pieces
+    worst = next(f for f in piece.findings if f.name == "shoe_height").place_mm
+    assert worst is not None
+    assert (x, y) == pytest.approx(worst[:2])
+
+
+def test_what_cannot_be_made_is_one_sentence(
+    stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    order(stage, most_triangles=2000, most_deviation_mm=0.005)
+    settle()
+    assert "2000 triangles are too few" in stage.view.error_text()
+    assert not stage.view.export.isEnabled()
+    order(stage, most_triangles=None)
+    settle()
+    assert stage.view.error_text() == ""
+    assert stage.view.export.isEnabled()
+
+
+def test_letters_that_the_font_lacks_are_said(
+    stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    order(stage, relief="engraved", text="足 7")
+    settle()
+    assert "足" in stage.view.notes_text()
+
+
+def test_place_that_cannot_be_written(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    chosen.path = tmp_path / "none" / "anna.stl"
+    stage.view.export.click()
+    settle()
+    assert "its folder does not exist" in stage.view.error_text()
+    assert stage.view.export.isEnabled()
+
+
+def test_cancel_stops_the_work(stage: ExportStage, settle: Callable[[], None]) -> None:
+    order(stage, chamfer_mm=1.0)
+    stage.view.cancel.click()
+    settle()
+    assert "Stopped" in stage.view.error_text()
+    assert not stage.view.export.isEnabled()
+
+
+def test_another_design_is_made_anew(
+    stage: ExportStage, settle: Callable[[], None], case: Case
+) -> None:
+    before = stage.view.summary_text()
+    design = case.record.design
+    assert design is not None
+    case.apply(replace(design, thickness_mm=8.0), "Thicker")
+    settle()
+    assert stage.view.summary_text() != before
