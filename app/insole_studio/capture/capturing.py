@@ -15,11 +15,13 @@ from insole_studio.capture.errors import BusFullError, SensorError
 from insole_studio.capture.light import judge_light
 from insole_studio.capture.plan import CapturePlan, Shot, Step
 from insole_studio.capture.rig import ColorSize, OpenSensor, Rig
-from insole_studio.capture.series import Series, poll_depth
+from insole_studio.capture.series import Beginning, Series, poll_depth
 from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
 from insole_studio.capture.workplace import Calibrated, Workplace
 
 _POLL_S = 0.002
+_IN_FLIGHT_S = 2 / 30
+"""A frame is exposed in one thirtieth of a second, and sent in the next."""
 
 
 def _nothing_shown(_serial: str, _image: RawArray | ByteArray) -> None:
@@ -116,7 +118,8 @@ class Capturing:
             shot.view: workplace.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
         }
         self._views = {
-            shot.view: ViewStatus(shot.view, shot.serial, 0, plan.frames) for shot in plan.shots
+            shot.view: ViewStatus(shot.view, shot.serial, 0, plan.frames, place=shot.place)
+            for shot in plan.shots
         }
 
     def run(self) -> tuple[str, ...]:
@@ -169,51 +172,50 @@ class Capturing:
     def _take(self, step: Step, tilts: dict[str, float]) -> None:
         names = step.names
         if step.by_hand:
-            self._tell(Phase.MOVING, hand_sentence(step))
+            self._tell(Phase.MOVING, hand_sentence(step), names)
             self._watcher.wait_for_hand(step)
         for shot in step.shots:
             self._move(shot, step.by_hand, tilts.get(shot.serial))
-        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}")
-        started_s = self._light_only(step)
+        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}", names)
         taken = [
-            Series(shot, self._sensors[shot.serial], self._plan, started_s) for shot in step.shots
+            Series(shot, self._sensors[shot.serial], self._plan, beginning)
+            for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
         self._collect(taken, names)
-        self._tell(Phase.VERIFYING, f"Checking view {names}")
+        self._tell(Phase.VERIFYING, f"Checking view {names}", names)
         for series in taken:
             self._finish(series)
-        self._tell(Phase.VERIFYING, f"View {names} is on the disk")
+        self._tell(Phase.VERIFYING, f"View {names} is on the disk", names)
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
         """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
         sensor = self._sensors[shot.serial]
         if level_deg is not None:
-            self._tell(Phase.MOVING, f"Tilting the sensor for view {shot.view}")
+            self._tell(Phase.TILTING, f"Tilting the sensor for view {shot.view}", shot.view)
             sensor.tilt_to(level_deg + shot.tilt_deg)
         if by_hand or level_deg is not None:
             sensor.stop()  # what is under way was seen from the place before
 
-    def _light_only(self, step: Step) -> float:
-        """Switch the emitters of all other sensors off and those of a step on.
-
-        Returns
-        -------
-        float
-            When the others were off, `time.monotonic()`.
-        """
-        wanted = {shot.serial for shot in step.shots}
-        others = [sensor for serial, sensor in self._sensors.items() if serial not in wanted]
-        for sensor in others:
-            if sensor.emits:
-                sensor.stop_depth()
+    def _light_only(self, step: Step) -> list[Beginning]:
+        """Switch the emitters of all other sensors off and those of a step on."""
+        own = [self._sensors[shot.serial] for shot in step.shots]
+        others = [sensor for sensor in self._sensors.values() if sensor not in own]
+        shining = [sensor for sensor in others if sensor.emits]
+        for sensor in shining:
+            sensor.stop_depth()
         dark_s = time.monotonic()
+        clear_s = dark_s + _IN_FLIGHT_S if shining else dark_s
+        beginnings = [
+            Beginning(dark_s, clear_s if sensor.emits else dark_s, sensor.discarded)
+            for sensor in own
+        ]
         try:
             self._start(step.shots)
         except BusFullError:
             for sensor in others:  # colour alone holds a part of the controller
                 sensor.stop()
             self._start(step.shots)
-        return dark_s
+        return beginnings
 
     def _start(self, shots: tuple[Shot, ...]) -> None:
         for shot in shots:
@@ -230,7 +232,7 @@ class Capturing:
                 settled = all(series.settled for series in taken)
                 phase = Phase.CAPTURING if settled else Phase.SETTLING
                 verb = "Capturing" if settled else "Waiting for steady depth of"
-                self._tell(phase, f"{verb} view {names}")
+                self._tell(phase, f"{verb} view {names}", names)
             else:
                 time.sleep(_POLL_S)
 
@@ -263,8 +265,8 @@ class Capturing:
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)
 
-    def _tell(self, phase: Phase, sentence: str) -> None:
-        status = CaptureStatus(phase, tuple(self._views.values()), sentence)
+    def _tell(self, phase: Phase, sentence: str, names: str) -> None:
+        status = CaptureStatus(phase, tuple(self._views.values()), sentence, names)
         if status != self._told:
             self._told = status
             self._watcher.report(status)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import cv2
 import numpy as np
@@ -32,6 +33,36 @@ _FOOT_POINTS = 1500
 """Pixels on a foot at 1 m, at the least."""
 
 
+class HintKind(Enum):
+    """What there is to change; its words are the window's."""
+
+    NOTHING_MEASURED = "nothing measured"
+    TOO_NEAR = "too near"
+    TOO_FAR = "too far"
+    NO_MARKERS = "no markers"
+    MARKERS_HIDDEN = "markers hidden"
+    NO_FOOT = "no foot"
+    TOO_DARK = "too dark"
+    TOO_BRIGHT = "too bright"
+    MOVING = "moving"
+
+
+@dataclass(frozen=True)
+class Hint:
+    """Something to change.
+
+    Parameters
+    ----------
+    kind
+    found, wanted
+        Numbers, where the kind has any: mm, or markers.
+    """
+
+    kind: HintKind
+    found: float = 0.0
+    wanted: float = 0.0
+
+
 @dataclass(frozen=True)
 class Guidance:
     """What one sensor sees.
@@ -48,7 +79,7 @@ class Guidance:
     valid_share: float
     markers_seen: int
     markers_wanted: int
-    hints: tuple[str, ...]
+    hints: tuple[Hint, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +121,7 @@ def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: Glimpse
         *_light_hints(color),
     ]
     if _is_moving(depth, glimpse.depth_before):
-        hints.append("Something moves; hold the foot still")
+        hints.append(Hint(HintKind.MOVING))
     return Guidance(valid_share, seen, wanted, tuple(hints))
 
 
@@ -142,32 +173,32 @@ def _locate(
     return len(found.fixes), int(np.count_nonzero(inside))
 
 
-def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[str]:
+def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[Hint]:
     if valid_share < _LEAST_VALID_SHARE:
-        return ["Almost nothing is measured; check distance and light"]
+        return [Hint(HintKind.NOTHING_MEASURED)]
     middle_mm = float(np.nanmedian(depth_mm))
     if middle_mm < NEAREST_MM:
-        return [f"Too near: {middle_mm:.0f} mm, at least {NEAREST_MM:.0f} mm is good"]
+        return [Hint(HintKind.TOO_NEAR, middle_mm, NEAREST_MM)]
     if middle_mm > FARTHEST_MM:
-        return [f"Too far: {middle_mm:.0f} mm, at most {FARTHEST_MM:.0f} mm is good"]
+        return [Hint(HintKind.TOO_FAR, middle_mm, FARTHEST_MM)]
     return []
 
 
-def _marker_hints(seen: int, wanted: int, foot_points: int | None) -> list[str]:
+def _marker_hints(seen: int, wanted: int, foot_points: int | None) -> list[Hint]:
     if foot_points is None:
-        return ["The markers are not recognised; bring the reference system into the picture"]
+        return [Hint(HintKind.NO_MARKERS)]
     hints = []
     if seen < wanted:
-        hints.append(f"{wanted - seen} of {wanted} markers are hidden")
+        hints.append(Hint(HintKind.MARKERS_HIDDEN, wanted - seen, wanted))
     if foot_points < _FOOT_POINTS:
-        hints.append("No foot between the markers")
+        hints.append(Hint(HintKind.NO_FOOT))
     return hints
 
 
-def _light_hints(color: ByteArray) -> list[str]:
+def _light_hints(color: ByteArray) -> list[Hint]:
     return {
-        Light.DARK: ["Too dark; add light"],
-        Light.BRIGHT: ["Too bright; turn strong lights away"],
+        Light.DARK: [Hint(HintKind.TOO_DARK)],
+        Light.BRIGHT: [Hint(HintKind.TOO_BRIGHT)],
         Light.GOOD: [],
     }[judge_light(color)]
 

@@ -22,7 +22,7 @@ from kinect_v1.modes import BAYER_640, BAYER_1280, StreamMode
 from kinect_v1.motor import Led, Posture
 from kinect_v1.pixels import demosaic
 from kinect_v1.sensors import SensorInfo, list_sensors
-from kinect_v1.streams import Frame, Stream, StreamCounts
+from kinect_v1.streams import Frame, Stream
 from kinect_v1.usb_bus import UsbBus
 
 ColorSize = tuple[int, int]
@@ -106,6 +106,7 @@ class OpenSensor:
         self._depth: Stream | None = None
         self._color: Stream | None = None
         self._color_size = FULL_COLOR
+        self._discarded = 0
 
     def __enter__(self) -> Self:
         return self
@@ -167,6 +168,7 @@ class OpenSensor:
         ------
         SensorError
         """
+        self._discarded = self.discarded
         self._depth = None
         with translating():
             self._camera.stop_depth()
@@ -208,9 +210,9 @@ class OpenSensor:
         return demosaic(_cropped(frame.image, self._color_size[1]))
 
     @property
-    def depth_counts(self) -> StreamCounts:
-        """What has happened on the depth stream since it was started."""
-        return self._depth.counts if self._depth is not None else StreamCounts(0, 0, 0, 0)
+    def discarded(self) -> int:
+        """Depth frames that arrived damaged since it was opened."""
+        return self._discarded + (self._depth.counts.discarded if self._depth is not None else 0)
 
     def tilt_deg(self) -> float:
         """Tell how far it is tilted, relative to gravity.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from insole_core.geometry.arrays import RawArray
@@ -21,6 +23,24 @@ _CHECK_STEP_PX = 3
 """Every ninth pixel tells whether something moved."""
 
 
+class Beginning(NamedTuple):
+    """What is known when a series begins.
+
+    Parameters
+    ----------
+    switched_s
+        When the emitters were switched, `time.monotonic()`.
+    clear_s
+        Until when frames were still exposed by the emitters as they were before.
+    discarded
+        Frames of the sensor that had arrived damaged before.
+    """
+
+    switched_s: float
+    clear_s: float
+    discarded: int
+
+
 class Series:
     """Collects the frames of one shot.
 
@@ -29,21 +49,21 @@ class Series:
     shot
     sensor
     plan
-    started_s
-        When the emitters were switched, `time.monotonic()`.
+    beginning
     """
 
-    def __init__(self, shot: Shot, sensor: OpenSensor, plan: CapturePlan, started_s: float) -> None:
+    def __init__(
+        self, shot: Shot, sensor: OpenSensor, plan: CapturePlan, beginning: Beginning
+    ) -> None:
         self.shot = shot
         self.sensor = sensor
         self.depth: list[RawArray] = []
         self.color_count = 0
         self.light = Light.GOOD
         """Of the last colour picture."""
-        self.settling = Settling(plan.settle, started_s)
+        self.settling = Settling(plan.settle, beginning.switched_s)
         self._plan = plan
-        self._started_s = started_s
-        self._discarded_before = sensor.depth_counts.discarded
+        self._beginning = beginning
 
     @property
     def settled(self) -> bool:
@@ -59,10 +79,12 @@ class Series:
     @property
     def discarded(self) -> int:
         """Depth frames that arrived damaged since the start."""
-        return self.sensor.depth_counts.discarded - self._discarded_before
+        return self.sensor.discarded - self._beginning.discarded
 
     def take_depth(self, image: RawArray, time_s: float) -> list[tuple[int, RawArray]]:
         """Take a depth frame; give the ones that are used now, with their numbers."""
+        if time_s <= self._beginning.clear_s:
+            return []
         missing = self._plan.frames - len(self.depth)
         used = self.settling.add(image, time_s)[:missing]
         first = len(self.depth)
@@ -71,13 +93,19 @@ class Series:
 
     def wants_color(self, time_s: float) -> bool:
         """Whether a colour frame of some time is used; no emitter disturbs colour."""
-        return time_s > self._started_s and self.color_count < self._plan.color_frames
+        return time_s > self._beginning.switched_s and self.color_count < self._plan.color_frames
 
     def status(self, finished: bool = False, warnings: tuple[str, ...] = ()) -> ViewStatus:
         """Say how far it is."""
         shot = self.shot
         return ViewStatus(
-            shot.view, shot.serial, len(self.depth), self._plan.frames, finished, warnings
+            shot.view,
+            shot.serial,
+            len(self.depth),
+            self._plan.frames,
+            finished,
+            warnings,
+            shot.place,
         )
 
     def check(self) -> tuple[str, ...]:

@@ -36,6 +36,7 @@ class Phase(Enum):
     WARMING_UP = "warming up"
     LIVE = "live"
     MOVING = "moving"
+    TILTING = "tilting"
     SETTLING = "settling"
     CAPTURING = "capturing"
     VERIFYING = "verifying"
@@ -62,6 +63,8 @@ class ViewStatus:
         Whether the view is on the disk, whole.
     warnings
         Sentences about what was captured.
+    place
+        Where the sensor stands for it: the view without the number of the burst.
     """
 
     view: str
@@ -70,6 +73,7 @@ class ViewStatus:
     wanted: int
     finished: bool = False
     warnings: tuple[str, ...] = ()
+    place: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,11 +86,14 @@ class CaptureStatus:
     views
     sentence
         What goes on, what is to be done, or why it ended.
+    names
+        The views that it is about.
     """
 
     phase: Phase
     views: tuple[ViewStatus, ...] = ()
     sentence: str = ""
+    names: str = ""
 
     @property
     def fraction(self) -> float:

@@ -12,6 +12,8 @@ from insole_core.sensing.disparity import FactoryDisparity
 from insole_studio.capture.guidance import (
     Glimpse,
     Guidance,
+    Hint,
+    HintKind,
     centre_depth_mm,
     depth_colors,
     guide,
@@ -40,7 +42,7 @@ def seen(
     before = np.where(measured, now - moved_raw, now).astype(np.uint16)
     color = np.clip(view.read_color(0) * light, 0, 255).astype(np.uint8)
     system = session.manifest.reference_system
-    place = volume or volume_of_interest(session.manifest)
+    place = volume or volume_of_interest(session)
     return guide(view.sensor, system, place, Glimpse(now, before, color))
 
 
@@ -53,17 +55,17 @@ def test_a_good_view_has_no_hints(session: Session) -> None:
 
 def test_a_sensor_that_stands_too_near(session: Session) -> None:
     found = seen(session, nearer_raw=250)
-    assert found.hints[0].startswith("Too near")
+    assert found.hints[0].kind is HintKind.TOO_NEAR
 
 
 def test_a_foot_that_is_elsewhere(session: Session) -> None:
     away = Box((-70, -150, 400), (70, 150, 600))
-    assert "No foot between the markers" in seen(session, volume=away).hints
+    assert Hint(HintKind.NO_FOOT) in seen(session, volume=away).hints
 
 
 def test_motion_and_darkness(session: Session) -> None:
-    assert "Something moves; hold the foot still" in seen(session, moved_raw=20).hints
-    assert "Too dark; add light" in seen(session, light=0.15).hints
+    assert Hint(HintKind.MOVING) in seen(session, moved_raw=20).hints
+    assert Hint(HintKind.TOO_DARK) in seen(session, light=0.15).hints
 
 
 def test_markers_that_are_not_there(session: Session) -> None:
@@ -73,17 +75,17 @@ def test_markers_that_are_not_there(session: Session) -> None:
     system = session.manifest.reference_system
     found = guide(view.sensor, system, Box((0, 0, 0), (1, 1, 1)), Glimpse(depth, depth, grey))
     assert found.markers_seen == 0
-    assert found.hints[0].startswith("The markers are not recognised")
+    assert found.hints[0] == Hint(HintKind.NO_MARKERS)
 
 
 def test_an_empty_view(session: Session) -> None:
     view = session.views[0]
     nothing = np.full((480, 640), 2047, np.uint16)
-    volume = volume_of_interest(session.manifest)
+    volume = volume_of_interest(session)
     glimpse = Glimpse(nothing, nothing, view.read_color(0))
     found = guide(view.sensor, session.manifest.reference_system, volume, glimpse)
     assert found.valid_share == 0
-    assert found.hints[0].startswith("Almost nothing is measured")
+    assert found.hints[0] == Hint(HintKind.NOTHING_MEASURED)
 
 
 def test_the_centre_is_the_median_of_the_middle() -> None:

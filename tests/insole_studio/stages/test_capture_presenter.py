@@ -12,9 +12,11 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
+from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.draft import Draft, ViewFacts
 from insole_studio.capture.frame_board import Kind, Picture
+from insole_studio.capture.left_drafts import LeftDraft, newest_left_draft
 from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Tilt
 from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
 from insole_studio.capture.workplace import Calibrated, recorded_workplace
@@ -43,7 +45,7 @@ class NotedPanel:
             "capture_requested", "cancel_requested", "placed_requested", "retake_requested",
             "use_requested", "other_foot_requested", "find_requested", "view_chosen",
             "views_swapped", "tilt_requested", "level_requested", "identify_requested",
-            "options_edited",
+            "options_edited", "resume_requested", "discard_requested",
         ):  # fmt: skip
             setattr(self, name, Intent())
         self.rows: list[SensorRow] = []
@@ -94,7 +96,9 @@ class NotedService:
 
 
 class Bench:
-    def __init__(self, jobs: Jobs, folder: Path, session: Path) -> None:
+    def __init__(
+        self, jobs: Jobs, folder: Path, session: Path, left: LeftDraft | None = None
+    ) -> None:
         self.panel, self.service = NotedPanel(), NotedService()
         self.remembered: list[Sequence[tuple[str, str]]] = []
         self.captured: list[Path] = []
@@ -107,6 +111,8 @@ class Bench:
             jobs=jobs,
             assignment=[("right", "A1")],
             folder=folder,
+            options=CaptureOptions(),
+            left=left,
             remember=self.remembered.append,
             captured=self.captured.append,
         )
@@ -181,7 +187,7 @@ def test_choosing_a_view_exchanges_with_who_had_it(bench: Bench) -> None:
 
 def test_capture_carries_the_choices(bench: Bench) -> None:
     bench.plug_in()
-    options = CaptureOptions(Side.RIGHT, "full", True, "barefoot", "together", 5)
+    options = CaptureOptions(Side.RIGHT, "full", True, "barefoot", "together", frames=5)
     bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
     bench.panel.capture_requested.emit()  # type: ignore[attr-defined]
     start = bench.started()
@@ -212,7 +218,7 @@ def test_one_view_is_captured_again(bench: Bench) -> None:
     bench.plug_in()
     bench.presenter.capture()
     bench.finish("left", "right")
-    assert [row.can_retake for row in bench.panel.rows] == [True, True]
+    assert [row.retakes for row in bench.panel.rows] == [("left",), ("right",)]
     bench.panel.retake_requested.emit("left")  # type: ignore[attr-defined]
     assert bench.started().plan.views == ("left",)
     assert bench.started().order == ("left", "right")
@@ -235,13 +241,13 @@ def test_moving_by_hand_offers_to_go_on(bench: Bench) -> None:
     assert bench.panel.capture.waits_for_hand
 
 
-def write_draft(bench: Bench) -> None:
-    """Write what the service would have written."""
+def write_draft(bench: Bench, *views: str) -> None:
+    """Write what the service would have written of some views, or of all."""
     start = bench.started()
     draft = Draft(start.folder, start.manifest, start.order)
     sensor = next(iter(bench.workplace.recorded.values()))
     width, height = sensor.color_camera.width, sensor.color_camera.height
-    for view in start.order:
+    for view in views or start.order:
         draft.begin_view(view, Calibrated(sensor, "recording"))
         draft.add_depth(view, 0, np.full((480, 640), 700, np.uint16))
         draft.add_color(view, 0, np.full((height, width, 3), 90, np.uint8))
@@ -274,6 +280,94 @@ def test_the_other_foot_follows(bench: Bench, qtbot: QtBot) -> None:
     assert read_session(kept).manifest.side is Side.LEFT
     bench.presenter.capture()
     assert bench.started().manifest.side is Side.RIGHT
+
+
+def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:
+    bench.plug_in()
+    options = CaptureOptions(mode="moved", views=("left", "heel", "right"), bursts=2)
+    bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
+    bench.presenter.capture()
+    plan = bench.started().plan
+    assert [(shot.view, shot.serial) for shot in plan.shots] == [
+        ("left", "B2"), ("left_2", "B2"), ("heel", "B2"), ("heel_2", "B2"),
+        ("right", "A1"), ("right_2", "A1"),
+    ]  # fmt: skip
+    assert [step.by_hand for step in plan.steps] == [True, False, True, False, False, False]
+
+    views = [ViewStatus(s.view, s.serial, 4, 4, s.place == "left", (), s.place) for s in plan.shots]
+    bench.tell(CaptureStatus(Phase.TILTING, tuple(views), "", "left_2"))
+    assert not bench.panel.capture.waits_for_hand
+    bench.tell(CaptureStatus(Phase.MOVING, tuple(views), "", "heel"))
+    assert bench.panel.capture.waits_for_hand
+    assert "in its place for view heel" in bench.panel.capture.sentence
+    assert [row.title.split(" ")[0] for row in bench.panel.rows] == ["heel", "right"]
+    bench.finish(*plan.views)
+    assert [row.retakes for row in bench.panel.rows] == [("left", "heel"), ("right",)]
+    bench.panel.retake_requested.emit("heel")  # type: ignore[attr-defined]
+    again = bench.started().plan
+    assert [(step.names, step.by_hand) for step in again.steps] == [
+        ("heel", True), ("heel_2", False),
+    ]  # fmt: skip
+
+
+def test_view_names_that_cannot_be_are_told(bench: Bench) -> None:
+    bench.plug_in()
+    bench.panel.options_edited.emit(  # type: ignore[attr-defined]
+        CaptureOptions(mode="moved", views=("Left",))
+    )
+    bench.presenter.capture()
+    assert "cannot name a view" in bench.panel.sentence
+
+
+@pytest.fixture
+def offered(bench: Bench, small_session: Path) -> Bench:
+    """A window that is opened anew, after one view of a capture is on the disk."""
+    bench.plug_in()
+    options = CaptureOptions(Side.RIGHT, "semi", True, "cold", "together", frames=4)
+    bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
+    bench.presenter.capture()
+    write_draft(bench, "right")
+    left = newest_left_draft(bench.folder / "captures")
+    return Bench(bench.presenter._jobs, bench.folder, small_session, left)
+
+
+def test_an_unfinished_capture_is_offered_again(offered: Bench) -> None:
+    offered.plug_in()
+    assert offered.panel.capture.offer.startswith("The capture of ")
+    assert offered.panel.capture.offer.endswith("was not used; 1 of 2 views are there.")
+    offered.panel.resume_requested.emit()  # type: ignore[attr-defined]
+    assert offered.panel.capture.offer == ""
+    assert offered.panel.options == CaptureOptions(
+        Side.RIGHT, "semi", True, "cold", "together", frames=4
+    )
+    assert offered.panel.capture.button == "Capture missing views"
+    offered.presenter.capture()
+    assert offered.started().plan.views == ("left",)
+    assert offered.started().order == ("left", "right")
+    (folder,) = (offered.folder / "captures").iterdir()
+    assert offered.started().folder == folder
+
+
+def test_an_unfinished_capture_can_be_discarded(offered: Bench) -> None:
+    offered.panel.discard_requested.emit()  # type: ignore[attr-defined]
+    assert offered.panel.capture.offer == ""
+    assert not list((offered.folder / "captures").iterdir())
+
+
+def test_a_new_capture_leaves_the_unfinished_one_alone(offered: Bench) -> None:
+    offered.plug_in()
+    offered.presenter.capture()
+    assert offered.started().plan.views == ("left", "right")
+    assert offered.panel.capture.offer == ""
+    assert newest_left_draft(offered.folder / "captures") is not None
+
+
+def test_what_is_no_draft_is_not_offered(tmp_path: Path, small_session: Path) -> None:
+    assert newest_left_draft(tmp_path / "captures") is None
+    (tmp_path / "captures" / "b").mkdir(parents=True)
+    write_session(read_session(small_session), tmp_path / "captures" / "a")
+    (tmp_path / "captures" / "b" / "manifest.json").write_text("{")
+    assert newest_left_draft(tmp_path / "captures") is None
 
 
 def test_orders_go_to_the_sensor(bench: Bench) -> None:

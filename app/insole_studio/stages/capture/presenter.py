@@ -15,6 +15,7 @@ from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.frame_board import Kind, Picture
+from insole_studio.capture.left_drafts import LeftDraft
 from insole_studio.capture.messages import (
     Cancel,
     Command,
@@ -28,15 +29,16 @@ from insole_studio.capture.messages import (
     Tilt,
     Told,
 )
-from insole_studio.capture.plan import CapturePlan, make_plan
+from insole_studio.capture.plan import CapturePlan
+from insole_studio.capture.request import PlanRequest
 from insole_studio.capture.status import CaptureStatus, Phase
 from insole_studio.capture.workplace import Workplace
 from insole_studio.jobs import Jobs
+from insole_studio.stages.capture.assignment import Assignment, options_of
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.stages.capture.watch import SensorWatch
 from insole_studio.texts import tr
 
-USUAL_VIEWS = ("left", "right", "top")
 TILT_STEP_DEG = 2.0
 _PUBLISHING = "publish"
 
@@ -57,6 +59,8 @@ class CapturePanel(Protocol):
     level_requested: Any
     identify_requested: Any
     options_edited: Any
+    resume_requested: Any
+    discard_requested: Any
 
     def show_sensors(self, rows: Sequence[SensorRow]) -> None: ...  # noqa: D102
     def show_pictures(  # noqa: D102
@@ -90,6 +94,10 @@ class CapturePresenter:
         View and serial number as they were last time.
     folder
         For drafts and finished sessions.
+    options
+        What is chosen at first.
+    left
+        What an unfinished capture has left, if anything.
     remember
         Is told a new assignment.
     captured
@@ -105,6 +113,8 @@ class CapturePresenter:
         jobs: Jobs,
         assignment: Sequence[tuple[str, str]],
         folder: Path,
+        options: CaptureOptions,
+        left: LeftDraft | None,
         remember: Callable[[Sequence[tuple[str, str]]], None],
         captured: Callable[[Path], None],
     ) -> None:
@@ -112,7 +122,7 @@ class CapturePresenter:
         self._service = service
         self._workplace = workplace
         self._jobs = jobs
-        self._views = {serial: view for view, serial in assignment}
+        self._assignment = Assignment(assignment)
         self._folder = folder
         self._remember = remember
         self._captured = captured
@@ -122,7 +132,8 @@ class CapturePresenter:
         self._finished: tuple[str, ...] = ()
         self._order: tuple[str, ...] = ()
         self._draft: Path | None = None
-        self.options = CaptureOptions()
+        self._left = left
+        self.options = options
         self._connect(panel)
         panel.show_options(self.options)
         self._show()
@@ -141,6 +152,8 @@ class CapturePresenter:
         panel.level_requested.connect(lambda s: self._service.send(Tilt(s, None)))
         panel.identify_requested.connect(lambda s, on: self._service.send(Identify(s, on)))
         panel.options_edited.connect(self.edit_options)
+        panel.resume_requested.connect(self.resume)
+        panel.discard_requested.connect(self.discard)
 
     @property
     def is_capturing(self) -> bool:
@@ -152,19 +165,20 @@ class CapturePresenter:
         news = self._service.news()
         for event in news:
             self._take(event)
+        self._welcome()
         for state in self._sensors.states:
             watch = self._watches[state.serial]
             depth, color = watch.look(state, self._service)
             if depth is not None or color is not None:
                 self._panel.show_pictures(state.serial, depth, color)
-        if not self.is_capturing:
+        if not self.is_capturing or self._waits_for_hand:
             self._guide()
         if news:
             self._show()
 
     def capture(self) -> None:
         """Capture all views, or those that are missing after a failure."""
-        plan = self._plan()
+        plan = self._plan(self._panel.show_sentence)
         if plan is None:
             return
         missing = [view for view in plan.views if view not in self._finished]
@@ -175,10 +189,35 @@ class CapturePresenter:
 
     def retake(self, view: str) -> None:
         """Capture one view again, with its bursts."""
-        plan = self._plan()
+        plan = self._plan(self._panel.show_sentence)
         if plan is not None and self._draft is not None:
-            shots = [shot for shot in plan.shots if self._views.get(shot.serial) == view]
-            self._start(plan.only([shot.view for shot in shots]))
+            self._start(plan.only([shot.view for shot in plan.shots if shot.place == view]))
+
+    def resume(self) -> None:
+        """Go on with what an unfinished capture has left."""
+        left, self._left = self._left, None
+        if left is None or self.is_capturing:
+            return
+        self._draft, self._order, self._status = left.folder, left.order, None
+        self._finished = left.manifest.views
+        self._assignment.take(left.request.assignment)
+        condition = left.manifest.capture_condition or CaptureCondition()
+        self._choose(
+            replace(
+                options_of(left.request, self.options),
+                side=left.manifest.side,
+                weight_bearing=condition.weight_bearing,
+                held=condition.held,
+                notes=condition.notes,
+            )
+        )
+
+    def discard(self) -> None:
+        """Throw away what an unfinished capture has left."""
+        left, self._left = self._left, None
+        if left is not None:
+            left.discard()
+        self._show()
 
     def use(self) -> None:
         """Put the session where sessions are kept, and hand it over."""
@@ -191,17 +230,13 @@ class CapturePresenter:
 
     def name_view(self, serial: str, view: str) -> None:
         """Give a sensor a view; the one that had it gets this one's."""
-        for other, taken in self._views.items():
-            if taken == view and other != serial:
-                self._views[other] = self._views[serial]
-        self._views[serial] = view
+        self._assignment.name(serial, view)
         self._assigned()
 
     def swap_views(self, one: str, other: str) -> None:
         """Exchange the views of two sensors."""
         if one != other and not self.is_capturing:
-            views = self._views
-            views[one], views[other] = views[other], views[one]
+            self._assignment.swap(one, other)
             self._assigned()
 
     def edit_options(self, options: CaptureOptions) -> None:
@@ -214,8 +249,6 @@ class CapturePresenter:
     def _take(self, event: Event) -> None:
         if isinstance(event, Sensors):
             self._sensors = event
-            for state in event.states:
-                self._welcome(state)
         elif isinstance(event, CaptureStatus):
             self._status = event
             done = (view.view for view in event.views if view.finished)
@@ -225,16 +258,20 @@ class CapturePresenter:
         elif isinstance(event, Told):
             self._panel.show_sentence(event.sentence)
 
-    def _welcome(self, state: SensorState) -> None:
-        """Give a sensor that is new a view that no other has."""
-        serial = state.serial
-        present = {s.serial for s in self._sensors.states}
-        if serial not in self._views:
-            taken = {view for other, view in self._views.items() if other in present}
-            names = (*USUAL_VIEWS, *(f"view_{number}" for number in range(4, 12)))
-            self._views[serial] = next(name for name in names if name not in taken)
-        if serial not in self._watches:
-            self._watches[serial] = SensorWatch(self._workplace, serial, self._views[serial])
+    def _welcome(self) -> None:
+        """Give sensors that are new a view, and watch each for the one it is to give now."""
+        serials = [state.serial for state in self._sensors.states]
+        for serial in serials:
+            self._assignment.welcome(serial, serials)
+            view, watch = self._view_of(serial), self._watches.get(serial)
+            if watch is None or watch.view != view:
+                self._watches[serial] = SensorWatch(self._workplace, serial, view)
+
+    def _view_of(self, serial: str) -> str:
+        """Give the view that a sensor is to give now; one that is moved gives several."""
+        running = self._status.views if self._status is not None and self.is_capturing else ()
+        coming = (view for view in running if view.serial == serial and not view.finished)
+        return next((view.place for view in coming), self._assignment.view(serial))
 
     def _guide(self) -> None:
         """Judge the pictures of one sensor after the other, beside the window."""
@@ -246,18 +283,16 @@ class CapturePresenter:
         if watch is not None and task is not None:
             self._jobs.start("guide", task, watch.take_guidance, self._told)
 
-    def _plan(self) -> CapturePlan | None:
+    @property
+    def _request(self) -> PlanRequest:
         ready = [state.serial for state in self._sensors.states if state.problem is None]
-        options = self.options
+        return self._assignment.request(ready, self.options)
+
+    def _plan(self, tell: Callable[[str], None] = lambda _sentence: None) -> CapturePlan | None:
         try:
-            return make_plan(
-                sorted((self._views[serial], serial) for serial in ready),
-                frames=options.frames,
-                simultaneous=options.mode == "together",
-                bursts=options.bursts,
-            )
+            return self._request.plan()
         except UsageError as error:
-            self._panel.show_sentence(str(error))
+            tell(str(error))
             return None
 
     def _begin_draft(self, plan: CapturePlan) -> None:
@@ -265,6 +300,7 @@ class CapturePresenter:
         self._draft = self._folder / "captures" / f"{stamp}-{self.options.side.value}"
         self._order = plan.views
         self._finished = ()
+        self._left = None
 
     def _start(self, plan: CapturePlan) -> None:
         if self._draft is None or self.is_capturing:
@@ -283,6 +319,7 @@ class CapturePresenter:
             views=(),
             volume_of_interest=place.volume_of_interest,
             capture_condition=CaptureCondition(options.weight_bearing, options.held, options.notes),
+            extra=self._request.as_extra(),
         )
 
     def _publish(self, then: Callable[[Path], None]) -> None:
@@ -308,15 +345,15 @@ class CapturePresenter:
         self._draft, self._status, self._finished = None, None, ()
 
     def _turn_to(self, side: Side) -> None:
-        self.options = replace(self.options, side=side)
-        self._panel.show_options(self.options)
+        self._choose(replace(self.options, side=side))
+
+    def _choose(self, options: CaptureOptions) -> None:
+        self.options = options
+        self._panel.show_options(options)
         self._show()
 
     def _assigned(self) -> None:
-        for serial, view in self._views.items():
-            if serial in self._watches:
-                self._watches[serial] = SensorWatch(self._workplace, serial, view)
-        self._remember([(view, serial) for serial, view in self._views.items()])
+        self._remember(self._assignment.pairs)
         self._show()
 
     def _told(self, error: Exception) -> None:
@@ -325,7 +362,8 @@ class CapturePresenter:
         self._panel.show_sentence(str(error))
 
     def _show(self) -> None:
-        states = sorted(self._sensors.states, key=lambda state: self._views[state.serial])
+        self._welcome()
+        states = sorted(self._sensors.states, key=lambda state: self._assignment.view(state.serial))
         if states:
             self._panel.show_sensors([self._row(state) for state in states])
         else:
@@ -333,17 +371,24 @@ class CapturePresenter:
         self._panel.show_capture(self._capture_row())
 
     def _row(self, state: SensorState) -> SensorRow:
-        view, watch = self._views[state.serial], self._watches[state.serial]
+        watch = self._watches[state.serial]
         return SensorRow(
             serial=state.serial,
-            view=view,
-            title=watch.title(view),
+            view=self._assignment.view(state.serial),
+            title=watch.title(),
             facts=watch.facts(state),
             hints=watch.hints,
             problem=state.problem,
             progress=self._progress_of(state.serial),
-            can_retake=not self.is_capturing and view in self._finished,
+            retakes=() if self.is_capturing else self._retakes(state.serial),
         )
+
+    def _retakes(self, serial: str) -> tuple[str, ...]:
+        """Give the views of a sensor that are whole, by the place it stood at."""
+        plan = self._plan() if self._finished else None
+        shots = [shot for shot in plan.shots if shot.serial == serial] if plan is not None else []
+        missing = {shot.place for shot in shots if shot.view not in self._finished}
+        return tuple(dict.fromkeys(s.place for s in shots if s.place not in missing))
 
     def _progress_of(self, serial: str) -> str:
         views = self._status.views if self._status is not None else ()
@@ -362,8 +407,13 @@ class CapturePresenter:
             button=self._button(),
             can_capture=not running and any(s.problem is None for s in self._sensors.states),
             can_use=not running and bool(self._finished),
-            waits_for_hand=status is not None and status.phase is Phase.MOVING and running,
+            waits_for_hand=self._waits_for_hand,
+            offer=_offer(self._left) if self._left is not None and not running else "",
         )
+
+    @property
+    def _waits_for_hand(self) -> bool:
+        return self._status is not None and self._status.phase is Phase.MOVING
 
     def _button(self) -> str:
         if not self._finished:
@@ -372,8 +422,29 @@ class CapturePresenter:
         return tr("Capture anew") if whole else tr("Capture missing views")
 
 
+def _offer(left: LeftDraft) -> str:
+    """Say what an unfinished capture has left."""
+    begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
+    return tr(
+        "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."
+    ).format(
+        time=begun.strftime("%Y-%m-%d %H:%M"),
+        side={Side.LEFT: tr("left"), Side.RIGHT: tr("right")}[left.manifest.side],
+        there=len(left.manifest.views),
+        wanted=len(left.order),
+    )
+
+
 def _describe(status: CaptureStatus) -> str:
     if status.phase is Phase.DONE:
         warned = [text for view in status.views for text in view.warnings]
         return " ".join(dict.fromkeys(warned)) or tr("All views are captured.")
-    return status.sentence
+    sentences = {
+        Phase.MOVING: tr("Put the sensor in its place for view {view}, then say that it stands."),
+        Phase.TILTING: tr("Tilting the sensor for view {view}"),
+        Phase.SETTLING: tr("Waiting for steady depth of view {view}"),
+        Phase.CAPTURING: tr("Capturing view {view}"),
+        Phase.VERIFYING: tr("Checking view {view}"),
+        Phase.CANCELLED: tr("The capture was stopped."),
+    }
+    return sentences.get(status.phase, status.sentence).format(view=status.names)

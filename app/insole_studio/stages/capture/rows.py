@@ -12,7 +12,8 @@ from insole_studio.capture.guidance import DEPTH_RANGE_MM
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 
-Mode = Literal["turns", "together"]
+Mode = Literal["turns", "together", "moved"]
+USUAL_VIEWS = ("left", "right", "top")
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,9 @@ class CaptureOptions:
         Whether somebody holds the foot.
     notes
     mode
-        The sensors one after the other, or all at once.
+        The sensors one after the other, all at once, or moved by hand from view to view.
+    views
+        Where sensors are moved: all views, in order.
     frames
         Depth frames a view.
     bursts
@@ -40,6 +43,7 @@ class CaptureOptions:
     held: bool = False
     notes: str = ""
     mode: Mode = "turns"
+    views: tuple[str, ...] = USUAL_VIEWS
     frames: int = 10
     bursts: int = 1
 
@@ -61,8 +65,8 @@ class SensorRow:
         Why it sends nothing; None where it sends.
     progress
         How far the capture of its view is.
-    can_retake
-        Whether its view can be captured again.
+    retakes
+        Its views that can be captured again.
     """
 
     serial: str
@@ -72,7 +76,7 @@ class SensorRow:
     hints: tuple[str, ...] = ()
     problem: str | None = None
     progress: str = ""
-    can_retake: bool = False
+    retakes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -93,6 +97,8 @@ class CaptureRow:
         Whether a session is ready to be opened.
     waits_for_hand
         Whether somebody has to say that a sensor stands.
+    offer
+        What an unfinished capture has left, to be gone on with; empty where there is none.
     """
 
     running: bool = False
@@ -102,6 +108,7 @@ class CaptureRow:
     can_capture: bool = False
     can_use: bool = False
     waits_for_hand: bool = False
+    offer: str = ""
 
 
 def depth_coloring() -> Coloring:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import QMimeData, Qt, Signal
 from PySide6.QtGui import (
     QDrag,
@@ -14,6 +16,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -43,7 +46,6 @@ class SensorCard(QFrame):
         super().__init__(parent)
         self.serial = serial
         self._tilt_step_deg = tilt_step_deg
-        self._shown_view = ""
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAcceptDrops(True)
         self._title = _Grip(serial)
@@ -56,12 +58,12 @@ class SensorCard(QFrame):
         self._view.edited.connect(self._choose_view)
         self._retake = QToolButton()
         self._retake.setText(tr("Capture again"))
-        self._retake.clicked.connect(lambda: self.retake_requested.emit(self._shown_view))
+        self._retake.clicked.connect(self._retake_view)
+        self._retakes: tuple[str, ...] = ()
         self._lay_out()
 
     def show_row(self, row: SensorRow) -> None:
         """Show everything but the pictures."""
-        self._shown_view = row.view
         self._title.setText(f"{row.title}   {row.progress}".rstrip())
         self._facts.setText(row.facts)
         told = row.problem or " · ".join(row.hints)
@@ -69,7 +71,8 @@ class SensorCard(QFrame):
         self._hints.setObjectName("warning" if told else "")
         self._hints.setStyle(self._hints.style())
         self._view.show_value(row.view)
-        self._retake.setEnabled(row.can_retake)
+        self._retakes = row.retakes
+        self._retake.setEnabled(bool(row.retakes))
 
     def show_pictures(self, depth: ByteArray | None, color: ByteArray | None) -> None:
         """Show new pictures (height, width, 3) uint8, RGB; None leaves the one before."""
@@ -123,6 +126,20 @@ class SensorCard(QFrame):
         row.addStretch(1)
         row.addWidget(self._retake)
         return row
+
+    def _retake_view(self) -> None:
+        """Order a view anew; of a sensor that gave several, the one that is chosen."""
+        if len(self._retakes) == 1:
+            self._emit_retake(self._retakes[0])
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for view in self._retakes:
+            menu.addAction(view).triggered.connect(partial(self._emit_retake, view))
+        menu.popup(self._retake.mapToGlobal(self._retake.rect().bottomLeft()))
+
+    def _emit_retake(self, view: str, _on: bool = False) -> None:
+        self.retake_requested.emit(view)
 
     def _choose_view(self, view: str) -> None:
         self.view_chosen.emit(self.serial, view)

@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import QLockFile, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from insole_studio.capture.client import CaptureService
+from insole_studio.capture.left_drafts import newest_left_draft
 from insole_studio.capture.place import Place
+from insole_studio.capture.request import PlanRequest
 from insole_studio.jobs import Jobs
+from insole_studio.stages.capture.assignment import options_of
 from insole_studio.stages.capture.presenter import TILT_STEP_DEG, CapturePresenter
+from insole_studio.stages.capture.rows import CaptureOptions
 from insole_studio.stages.capture.view import CaptureView
 from insole_studio.texts import tr
 
@@ -62,6 +66,7 @@ class CaptureStage(QWidget):
         layout.addWidget(self.view)
         self._jobs = Jobs(self)
         self._service = CaptureService(place)
+        self._lock = _lock_drafts(folder)
         self.presenter = CapturePresenter(
             panel=self.view,
             service=self._service,
@@ -69,6 +74,8 @@ class CaptureStage(QWidget):
             jobs=self._jobs,
             assignment=assignment or place.usual_views(),
             folder=folder,
+            options=first_options(place),
+            left=newest_left_draft(folder / "captures") if self._lock.isLocked() else None,
             remember=remember,
             captured=self._hand_over,
         )
@@ -82,6 +89,7 @@ class CaptureStage(QWidget):
         self._timer.stop()
         self._jobs.close()
         self._service.close()
+        self._lock.unlock()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Switch the sensors off."""
@@ -92,3 +100,18 @@ class CaptureStage(QWidget):
     def _hand_over(self, path: Path) -> None:
         self.captured.emit(path)
         self.close()
+
+
+def first_options(place: Place) -> CaptureOptions:
+    """Give what is chosen at first: emulated sensors are captured as they were recorded."""
+    views = place.usual_views()
+    request = PlanRequest(tuple(views), bursts=place.usual_bursts())
+    return options_of(request, CaptureOptions()) if views else CaptureOptions()
+
+
+def _lock_drafts(folder: Path) -> QLockFile:
+    """Take the drafts for this window; another one's are in use, so they are not offered."""
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = QLockFile(str(folder / "captures.lock"))
+    lock.tryLock(0)
+    return lock

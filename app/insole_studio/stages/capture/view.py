@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -49,6 +50,8 @@ class CaptureView(QWidget):
     level_requested = Signal(str)
     identify_requested = Signal(str, bool)
     options_edited = Signal(object)
+    resume_requested = Signal()
+    discard_requested = Signal()
 
     def __init__(self, tilt_step_deg: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,9 +71,11 @@ class CaptureView(QWidget):
         self._pages.addWidget(cards)
         self._make_options()
         self._make_buttons()
+        self._make_offer()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
         layout.setSpacing(8)
+        layout.addWidget(self._offer)
         layout.addWidget(self._legend)
         layout.addWidget(self._pages, 1)
         layout.addLayout(self._option_row())
@@ -105,7 +110,9 @@ class CaptureView(QWidget):
         self._progress.setValue(round(100 * row.fraction))
         self._progress.setVisible(row.running)
         self._sentence.setText(row.sentence)
-        for field in (self._side, self._weight, self._held, self._mode, self._frames, self._bursts):
+        self._offered.setText(row.offer)
+        self._offer.setVisible(bool(row.offer))
+        for field in self._fields:
             field.setEnabled(not row.running)
 
     def show_options(self, options: CaptureOptions) -> None:
@@ -120,6 +127,11 @@ class CaptureView(QWidget):
         with QSignalBlocker(self._held):
             self._held.setChecked(options.held)
         self._notes.setText(options.notes)
+        self._show_views(options)
+
+    def _show_views(self, options: CaptureOptions) -> None:
+        self._views.setText(" ".join(options.views))
+        self._views.setVisible(options.mode == "moved")
 
     def show_empty(self, sentence: str) -> None:
         """Say why no sensor is there."""
@@ -161,8 +173,20 @@ class CaptureView(QWidget):
         self._notes = QLineEdit()
         self._notes.setPlaceholderText(tr("Notes"))
         self._notes.editingFinished.connect(lambda: self._edit(notes=self._notes.text()))
-        self._mode = Choice([("turns", tr("One after the other")), ("together", tr("All at once"))])
+        self._mode = Choice(
+            [
+                ("turns", tr("One after the other")),
+                ("together", tr("All at once")),
+                ("moved", tr("Moved by hand")),
+            ]
+        )
         self._mode.edited.connect(lambda word: self._edit(mode=word))
+        self._views = QLineEdit()
+        self._views.setToolTip(tr("All views in order; a sensor is moved to those that have none"))
+        self._views.setAccessibleName(tr("Views"))
+        self._views.editingFinished.connect(
+            lambda: self._edit(views=tuple(self._views.text().replace(",", " ").split()))
+        )
         self._frames = NumberField(tr("frames"), least=1, greatest=200, step=1, decimals=0)
         self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
         self._bursts = NumberField(tr("bursts"), least=1, greatest=9, step=1, decimals=0)
@@ -172,12 +196,32 @@ class CaptureView(QWidget):
     def _option_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(8)
-        for field in (self._badge, self._side, self._weight, self._held):
-            row.addWidget(field)
+        for foot in (self._badge, self._side, self._weight, self._held):
+            row.addWidget(foot)
         row.addWidget(self._notes, 1)
-        for number in (self._mode, self._frames, self._bursts):
+        for number in (self._mode, self._views, self._frames, self._bursts):
             row.addWidget(number)
         return row
+
+    @property
+    def _fields(self) -> tuple[QWidget, ...]:
+        """What cannot be changed while a capture runs."""
+        foot = (self._side, self._weight, self._held)
+        return (*foot, self._mode, self._views, self._frames, self._bursts)
+
+    def _make_offer(self) -> None:
+        self._offer, self._offered = QFrame(), QLabel()
+        self._offer.setFrameShape(QFrame.Shape.StyledPanel)
+        self._offered.setWordWrap(True)
+        go_on, discard = QPushButton(tr("Go on with it")), QPushButton(tr("Discard it"))
+        go_on.clicked.connect(self.resume_requested)
+        discard.clicked.connect(self.discard_requested)
+        row = QHBoxLayout(self._offer)
+        row.setContentsMargins(8, 4, 8, 4)
+        row.addWidget(self._offered, 1)
+        row.addWidget(go_on)
+        row.addWidget(discard)
+        self._offer.hide()
 
     def _make_buttons(self) -> None:
         self._sentence, self._warning = QLabel(), QLabel()
@@ -227,4 +271,5 @@ class CaptureView(QWidget):
         if options != self._options:
             self._options = options
             self._badge.show_side(options.side)
+            self._show_views(options)
             self.options_edited.emit(options)

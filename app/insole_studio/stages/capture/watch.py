@@ -16,6 +16,7 @@ from insole_studio.capture.messages import WARM_UP_S, SensorState
 from insole_studio.capture.plan import view_faces
 from insole_studio.capture.status import Phase
 from insole_studio.capture.workplace import Workplace
+from insole_studio.stages.capture.hints import hint_text
 from insole_studio.texts import tr
 
 _FULL_COLOR = (1280, 1024)
@@ -41,6 +42,7 @@ class SensorWatch:
     """
 
     def __init__(self, workplace: Workplace, serial: str, view: str) -> None:
+        self.view = view
         faces = view_faces(view, workplace.system)
         known = workplace.known(serial, view)
         self._sensor = known.sensor if known else usual_sensor(serial, faces, _FULL_COLOR)
@@ -92,12 +94,12 @@ class SensorWatch:
     @property
     def hints(self) -> tuple[str, ...]:
         """What to change, the most urgent first."""
-        return self._guidance.hints if self._guidance is not None else ()
+        return tuple(map(hint_text, self._guidance.hints)) if self._guidance is not None else ()
 
-    def title(self, view: str) -> str:
+    def title(self) -> str:
         """Name the view with the depth in the middle of its picture."""
         depth = f"{self._centre_mm:.0f} mm" if self._centre_mm is not None else "– mm"
-        return f"{view} · {depth}"
+        return f"{self.view} · {depth}"
 
     def facts(self, state: SensorState) -> str:
         """Say frame rate and losses, valid pixels and markers."""

@@ -1,0 +1,24 @@
+"""The words of hints to the person who sets a sensor up."""
+
+from __future__ import annotations
+
+from insole_studio.capture.guidance import Hint, HintKind
+from insole_studio.texts import tr
+
+
+def hint_text(hint: Hint) -> str:
+    """Say what there is to change."""
+    texts = {
+        HintKind.NOTHING_MEASURED: tr("Almost nothing is measured; check distance and light"),
+        HintKind.TOO_NEAR: tr("Too near: {found:.0f} mm, at least {wanted:.0f} mm is good"),
+        HintKind.TOO_FAR: tr("Too far: {found:.0f} mm, at most {wanted:.0f} mm is good"),
+        HintKind.NO_MARKERS: tr(
+            "The markers are not recognised; bring the reference system into the picture"
+        ),
+        HintKind.MARKERS_HIDDEN: tr("{found:.0f} of {wanted:.0f} markers are hidden"),
+        HintKind.NO_FOOT: tr("No foot between the markers"),
+        HintKind.TOO_DARK: tr("Too dark; add light"),
+        HintKind.TOO_BRIGHT: tr("Too bright; turn strong lights away"),
+        HintKind.MOVING: tr("Something moves; hold the foot still"),
+    }
+    return texts[hint.kind].format(found=hint.found, wanted=hint.wanted)

@@ -1,0 +1,91 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>All views in order; a sensor is moved to those that have none</source>
+            <translation>Alla vyer i ordning; en sensor flyttas till dem som saknar en</translation>
+        </message>
+        <message>
+            <source>Almost nothing is measured; check distance and light</source>
+            <translation>Nästan inget mäts; kontrollera avstånd och ljus</translation>
+        </message>
+        <message>
+            <source>Capturing view {view}</source>
+            <translation>Avbildar vy {view}</translation>
+        </message>
+        <message>
+            <source>Checking view {view}</source>
+            <translation>Kontrollerar vy {view}</translation>
+        </message>
+        <message>
+            <source>Discard it</source>
+            <translation>Kasta den</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>Fortsätt med den</translation>
+        </message>
+        <message>
+            <source>Moved by hand</source>
+            <translation>Flyttas för hand</translation>
+        </message>
+        <message>
+            <source>No foot between the markers</source>
+            <translation>Ingen fot mellan markörerna</translation>
+        </message>
+        <message>
+            <source>Put the sensor in its place for view {view}, then say that it stands.</source>
+            <translation>Ställ sensorn på sin plats för vy {view}, och säg sedan att den står.</translation>
+        </message>
+        <message>
+            <source>Something moves; hold the foot still</source>
+            <translation>Något rör sig; håll foten stilla</translation>
+        </message>
+        <message>
+            <source>The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there.</source>
+            <translation>Avbildningen från {time} ({side} fot) har inte använts; {there} av {wanted} vyer finns.</translation>
+        </message>
+        <message>
+            <source>The capture was stopped.</source>
+            <translation>Avbildningen avbröts.</translation>
+        </message>
+        <message>
+            <source>The markers are not recognised; bring the reference system into the picture</source>
+            <translation>Markörerna känns inte igen; för in referenssystemet i bilden</translation>
+        </message>
+        <message>
+            <source>Tilting the sensor for view {view}</source>
+            <translation>Lutar sensorn för vy {view}</translation>
+        </message>
+        <message>
+            <source>Too bright; turn strong lights away</source>
+            <translation>För ljust; vänd bort starka lampor</translation>
+        </message>
+        <message>
+            <source>Too dark; add light</source>
+            <translation>För mörkt; tänd mer ljus</translation>
+        </message>
+        <message>
+            <source>Too far: {found:.0f} mm, at most {wanted:.0f} mm is good</source>
+            <translation>För långt bort: {found:.0f} mm, högst {wanted:.0f} mm är bra</translation>
+        </message>
+        <message>
+            <source>Too near: {found:.0f} mm, at least {wanted:.0f} mm is good</source>
+            <translation>För nära: {found:.0f} mm, minst {wanted:.0f} mm är bra</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <translation>Vyer</translation>
+        </message>
+        <message>
+            <source>Waiting for steady depth of view {view}</source>
+            <translation>Väntar på stadigt djup i vy {view}</translation>
+        </message>
+        <message>
+            <source>{found:.0f} of {wanted:.0f} markers are hidden</source>
+            <translation>{found:.0f} av {wanted:.0f} markörer är skymda</translation>
+        </message>
+    </context>
+</TS>
