@@ -26,21 +26,27 @@ from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.appearance import Appearance
+from insole_studio.shell.authorship import Authorship
 from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
+from insole_studio.shell.feet import Feet
 from insole_studio.shell.guide import Guide
 from insole_studio.shell.main_window import MainWindow
+from insole_studio.shell.measuring import Measuring
+from insole_studio.shell.notices import Notices
 from insole_studio.shell.opening import Opening
 from insole_studio.shell.prescribing import Prescribing
 from insole_studio.shell.recent import Recent
+from insole_studio.shell.repeating import Repeating
 from insole_studio.shell.rooms import Rooms
 from insole_studio.shell.saving import Saving
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
+from insole_studio.shell.variants import Variants
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.design.stage import DesignStage
@@ -159,6 +165,7 @@ def build_application(
     dialogue, recent = Dialogue(window), Recent(settings, window)
     saving = Saving(case, jobs, dialogue, recent)
     place = Place(_sensor_store(places), emulate)
+    notices = Notices(stage.notices, window)
     rooms = Rooms(
         window=window,
         stage=stage,
@@ -177,6 +184,19 @@ def build_application(
         ),
         editing=Editing(case, hand),
         prescribing=Prescribing(case, hand, pads, dialogue),
+        measuring=Measuring(case, dialogue),
+        feet=Feet(case),
+        variants=Variants(case, dialogue),
+        repeating=Repeating(
+            case=case,
+            jobs=jobs,
+            dialogue=dialogue,
+            notices=notices,
+            recent=recent,
+            parent=window,
+        ),
+        authorship=Authorship(case, settings, dialogue, remember),
+        notices=notices,
         appearance=Appearance(
             frame=window,
             stage=stage,

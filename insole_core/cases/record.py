@@ -164,6 +164,10 @@ class FootRecord:
         kept = (replace(v, design=design) if v.name == self.chosen else v for v in self.variants)
         return replace(self, variants=tuple(kept))
 
+    def with_chosen(self, name: str) -> FootRecord:
+        """Choose a variant."""
+        return replace(self, chosen=self.variant(name).name)
+
     def with_variant(self, variant: Variant) -> FootRecord:
         """Add a variant after the others, and choose it.
 

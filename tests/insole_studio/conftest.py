@@ -18,7 +18,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import Application, Places, build_application
-from insole_studio.shell.questions import Answer
+from insole_studio.shell.questions import Answer, SameSide
 
 LENGTH_MM = 250.0
 
@@ -44,6 +44,8 @@ class CannedQuestions:
         self.side: Side | None = Side.LEFT
         self.anyway = False
         self.unsaved = Answer.DISCARD
+        self.same_side = SameSide.CANCEL
+        self.typed: str | None = None
         self.path: Path | None = None
         self.asked: list[str] = []
 
@@ -58,6 +60,13 @@ class CannedQuestions:
     def about_unsaved(self, _name: str) -> Answer:
         self.asked.append("unsaved")
         return self.unsaved
+
+    def about_same_side(self, _side: Side) -> SameSide:
+        self.asked.append("same side")
+        return self.same_side
+
+    def text(self, _title: str, _question: str, _value: str) -> str | None:
+        return self.typed
 
     def folder_to_open(self) -> Path | None:
         return self.path

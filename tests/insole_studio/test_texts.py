@@ -23,6 +23,7 @@ DESIGN_PARTS = (
     "tools",
     "widgets",
     "scene",
+    "workbench",
 )
 
 

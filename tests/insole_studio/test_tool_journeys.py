@@ -346,8 +346,8 @@ def test_the_place_of_the_pointer_is_that_of_the_release(
 def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_path: Path) -> None:
     act(opened, "copy_measures")
     copied = QApplication.clipboard().text()
-    assert copied.splitlines()[0] == "measure,side,value,unit"
-    assert any(line.startswith("foot_length,left,") for line in copied.splitlines())
+    assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"
+    assert any(line.startswith("foot_length,mm,250") for line in copied.splitlines())
     opened.studio.rooms.dialogue.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from insole_core.insole.design import (
     ArchRaise,
@@ -16,47 +15,10 @@ from insole_core.insole.design import (
 )
 from insole_studio.scene.camera import Preset
 from insole_studio.settings import Language
-from insole_studio.shell.rooms import Rooms
+from insole_studio.shell.action_record import ActionRecord
+from insole_studio.shell.foot_actions import FOOT_ACTIONS
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.texts import tr
-
-
-@dataclass(frozen=True)
-class ActionRecord:
-    """One thing the user can do.
-
-    Parameters
-    ----------
-    key
-        Unique name.
-    text
-        For the menu, in the language of the window when called; likewise `tip`.
-    run
-        What it does; toggles and choices get their new state.
-    icon
-        Name in `widgets.icons`; empty for none.
-    shortcut
-        Qt's portable form; empty for none.
-    checkable
-        Whether it is on or off.
-    group
-        Of the actions of one group exactly one is on.
-    needs_foot
-        Whether it makes sense only with a foot on the bench.
-    short
-        A shorter text for the toolbar; by default `text`.
-    """
-
-    key: str
-    text: Callable[[], str]
-    tip: Callable[[], str]
-    run: Callable[[Rooms, bool], object]
-    icon: str = ""
-    shortcut: str = ""
-    checkable: bool = False
-    group: str = ""
-    needs_foot: bool = False
-    short: Callable[[], str] | None = None
 
 
 def _tool(
@@ -130,6 +92,7 @@ def _preset(preset: Preset, number: int, text: Callable[[], str]) -> ActionRecor
 
 
 ACTIONS: tuple[ActionRecord, ...] = (
+    *FOOT_ACTIONS,
     ActionRecord(
         "new_case",
         lambda: tr("New case"),
@@ -395,7 +358,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "copy_measures",
         lambda: tr("Copy the measures"),
         lambda: tr("Put the table of measures onto the clipboard"),
-        lambda rooms, _on: rooms.prescribing.copy_measures(),
+        lambda rooms, _on: rooms.measuring.copy(),
         shortcut="Ctrl+Shift+M",
         needs_foot=True,
     ),
@@ -403,7 +366,7 @@ ACTIONS: tuple[ActionRecord, ...] = (
         "save_measures",
         lambda: tr("Save measures as CSV…"),
         lambda: tr("Write the table of measures for a spreadsheet"),
-        lambda rooms, _on: rooms.prescribing.ask_save_measures(),
+        lambda rooms, _on: rooms.measuring.ask_save(),
         needs_foot=True,
     ),
     ActionRecord(

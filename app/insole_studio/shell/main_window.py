@@ -15,7 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.shell.actions import ACTIONS, ActionRecord
+from insole_studio.shell.action_record import ActionRecord
+from insole_studio.shell.actions import ACTIONS
 from insole_studio.shell.menus import MAP_KEYS, MAPS, MENUS, RECENT, SEPARATOR, STRIP, TOOLBAR
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
@@ -48,6 +49,7 @@ class MainWindow(QMainWindow):
         """Buttons of the toolbar that bear their name as long as there is room."""
         self._make_strip(stage)
         self._make_toolbar()
+        self._make_notices(stage)
         self.setCentralWidget(stage.insole)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
@@ -120,6 +122,7 @@ class MainWindow(QMainWindow):
         if docks:
             self.restoreState(QByteArray.fromBase64(docks.encode("ascii")))
         self._section.hide()  # it comes with the first cut
+        self._notices.hide()
 
     def close_for_good(self) -> None:
         """Close without asking again."""
@@ -198,6 +201,15 @@ class MainWindow(QMainWindow):
                 else:
                     bar.addAction(self.actions_by_key[key])
                     self._style_button(bar, key)
+
+    def _make_notices(self, stage: DesignStage) -> None:
+        self.addToolBarBreak()
+        self._notices = self.addToolBar(tr("Notices"))
+        self._notices.setObjectName("notices")
+        self._notices.setMovable(False)
+        self._notices.addWidget(stage.notices)
+        self._notices.hide()
+        stage.notices.filled.connect(self._notices.setVisible)
 
     def _fit_toolbar(self) -> None:
         """Leave the words out where the window is too narrow for them."""

@@ -45,7 +45,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "quit",
         ),
     ),
-    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove")),
+    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove", SEPARATOR, "author")),
     (
         lambda: tr("&View"),
         (
@@ -93,6 +93,23 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "apply_template",
             "save_template",
             "repeat_design",
+        ),
+    ),
+    (
+        lambda: tr("&Feet"),
+        (
+            "foot_other",
+            "foot_left",
+            "foot_right",
+            SEPARATOR,
+            "copy_to_other",
+            "copy_selected_to_other",
+            "repeat_last",
+            SEPARATOR,
+            "variant_duplicate",
+            "variant_next",
+            "variant_name",
+            "variant_delete",
         ),
     ),
     (lambda: tr("&Help"), ("tour", "about")),

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.record import CaseRecord, FootRecord
 from insole_core.cases.scan import ScannedFoot, open_scan
 from insole_core.errors import InsoleError
 from insole_core.foot.placing import SideMismatchError
@@ -17,11 +18,13 @@ from insole_core.resources import resource_path
 from insole_studio.jobs import Jobs
 from insole_studio.shell.dialogue import LONG_MS, Dialogue
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
+from insole_studio.shell.questions import SameSide
 from insole_studio.shell.recent import Recent
 from insole_studio.shell.saving import Saving
 from insole_studio.texts import tr
 from insole_studio.workbench.autosave import Autosave, Recovered
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.fitting import last_design
 from insole_studio.workbench.opening import kind_of
 
 CHANNEL = "open"
@@ -130,17 +133,46 @@ class Opening:
     def _open_foot(
         self, task: Callable[..., ScannedFoot], failed: Callable[[Exception], None]
     ) -> None:
-        def opened(result: ScannedFoot) -> None:
-            self._case.open_foot(result.foot, result.source)
-            self._recent.remember(Path(result.source.path))
-            if result.warnings:
-                self._dialogue.show_sentence(" ".join(result.warnings))
-            self._dialogue.say(" ".join(result.foot.notes), LONG_MS)
+        def opened(scanned: ScannedFoot) -> None:
+            self._recent.remember(Path(scanned.source.path))
+            if scanned.warnings:
+                self._dialogue.show_sentence(" ".join(scanned.warnings))
+            self._dialogue.say(" ".join(scanned.foot.notes), LONG_MS)
+            self._put_on_bench(scanned)
 
-        def start() -> None:
-            self._jobs.start(CHANNEL, lambda progress: task(progress=progress), opened, failed)
+        def task_of(progress: Progress) -> ScannedFoot:
+            return task(progress=progress)
 
-        if self._case.foot is None:
-            start()
-        else:
-            self._saving.after_unsaved(start)
+        self._jobs.start(CHANNEL, task_of, opened, failed)
+
+    def _put_on_bench(self, scanned: ScannedFoot) -> None:
+        """Add a foot to the case; one that is there already is replaced, or begins a new case."""
+        foot = FootRecord.begun(scanned.foot, scanned.source)
+        record = self._case.record
+        before = record.of_side(foot.side)
+        if not record.feet:
+            self._case.open_foot(scanned.foot, scanned.source)
+            return
+        if before is None:
+            self._case.apply(foot, _sentence_of_adding(foot.side))
+            return
+        answer = SameSide.REPLACE
+        if not _is_untouched(before):
+            answer = self._dialogue.questions.about_same_side(foot.side)
+        if answer is SameSide.REPLACE:
+            foot = replace(foot, earlier=last_design(before))
+            self._case.apply(foot, tr("Put a new scan into the place of the old"))
+        elif answer is SameSide.NEW_CASE:
+            self._saving.after_unsaved(
+                lambda: self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
+            )
+
+
+def _is_untouched(foot: FootRecord) -> bool:
+    """Whether nothing was done on a foot yet."""
+    begun = FootRecord.begun(foot.foot, foot.source)
+    return (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
+
+
+def _sentence_of_adding(side: Side) -> str:
+    return tr("Add the left foot") if side is Side.LEFT else tr("Add the right foot")

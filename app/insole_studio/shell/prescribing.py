@@ -6,28 +6,25 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtGui import QGuiApplication
-
 from insole_core.cases.case_file import read_case
+from insole_core.cases.record import FootRecord
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
-from insole_core.insole.corrections import CorrectionBase
+from insole_core.geometry.side import Side
 from insole_core.insole.design import Correction, InsoleDesign
 from insole_core.insole.template import (
-    Template,
-    apply_template,
     make_template,
     read_template,
     write_template,
 )
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.dialogue import LONG_MS, Dialogue
 from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
-from insole_studio.stages.design.measure_texts import as_csv, measures_of
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.fitting import fitted, template_of
 from insole_studio.workbench.landmarks import confirmed, found_anew, landmarks_of
 from insole_studio.workbench.pad_library import LibraryPad
 
@@ -73,7 +70,10 @@ class Prescribing:
         """Let the user choose a template."""
         path = self._dialogue.questions.file_to_open(template_kinds())
         if path is not None and self._case.record.design is not None:
-            self._case.apply(template_for(self._case, path), tr("Apply a template"))
+            template, foot = read_template(path), _foot_of(self._case)
+            self._case.apply(fitted(template, foot, self._case.stamped), tr("Apply a template"))
+            if template.design.side is not foot.side:
+                self._dialogue.say(_mirrored_sentence(foot.side), LONG_MS)
 
     def ask_repeat_design(self) -> None:
         """Let the user choose an earlier case."""
@@ -81,22 +81,6 @@ class Prescribing:
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))
-
-    def copy_measures(self) -> None:
-        """Put the table of measures onto the clipboard."""
-        QGuiApplication.clipboard().setText(self._measures_csv())
-
-    def ask_save_measures(self) -> None:
-        """Let the user choose where the table of measures goes."""
-        path = self._dialogue.questions.file_to_write("measures.csv", "CSV (*.csv)")
-        if path is not None:
-            with replacing_file(path.with_suffix(".csv")) as beside:
-                beside.write_text(self._measures_csv(), encoding="utf-8")
-            self._dialogue.say(tr("Written: {name}").format(name=path.name))
-
-    def _measures_csv(self) -> str:
-        record = self._case.record
-        return as_csv(measures_of(record), str(record.side))
 
     def confirm_landmarks(self) -> None:
         """Take all landmarks as they are shown."""
@@ -124,34 +108,27 @@ def save_template(case: Case, path: Path) -> None:
         write_template(template, beside)
 
 
-def template_for(case: Case, path: Path) -> InsoleDesign:
-    """Read a template for the open foot: mirrored where it is of the other side.
-
-    Raises
-    ------
-    InputError, DesignError
-        When it is no template, one of a newer version, or the landmarks fit no foot.
-    """
-    return _fitted(case, read_template(path))
+def _mirrored_sentence(side: Side) -> str:
+    if side is Side.LEFT:
+        return tr("The template was made for a right foot; it is mirrored for this left one.")
+    return tr("The template was made for a left foot; it is mirrored for this right one.")
 
 
 def design_of_case(case: Case, path: Path) -> InsoleDesign:
-    """Read the prescription of another case for the open foot.
+    """Read the prescription of another case for the foot at hand; of its other foot, mirrored.
 
     Raises
     ------
     InputError, DesignError
         When the file is no case, or holds no prescription.
     """
-    earlier = read_case(path)
-    if earlier.design is None:
+    earlier, foot = read_case(path), _foot_of(case)
+    source = earlier.of_side(foot.side) or earlier.current
+    if source is None:
         raise InputError(f"{path} holds no prescription yet; choose a case with a design.")
-    return _fitted(case, make_template("", earlier.design, landmarks_of(earlier)))
+    return fitted(template_of(source), foot, case.stamped)
 
 
-def _fitted(case: Case, template: Template) -> InsoleDesign:
-    """Bring a prescription to the open foot; it is prescribed anew."""
-    assert case.side is not None
-    design = apply_template(template, case.side, landmarks_of(case.record))
-    fresh = (case.stamped(replace(c, id=CorrectionBase().id)) for c in design.corrections)
-    return replace(design, corrections=tuple(fresh))
+def _foot_of(case: Case) -> FootRecord:
+    assert case.record.current is not None, "the action needs a foot"
+    return case.record.current

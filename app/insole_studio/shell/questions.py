@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from insole_core.geometry.side import Side
 from insole_studio.texts import tr
@@ -16,6 +16,14 @@ class Answer(Enum):
 
     SAVE = auto()
     DISCARD = auto()
+    CANCEL = auto()
+
+
+class SameSide(Enum):
+    """What to do with a scan of a foot that the case has already."""
+
+    REPLACE = auto()
+    NEW_CASE = auto()
     CANCEL = auto()
 
 
@@ -55,6 +63,32 @@ class Questions:
         if clicked is save:
             return Answer.SAVE
         return Answer.DISCARD if clicked is discard else Answer.CANCEL
+
+    def about_same_side(self, side: Side) -> SameSide:
+        """Ask what to do with a second scan of the same foot."""
+        sentence = {
+            Side.LEFT: tr("The case has a left foot already."),
+            Side.RIGHT: tr("The case has a right foot already."),
+        }
+        box = self._box(sentence[side])
+        box.setInformativeText(
+            tr("With the new scan in its place, the design can be repeated in one click.")
+        )
+        place = box.addButton(tr("Put in its place"), QMessageBox.ButtonRole.AcceptRole)
+        new = box.addButton(tr("Begin a new case"), QMessageBox.ButtonRole.ActionRole)
+        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(place)
+        box.exec()
+        if box.clickedButton() is place:
+            return SameSide.REPLACE
+        return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
+
+    def text(self, title: str, question: str, value: str) -> str | None:
+        """Ask for a line of text."""
+        text, is_given = QInputDialog.getText(
+            self._parent, title, question, QLineEdit.EchoMode.Normal, value
+        )
+        return text.strip() if is_given else None
 
     def folder_to_open(self) -> Path | None:
         """Ask for the folder of a session."""

@@ -7,15 +7,21 @@ from dataclasses import dataclass
 from PySide6.QtWidgets import QMainWindow
 
 from insole_studio.shell.appearance import Appearance
+from insole_studio.shell.authorship import Authorship
 from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
+from insole_studio.shell.feet import Feet
 from insole_studio.shell.guide import Guide
+from insole_studio.shell.measuring import Measuring
+from insole_studio.shell.notices import Notices
 from insole_studio.shell.opening import Opening
 from insole_studio.shell.prescribing import Prescribing
+from insole_studio.shell.repeating import Repeating
 from insole_studio.shell.saving import Saving
 from insole_studio.shell.stage_window import StageWindow
+from insole_studio.shell.variants import Variants
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.design.stage import DesignStage
 
@@ -32,6 +38,12 @@ class Rooms:
     exporting: Exporting
     editing: Editing
     prescribing: Prescribing
+    measuring: Measuring
+    feet: Feet
+    variants: Variants
+    repeating: Repeating
+    authorship: Authorship
+    notices: Notices
     appearance: Appearance
     guide: Guide
     capture: CaptureWindow

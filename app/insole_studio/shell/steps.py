@@ -34,7 +34,14 @@ def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
 def whose(record: CaseRecord) -> str:
     """Say whose case it is, and which foot."""
     side = {Side.LEFT: tr("LEFT foot"), Side.RIGHT: tr("RIGHT foot")}
-    words = (record.patient.name, side[record.side] if record.side is not None else "")
+    foot = record.current
+    words = (
+        record.patient.name,
+        side[foot.side] if foot is not None else "",
+        tr("Variant {name}").format(name=foot.chosen)
+        if foot is not None and len(foot.variants) > 1
+        else "",
+    )
     return "  ·  ".join(word for word in words if word)
 
 

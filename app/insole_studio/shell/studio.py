@@ -119,6 +119,8 @@ class Studio(QObject):
         for record in ACTIONS:
             if record.needs_foot:
                 window.show_action(record.key, case.foot is not None)
+            if record.needs_both:
+                window.show_action(record.key, len(case.record.feet) == 2)
         window.show_action("remove", case.selection is not None)
         exported = self.rooms.exporting.exported
         self.rooms.stage.steps.show_steps(steps_of(case.record, case.record is exported))

@@ -119,6 +119,7 @@ def _style_sheet(colors: Colors) -> str:
     QToolButton#step[state="done"] {{ color: {colors.text}; }}
     QToolButton#warning-row {{ background: {colors.warning}; color: {colors.on_warning};
                                border-radius: 4px; padding: 3px 8px; text-align: left; }}
+    QFrame#notice {{ background: {colors.raised}; border-left: 4px solid {colors.accent}; }}
     QFrame#tour {{ background: {colors.base}; border: 2px solid {colors.accent};
                    border-radius: 8px; }}
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}

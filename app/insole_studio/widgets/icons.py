@@ -31,6 +31,8 @@ _NAMES = {
     "remove": "mdi6.close",
     "link": "mdi6.link-variant",
     "map": "mdi6.palette-outline",
+    "mirror": "mdi6.flip-horizontal",
+    "name": "mdi6.pencil-outline",
     "fit": "mdi6.fit-to-screen-outline",
     "dark": "mdi6.theme-light-dark",
 }

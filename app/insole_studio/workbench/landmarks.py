@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Protocol
 
 import numpy as np
 
 from insole_core.cases.record import Annotations, CaseRecord, KeyPoint
+from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES, Landmark, find_landmarks, with_places
 from insole_core.geometry.arrays import FloatArray
 
@@ -28,8 +30,22 @@ SHOWN = (
 """Those that the thesis and the prescription ask for; all can be shown."""
 
 
-def landmarks_of(record: CaseRecord) -> dict[str, Landmark]:
-    """Give the landmarks of a case; empty before there is a foot.
+class Marked(Protocol):
+    """A foot with what was marked on it: one of a case, or the one at hand."""
+
+    @property
+    def foot(self) -> Foot | None:
+        """The foot, once there is one."""
+        ...
+
+    @property
+    def annotations(self) -> Annotations:
+        """What was marked on it."""
+        ...
+
+
+def landmarks_of(record: Marked) -> dict[str, Landmark]:
+    """Give the landmarks of a foot; empty before there is one.
 
     A key point with the name of a landmark is that landmark, set by hand.
     """

@@ -10,7 +10,15 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import Annotations, KeyPoint, Patient, ReferencePlane, Source
+from insole_core.cases.record import (
+    Annotations,
+    FootRecord,
+    KeyPoint,
+    Patient,
+    ReferencePlane,
+    Source,
+    Variant,
+)
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_core.insole.rules import load_rules
@@ -38,6 +46,8 @@ class MockView:
         self.can_move = False
         for name in (
             "field_edited",
+            "side_chosen",
+            "variant_chosen",
             "offer_chosen",
             "correction_selected",
             "correction_toggled",
@@ -127,7 +137,7 @@ class TestPatient:
     def test_an_empty_case_has_no_side_and_no_measure(
         self, view: Any, presenter: PatientPresenter
     ) -> None:
-        assert view.shown["show_side"] == (None,)
+        assert view.shown["show_feet"] == (None, [])
         assert view.shown["show_measures"] == ([],)
 
     def test_typing_is_one_step(self, view: Any, case: Case, presenter: PatientPresenter) -> None:
@@ -142,10 +152,41 @@ class TestPatient:
         open_foot()
         points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
         case.apply(Annotations(points), "Mark")
-        values = {m.name: m.value for m in view.shown["show_measures"][0]}
-        assert float(values["Foot length"].removesuffix(" mm")) == pytest.approx(250.0, abs=0.5)
-        assert values["Heel – Arch"] == "50.0 mm"
-        assert values["Arch height"].endswith(" mm")
+        measures = {m.name: m for m in view.shown["show_measures"][0]}
+        assert float(measures["Foot length"].values[0]) == pytest.approx(250.0, abs=0.5)
+        assert measures["Heel – Arch"].values == ("50.0",)
+        assert measures["Arch height"].unit == "mm"
+
+    def test_two_feet_are_measured_beside_each_other(
+        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
+    ) -> None:
+        open_foot()
+        right = FootRecord.begun(make_foot(Side.RIGHT), Source("mesh", "/nowhere.ply", "0" * 64))
+        case.apply(right, "Add")
+        assert view.shown["show_feet"] == (Side.RIGHT, [Side.LEFT, Side.RIGHT])
+        measures = {m.name: m.values for m in view.shown["show_measures"][0]}
+        left, right, difference, percent = measures["Foot length"]
+        assert float(left) == pytest.approx(float(right), abs=0.2)
+        assert float(difference) == pytest.approx(0.0, abs=0.2)
+        assert percent == "0"
+        points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
+        case.apply(Annotations(points), "Mark")
+        measures = {m.name: m.values for m in view.shown["show_measures"][0]}
+        assert measures["Heel – Arch"] == ("", "50.0", "", "")
+
+    def test_a_side_and_a_variant_are_chosen(
+        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
+    ) -> None:
+        open_foot()
+        assert view.shown["show_variants"] == (["A"], "A")
+        left = case.record.current
+        assert left is not None
+        case.apply(left.with_variant(Variant("B", left.design)), "Duplicate")
+        assert view.shown["show_variants"] == (["A", "B"], "B")
+        view.variant_chosen.emit("A")
+        assert case.record.current.chosen == "A"
+        view.side_chosen.emit(Side.RIGHT)
+        assert case.side is Side.LEFT
 
     def test_the_eye_switches_and_the_cross_removes(
         self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any

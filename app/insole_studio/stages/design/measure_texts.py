@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from insole_core.cases.record import CaseRecord
+from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, measure
+from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import Measure
 from insole_studio.texts import tr
+from insole_studio.tools.key_point import distances
 from insole_studio.workbench.landmarks import landmarks_of
 
 _NAMES: dict[str, Callable[[], str]] = {
@@ -35,27 +36,45 @@ _NAMES: dict[str, Callable[[], str]] = {
 }
 
 
+def table_of(record: CaseRecord) -> list[MeasureRow]:
+    """Measure the feet of a case; no rows before there is one."""
+    return measure_table({f.side: measure(f.foot, landmarks_of(f)) for f in record.feet})
+
+
 def measures_of(record: CaseRecord) -> list[Measure]:
-    """Give all measures that the scan allows; none before there is a foot."""
-    if record.foot is None:
+    """Give all measures that the scans allow: of one foot, or of both with their asymmetry."""
+    if not record.feet:
         return []
-    found = measure(record.foot, landmarks_of(record))
-    return [_measure(key, value) for key, value in found.items() if value is not None]
+    both = len(record.feet) == 2
+    return [_measure(row, both) for row in table_of(record)]
 
 
-def as_csv(measures: Sequence[Measure], side: str) -> str:
-    """Give a table with a head line; numbers with a point."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("measure", "side", "value", "unit"))
-    for row in measures:
-        number, _, unit = row.value.partition(" ")
-        writer.writerow((row.key or row.name, side, number, unit))
-    return text.getvalue()
+def distances_of(record: CaseRecord) -> list[Measure]:
+    """Give the distances between the further points of the foot at hand."""
+    found = distances(record.annotations)
+    rows = []
+    for a, b, distance in found:
+        value = f"{distance:.1f}"
+        values: tuple[str, ...] = (value,)
+        if len(record.feet) == 2:
+            values = (value, "", "", "") if record.side is Side.LEFT else ("", value, "", "")
+        rows.append(Measure(f"{a} – {b}", values, "mm"))
+    return rows
 
 
-def _measure(key: str, value: float) -> Measure:
-    unit = {"degrees": "°", "mm": "mm"}.get(DEFINITIONS[key].unit, "")
-    number = f"{value:.2f}" if "index" in key else f"{value:.1f}"
-    name = _NAMES[key]() if key in _NAMES else key
-    return Measure(name, f"{number} {unit}".strip(), DEFINITIONS[key].text, key)
+def _measure(row: MeasureRow, both: bool) -> Measure:
+    decimals = 2 if "index" in row.key else 1
+    left, right = _number(row.left, decimals), _number(row.right, decimals)
+    name = _NAMES[row.key]() if row.key in _NAMES else row.key
+    unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
+    values: tuple[str, ...] = (left or right,)
+    if both:
+        values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
+    return Measure(name, values, unit, DEFINITIONS[row.key].text)
+
+
+def _number(value: float | None, decimals: int, sign: str = "") -> str:
+    if value is None:
+        return ""
+    rounded = round(value, decimals) + 0.0  # never "-0.0"
+    return f"{rounded:{sign}.{decimals}f}" if rounded else f"{rounded:.{decimals}f}"

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Protocol
 
+from insole_core.cases.record import Annotations, CaseRecord
+from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import ArchRaise, BrushStroke, Correction, Pelott
-from insole_studio.stages.design.measure_texts import measures_of
+from insole_studio.stages.design.measure_texts import distances_of, measures_of
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import describe, name_of
-from insole_studio.tools.key_point import distances
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.variants import choose_variant
 
 COPY_BEHIND_MM = 10.0
 
@@ -23,6 +26,8 @@ class PatientPanel(Protocol):
     """What the patient panel shows, and the intents it emits."""
 
     field_edited: Any
+    side_chosen: Any
+    variant_chosen: Any
     correction_selected: Any
     correction_toggled: Any
     correction_removed: Any
@@ -30,7 +35,8 @@ class PatientPanel(Protocol):
     correction_copied: Any
 
     def show_fields(self, values: dict[str, str]) -> None: ...  # noqa: D102
-    def show_side(self, side: Side | None) -> None: ...  # noqa: D102
+    def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None: ...  # noqa: D102
+    def show_variants(self, names: Sequence[str], chosen: str) -> None: ...  # noqa: D102
     def show_measures(self, measures: Sequence[Measure]) -> None: ...  # noqa: D102
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None: ...  # noqa: D102
 
@@ -43,6 +49,8 @@ class PatientPresenter:
         self._case = case
         self._measured: tuple[object, list[Measure]] | None = None
         panel.field_edited.connect(self.edit_field)
+        panel.side_chosen.connect(case.take_foot)
+        panel.variant_chosen.connect(partial(choose_variant, case))
         panel.correction_selected.connect(case.select)
         panel.correction_toggled.connect(self.toggle)
         panel.correction_removed.connect(self.remove)
@@ -56,7 +64,11 @@ class PatientPresenter:
     def show(self) -> None:
         """Show the whole panel."""
         self._panel.show_fields(vars(self._case.record.patient))
-        self._panel.show_side(self._case.side)
+        record = self._case.record
+        self._panel.show_feet(record.at_hand, [foot.side for foot in record.feet])
+        foot = record.current
+        names = [] if foot is None else [variant.name for variant in foot.variants]
+        self._panel.show_variants(names, "" if foot is None else foot.chosen)
         self._panel.show_measures(self._measures())
         self._show_corrections()
 
@@ -113,13 +125,9 @@ class PatientPresenter:
 
     def _measures(self) -> list[Measure]:
         record = self._case.record
-        if self._measured is None or self._measured[0] != (record.foot, record.annotations):
-            self._measured = ((record.foot, record.annotations), measures_of(record))
-        between = [
-            Measure(f"{a} – {b}", f"{distance:.1f} mm")
-            for a, b, distance in distances(record.annotations)
-        ]
-        return [*self._measured[1], *between]
+        if self._measured is None or self._measured[0] != _marked(record):
+            self._measured = (_marked(record), measures_of(record))
+        return [*self._measured[1], *distances_of(record)]
 
     def _show_corrections(self) -> None:
         design = self._case.record.design
@@ -139,6 +147,11 @@ class PatientPresenter:
                 for c in design.corrections
             ]
         )
+
+
+def _marked(record: CaseRecord) -> list[tuple[Foot, Annotations]]:
+    """What the measures depend on."""
+    return [(foot.foot, foot.annotations) for foot in record.feet]
 
 
 def has_order(correction: Correction) -> bool:

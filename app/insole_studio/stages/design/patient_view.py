@@ -15,23 +15,28 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QPushButton,
     QScrollArea,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from insole_core.geometry.side import Side
+from insole_studio.stages.design.measure_grid import MeasureGrid
 from insole_studio.stages.design.rows import CorrectionRow, Measure, WarningRow
+from insole_studio.stages.design.variant_row import VariantRow
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
-from insole_studio.widgets.side_badge import SideBadge, side_letter
+from insole_studio.widgets.side_badge import side_letter
+from insole_studio.widgets.side_switch import SideSwitch
 
 
 class PatientView(QScrollArea):
     """Lays out the patient panel."""
 
     field_edited = Signal(str, str)
+    side_chosen = Signal(object)
+    variant_chosen = Signal(str)
+    action_requested = Signal(str)
     correction_selected = Signal(str)
     correction_toggled = Signal(str)
     correction_removed = Signal(str)
@@ -49,11 +54,15 @@ class PatientView(QScrollArea):
             field.editingFinished.connect(self._line_edited)
         self._notes = _Notes()
         self._notes.left.connect(self._notes_edited)
-        self._badge = SideBadge()
+        self.sides = SideSwitch()
+        self.sides.chosen.connect(self.side_chosen)
+        self.sides.offer_chosen.connect(self.action_requested)
         self._no_side = QLabel(tr("comes with the scan"))
         self._no_side.setObjectName("quiet")
-        self._no_side.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self._measures = QFormLayout()
+        self.variants = VariantRow()
+        self.variants.chosen.connect(self.variant_chosen)
+        self.variants.action_requested.connect(self.action_requested)
+        self._measures = MeasureGrid()
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
         self._warnings = QVBoxLayout()
@@ -73,22 +82,18 @@ class PatientView(QScrollArea):
             with QSignalBlocker(self._notes):
                 self._notes.setPlainText(values["notes"])
 
-    def show_side(self, side: Side | None) -> None:
-        """Show the side."""
-        self._badge.show_side(side)
-        self._no_side.setVisible(side is None)
+    def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
+        """Show which feet there are, and which is at hand."""
+        self.sides.show_feet(at_hand, present)
+        self._no_side.setVisible(at_hand is None)
+
+    def show_variants(self, names: Sequence[str], chosen: str) -> None:
+        """Show the variants of the foot at hand."""
+        self.variants.show_variants(names, chosen)
 
     def show_measures(self, measures: Sequence[Measure]) -> None:
         """Show the measures of the foot."""
-        while self._measures.rowCount():
-            self._measures.removeRow(0)
-        for measure in measures:
-            value = QLabel(measure.value)
-            value.setAlignment(Qt.AlignmentFlag.AlignRight)
-            name = QLabel(measure.name)
-            for label in (name, value):
-                label.setToolTip(measure.tip)
-            self._measures.addRow(name, value)
+        self._measures.show_measures(measures)
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
         """Show the corrections, a line each."""
@@ -128,10 +133,9 @@ class PatientView(QScrollArea):
         form.setVerticalSpacing(8)
         form.addRow(tr("Name"), self._fields["name"])
         form.addRow(tr("Born"), self._fields["born"])
-        side = QHBoxLayout()
-        side.addWidget(self._badge)
+        side = QVBoxLayout()
+        side.addWidget(self.sides)
         side.addWidget(self._no_side)
-        side.addStretch()
         form.addRow(tr("Side"), side)
         form.addRow(tr("Visit"), self._fields["visit"])
         form.addRow(tr("Notes"), self._notes)
@@ -141,10 +145,11 @@ class PatientView(QScrollArea):
         layout.setSpacing(8)
         layout.addLayout(form)
         layout.addWidget(_heading(tr("Corrections")))
+        layout.addWidget(self.variants)
         layout.addLayout(self._corrections)
         layout.addLayout(self._warnings)
         layout.addWidget(_heading(tr("Measures")))
-        layout.addLayout(self._measures)
+        layout.addWidget(self._measures)
         layout.addStretch(1)
         return content
 

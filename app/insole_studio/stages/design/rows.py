@@ -9,12 +9,15 @@ from insole_core.geometry.side import Side
 
 @dataclass(frozen=True)
 class Measure:
-    """One measure of the foot, ready to be read; `tip` is its definition."""
+    """One measure, ready to be read; `tip` is its definition.
+
+    `values` holds one number, or those of left and right, their difference and per cent.
+    """
 
     name: str
-    value: str
+    values: tuple[str, ...]
+    unit: str = ""
     tip: str = ""
-    key: str = ""
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
+from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.workbench.case import Case
@@ -61,6 +62,8 @@ class DesignStage(QObject):
         self.linked = True
         self.steps = StepStrip()
         self.patient = PatientView()
+        self.patient.action_requested.connect(self.offer_chosen)
+        self.notices = NoticeBar()
         self.parameters = ParametersView()
         self.section = SectionChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
@@ -132,6 +135,7 @@ class DesignStage(QObject):
             view.scene.painter.set_dark(dark)
             presenter.show_all()
             view.scene.request_render()
+        self.patient.variants.renew_icons()
         self._patient_presenter.show()
 
     def close(self) -> None:

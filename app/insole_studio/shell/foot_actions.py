@@ -1,0 +1,94 @@
+"""The actions of two feet and of variants."""
+
+from __future__ import annotations
+
+from insole_core.geometry.side import Side
+from insole_studio.shell.action_record import ActionRecord
+from insole_studio.texts import tr
+
+FOOT_ACTIONS: tuple[ActionRecord, ...] = (
+    ActionRecord(
+        "foot_other",
+        lambda: tr("The other foot"),
+        lambda: tr("Work on the other foot of the case"),
+        lambda rooms, _on: rooms.feet.take_other(),
+        shortcut="X",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "foot_left",
+        lambda: tr("Left foot"),
+        lambda: tr("Work on the left foot"),
+        lambda rooms, _on: rooms.feet.take(Side.LEFT),
+        shortcut="Ctrl+1",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "foot_right",
+        lambda: tr("Right foot"),
+        lambda: tr("Work on the right foot"),
+        lambda rooms, _on: rooms.feet.take(Side.RIGHT),
+        shortcut="Ctrl+2",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "copy_to_other",
+        lambda: tr("Copy the prescription to the other foot"),
+        lambda: tr("Prescribe the same for the other foot, mirrored and fitted by its landmarks"),
+        lambda rooms, _on: rooms.feet.copy_prescription(),
+        icon="mirror",
+        shortcut="Ctrl+Shift+X",
+        needs_both=True,
+    ),
+    ActionRecord(
+        "copy_selected_to_other",
+        lambda: tr("Copy the selected correction to the other foot"),
+        lambda: tr("Prescribe it for the other foot as well, mirrored"),
+        lambda rooms, _on: rooms.feet.copy_selected(),
+        needs_both=True,
+    ),
+    ActionRecord(
+        "repeat_last",
+        lambda: tr("Repeat the last design"),
+        lambda: tr("Prescribe what was prescribed for this foot before"),
+        lambda rooms, _on: rooms.repeating.repeat(),
+        shortcut="Ctrl+R",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "variant_duplicate",
+        lambda: tr("Duplicate as a variant"),
+        lambda: tr("Go on with a copy of this prescription; the first stays"),
+        lambda rooms, _on: rooms.variants.duplicate(),
+        shortcut="Ctrl+D",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "variant_next",
+        lambda: tr("Next variant"),
+        lambda: tr("Choose the variant after this one"),
+        lambda rooms, _on: rooms.variants.choose_next(),
+        shortcut="V",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "variant_name",
+        lambda: tr("Name the variant…"),
+        lambda: tr("Call the chosen variant by another name"),
+        lambda rooms, _on: rooms.variants.ask_name(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "variant_delete",
+        lambda: tr("Delete the variant"),
+        lambda: tr("Leave the chosen variant out; undo brings it back"),
+        lambda rooms, _on: rooms.variants.delete(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "author",
+        lambda: tr("Who prescribes…"),
+        lambda: tr("The name that stands in every correction"),
+        lambda rooms, _on: rooms.authorship.ask(),
+    ),
+)

@@ -1,0 +1,44 @@
+"""The notices that stand now, and what their buttons do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject
+
+from insole_studio.widgets.notice_bar import Notice, NoticeBar
+
+
+class Notices(QObject):
+    """Keeps the bar; a notice of a known key takes the place of the one before."""
+
+    def __init__(self, bar: NoticeBar, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._bar = bar
+        self._shown: dict[str, tuple[Notice, Callable[[], object] | None]] = {}
+        bar.taken.connect(self.take)
+        bar.dismissed.connect(self.drop)
+
+    @property
+    def notices(self) -> list[Notice]:
+        """What is shown."""
+        return [notice for notice, _ in self._shown.values()]
+
+    def put(
+        self, key: str, text: str, offer: str = "", run: Callable[[], object] | None = None
+    ) -> None:
+        """Show a notice, with a button that does `run`."""
+        self._shown[key] = Notice(key, text, offer), run
+        self._bar.show_notices(self.notices)
+
+    def drop(self, key: str) -> None:
+        """Show a notice no more."""
+        if self._shown.pop(key, None) is not None:
+            self._bar.show_notices(self.notices)
+
+    def take(self, key: str) -> None:
+        """Do what a notice offers; it has served then."""
+        _, run = self._shown[key]
+        self.drop(key)
+        if run is not None:
+            run()

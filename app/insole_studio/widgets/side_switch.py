@@ -1,0 +1,94 @@
+"""Which foot is at hand: two large coloured buttons, the other foot one click away."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QWidget
+
+from insole_core.geometry.side import Side
+from insole_studio.texts import tr
+from insole_studio.widgets.side_badge import COLORS
+
+_OFFERS: dict[str, Callable[[], str]] = {
+    "open_session": lambda: tr("Open session…"),
+    "open_archive": lambda: tr("Open session archive or mesh…"),
+    "capture": lambda: tr("Capture…"),
+}
+_SHAPE = "border-radius: 4px; padding: 4px 4px; font-weight: 600;"
+
+
+class SideSwitch(QWidget):
+    """Left and right; a foot that is not there yet offers the ways to get it."""
+
+    chosen = Signal(object)
+    offer_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._menu = self._offers()
+        self._buttons = {side: self._button(side) for side in Side}
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(8)
+        for button in self._buttons.values():
+            row.addWidget(button)
+        self.show_feet(None, ())
+
+    def show_feet(self, at_hand: Side | None, present: Collection[Side]) -> None:
+        """Show which feet there are, and which of them is at hand."""
+        self.setVisible(at_hand is not None)
+        for side, button in self._buttons.items():
+            there = side in present
+            button.setText(_word(side) if there else f"+ {_word(side)}")
+            button.setMenu(None if there else self._menu)  # type: ignore[arg-type]
+            button.setToolTip(_tip(side, there))
+            button.setAccessibleName(_tip(side, there))
+            button.setStyleSheet(_style(side, there, side is at_hand))
+
+    def button(self, side: Side) -> QToolButton:
+        """Give the button of a side."""
+        return self._buttons[side]
+
+    def _button(self, side: Side) -> QToolButton:
+        button = QToolButton()
+        button.setProperty("side", side.value)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        button.setMinimumHeight(30)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.clicked.connect(self._choose)
+        return button
+
+    def _offers(self) -> QMenu:
+        menu = QMenu(self)
+        for key, text in _OFFERS.items():
+            action = menu.addAction(text())
+            action.setData(key)
+            action.triggered.connect(self._take_offer)
+        return menu
+
+    def _choose(self) -> None:
+        self.chosen.emit(Side(self.sender().property("side")))
+
+    def _take_offer(self) -> None:
+        self.offer_chosen.emit(self.sender().data())  # type: ignore[attr-defined]
+
+
+def _word(side: Side) -> str:
+    return tr("LEFT") if side is Side.LEFT else tr("RIGHT")
+
+
+def _tip(side: Side, there: bool) -> str:
+    if side is Side.LEFT:
+        return tr("Work on the left foot") if there else tr("Add the left foot to the case")
+    return tr("Work on the right foot") if there else tr("Add the right foot to the case")
+
+
+def _style(side: Side, there: bool, at_hand: bool) -> str:
+    if at_hand:
+        look = f"background: {COLORS[side]}; color: white; border: 2px solid {COLORS[side]};"
+    else:
+        line = f"2px solid {COLORS[side]}" if there else "2px dashed palette(mid)"
+        look = f"background: transparent; border: {line};"
+    return f"QToolButton {{ {look} {_SHAPE} }} QToolButton::menu-indicator {{ image: none; }}"

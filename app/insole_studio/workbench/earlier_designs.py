@@ -1,0 +1,50 @@
+"""What was prescribed for a patient before, among the case files that were open lately."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from pathlib import Path
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.record import Patient
+from insole_core.errors import InsoleError
+from insole_core.geometry.side import Side
+from insole_core.insole.template import Template
+from insole_core.progress import SILENT, Progress
+from insole_studio.workbench.fitting import last_design, prescribed_at
+from insole_studio.workbench.opening import CASE_SUFFIX
+
+log = logging.getLogger(__name__)
+
+
+def identity(patient: Patient) -> tuple[str, str] | None:
+    """Give what tells a patient from others; None while name or birth date is missing."""
+    name, born = " ".join(patient.name.casefold().split()), patient.born.strip()
+    return (name, born) if name and born else None
+
+
+def find_last_design(
+    paths: Sequence[Path], patient: Patient, side: Side, progress: Progress = SILENT
+) -> Template | None:
+    """Find the latest prescription of a patient for a side; files that cannot be read are skipped.
+
+    Raises
+    ------
+    Cancelled
+    """
+    wanted = identity(patient)
+    found: list[Template] = []
+    cases = [path for path in paths if path.suffix.lower() == CASE_SUFFIX and path.exists()]
+    for number, path in enumerate(cases):
+        progress.step(number / len(cases), "Looking for earlier designs")
+        try:
+            record = read_case(path)
+        except InsoleError as error:
+            log.info("no earlier design: %s", error)
+            continue
+        foot = record.of_side(side)
+        template = None if foot is None else last_design(foot)
+        if wanted is not None and identity(record.patient) == wanted and template is not None:
+            found.append(template)
+    return max(found, key=lambda template: prescribed_at(template.design), default=None)

@@ -1,0 +1,315 @@
+"""Two feet and several variants, by real mouse and key events in the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
+from insole_core.export.ply import write_ply
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_studio.bootstrap import Application
+from insole_studio.shell.questions import SameSide
+
+LEFT_BUTTON = Qt.MouseButton.LeftButton
+Settle = Callable[[], None]
+MakeFoot = Callable[[Side], Foot]
+
+
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
+def press(app: Application, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
+    held = Qt.KeyboardModifier.NoModifier
+    for modifier in modifiers:
+        held |= modifier
+    QTest.keyClick(app.stage.insole.scene.surface, key, held)
+
+
+def click_side(app: Application, side: Side) -> None:
+    QTest.mouseClick(app.stage.patient.sides.button(side), LEFT_BUTTON)
+
+
+def design(app: Application) -> InsoleDesign:
+    found = app.case.record.design
+    assert found is not None
+    return found
+
+
+def add_pad(app: Application, x_mm: float = 8.0) -> Pelott:
+    pad = Pelott(centre_mm=(x_mm, 150.0), turn_deg=10.0)
+    app.case.apply(design(app).with_added(pad), "Place a pelott")
+    return pad
+
+
+def notices(app: Application) -> list[str]:
+    return [notice.key for notice in app.studio.rooms.notices.notices]
+
+
+def take_notice(app: Application) -> None:
+    (button,) = [
+        b for b in app.stage.notices.findChildren(QPushButton) if b.isVisible() and b.text()
+    ]
+    QTest.mouseClick(button, LEFT_BUTTON)
+
+
+@pytest.fixture
+def scan(make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
+    """A mesh file of a foot."""
+
+    def write(side: Side) -> Path:
+        path = tmp_path / f"{side}.ply"
+        write_ply(make_foot(side).mesh, path)
+        return path
+
+    return write
+
+
+@pytest.fixture
+def two_feet(opened: Application, make_foot: MakeFoot, settle: Settle) -> Application:
+    """The application with a left foot, and a right one added and at hand."""
+    right = FootRecord.begun(make_foot(Side.RIGHT), Source("mesh", "/nowhere.ply", "0" * 64))
+    opened.case.apply(right, "Add the right foot")
+    settle()
+    return opened
+
+
+def test_a_second_scan_of_the_other_side_joins_the_case(
+    opened: Application, scan: Callable[[Side], Path], settle: Settle
+) -> None:
+    pad = add_pad(opened)
+    questions = opened.studio.rooms.dialogue.questions
+    questions.side, questions.path = Side.RIGHT, scan(Side.RIGHT)  # type: ignore[attr-defined]
+    press(opened, Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier)
+    settle()
+    assert [foot.side for foot in opened.case.record.feet] == [Side.LEFT, Side.RIGHT]
+    assert opened.case.side is Side.RIGHT
+    assert design(opened).corrections == ()
+    assert opened.surface.mesh is not None
+    press(opened, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert opened.case.side is Side.LEFT
+    assert design(opened).corrections == (pad,)
+
+
+def test_the_sides_are_switched_by_mouse_and_key(two_feet: Application, settle: Settle) -> None:
+    right = two_feet.case.foot
+    click_side(two_feet, Side.LEFT)
+    settle()
+    assert two_feet.case.side is Side.LEFT
+    assert two_feet.stage.insole.scene.side is Side.LEFT
+    press(two_feet, Qt.Key.Key_X)
+    assert two_feet.case.foot is right
+    press(two_feet, Qt.Key.Key_1, Qt.KeyboardModifier.ControlModifier)
+    assert two_feet.case.side is Side.LEFT
+    press(two_feet, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
+    assert two_feet.case.side is Side.RIGHT
+    assert len(two_feet.case.history) == 1
+
+
+def test_a_missing_foot_is_offered_by_its_button(opened: Application) -> None:
+    button = opened.stage.patient.sides.button(Side.RIGHT)
+    assert button.text().startswith("+")
+    menu = button.menu()
+    assert [action.data() for action in menu.actions()] == [
+        "open_session",
+        "open_archive",
+        "capture",
+    ]
+    press(opened, Qt.Key.Key_X)
+    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    assert "no right foot yet" in dialog.text()
+
+
+def test_the_prescription_is_copied_mirrored(two_feet: Application, settle: Settle) -> None:
+    click_side(two_feet, Side.LEFT)
+    pad = add_pad(two_feet)
+    act(two_feet, "add_posting")
+    act(two_feet, "copy_to_other")
+    settle()
+    assert two_feet.case.side is Side.RIGHT
+    mirrored, posting = design(two_feet).corrections
+    assert isinstance(mirrored, Pelott)
+    assert isinstance(posting, Posting)
+    assert mirrored.id != pad.id
+    assert mirrored.centre_mm == pytest.approx((-8.0, 150.0), abs=0.1)
+    assert mirrored.turn_deg == pytest.approx(-10.0)
+    press(two_feet, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert two_feet.case.side is Side.RIGHT
+    assert design(two_feet).corrections == ()
+
+
+def test_one_correction_is_copied_mirrored(two_feet: Application) -> None:
+    add_pad(two_feet, -5.0)
+    act(two_feet, "add_posting")
+    two_feet.case.select(design(two_feet).corrections[0].id)
+    act(two_feet, "copy_selected_to_other")
+    assert two_feet.case.side is Side.LEFT
+    (mirrored,) = design(two_feet).corrections
+    assert isinstance(mirrored, Pelott)
+    assert mirrored.centre_mm == pytest.approx((5.0, 150.0), abs=0.1)
+    assert two_feet.case.selection == mirrored.id
+
+
+def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> None:
+    add_pad(two_feet)
+    click_side(two_feet, Side.LEFT)
+    add_pad(two_feet)
+    click_side(two_feet, Side.RIGHT)
+    press(two_feet, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    settle()
+    assert two_feet.case.side is Side.LEFT
+    assert design(two_feet).corrections == ()
+    press(two_feet, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert two_feet.case.side is Side.RIGHT
+    assert design(two_feet).corrections == ()
+
+
+def test_variants_are_made_named_chosen_and_deleted(
+    opened: Application, settle: Settle, tmp_path: Path
+) -> None:
+    pad = add_pad(opened)
+    duplicate = [
+        b
+        for b in opened.stage.patient.variants.findChildren(QToolButton)
+        if b.property("action") == "variant_duplicate"
+    ]
+    QTest.mouseClick(duplicate[0], LEFT_BUTTON)
+    opened.case.apply(design(opened).with_changed(replace(pad, height_mm=8.0)), "Raise")
+    opened.studio.rooms.dialogue.questions.typed = "higher"  # type: ignore[attr-defined]
+    act(opened, "variant_name")
+    assert opened.case.record.current is not None
+    assert [v.name for v in opened.case.record.current.variants] == ["A", "higher"]
+    press(opened, Qt.Key.Key_V)
+    settle()
+    assert opened.case.record.current.chosen == "A"
+    assert design(opened).corrections == (pad,)
+    opened.studio.rooms.exporting.export_to(tmp_path / "a.stl")
+    settle()
+    press(opened, Qt.Key.Key_V)
+    settle()
+    opened.studio.rooms.exporting.export_to(tmp_path / "higher.stl")
+    settle()
+    assert (tmp_path / "a.stl").read_bytes() != (tmp_path / "higher.stl").read_bytes()
+    act(opened, "variant_delete")
+    assert opened.case.record.current.chosen == "A"
+    press(opened, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert opened.case.record.current.chosen == "higher"
+
+
+def test_the_only_variant_is_not_deleted(opened: Application) -> None:
+    act(opened, "variant_delete")
+    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    assert "only variant" in dialog.text()
+
+
+def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
+    opened: Application, scan: Callable[[Side], Path], settle: Settle
+) -> None:
+    before = add_pad(opened)
+    questions = opened.studio.rooms.dialogue.questions
+    questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
+    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    settle()
+    assert design(opened).corrections == ()
+    assert notices(opened) == ["repeat"]
+    take_notice(opened)
+    (pad,) = design(opened).corrections
+    assert isinstance(pad, Pelott)
+    assert (pad.height_mm, pad.length_mm) == (before.height_mm, before.length_mm)
+    assert pad.id != before.id
+    assert notices(opened) == []
+    assert opened.case.history.undo_sentence == "Repeat the last design"
+
+
+def test_a_second_scan_may_begin_a_new_case(
+    opened: Application, scan: Callable[[Side], Path], settle: Settle
+) -> None:
+    add_pad(opened)
+    opened.case.apply(Patient(name="Anna"), "Name")
+    questions = opened.studio.rooms.dialogue.questions
+    questions.same_side = SameSide.NEW_CASE  # type: ignore[attr-defined]
+    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    settle()
+    assert opened.case.record.patient == Patient()
+    assert len(opened.case.history) == 0
+
+
+def test_an_earlier_case_of_the_patient_is_found(
+    opened: Application, make_foot: MakeFoot, settle: Settle, tmp_path: Path
+) -> None:
+    path = tmp_path / "last-visit.insole"
+    prescribed = InsoleDesign(
+        Side.LEFT, (Pelott(centre_mm=(8.0, 150.0), created_at="2026-05-01T08:00:00"),)
+    )
+    foot = FootRecord.begun(make_foot(Side.LEFT), Source("mesh", "x.ply", "0" * 64), prescribed)
+    write_case(CaseRecord.of_foot(foot, Patient("Anna  Berg", "1971-04-02")), path)
+    opened.settings.remember(path)
+    opened.case.apply(Patient("anna berg", "1971-04-02"), "Name")
+    settle()
+    (notice,) = opened.studio.rooms.notices.notices
+    assert "2026-05-01" in notice.text
+    take_notice(opened)
+    (pad,) = design(opened).corrections
+    assert isinstance(pad, Pelott)
+    assert pad.centre_mm == pytest.approx((8.0, 150.0), abs=0.1)
+
+
+def test_a_case_of_two_feet_survives_saving_and_opening(
+    two_feet: Application, settle: Settle, tmp_path: Path
+) -> None:
+    add_pad(two_feet)
+    act(two_feet, "variant_duplicate")
+    two_feet.studio.rooms.saving.save_to(tmp_path / "both.insole")
+    settle()
+    click_side(two_feet, Side.LEFT)
+    assert not two_feet.case.has_unsaved_changes
+    record = read_case(tmp_path / "both.insole")
+    assert record.at_hand is Side.RIGHT
+    two_feet.studio.rooms.opening.open_path(tmp_path / "both.insole")
+    settle()
+    assert [foot.side for foot in two_feet.case.record.feet] == [Side.LEFT, Side.RIGHT]
+    assert two_feet.case.record.current is not None
+    assert two_feet.case.record.current.chosen == "B"
+
+
+def test_the_author_is_stamped_and_remembered(opened: Application) -> None:
+    opened.studio.rooms.dialogue.questions.typed = "Dr Ek"  # type: ignore[attr-defined]
+    act(opened, "author")
+    act(opened, "add_posting")
+    (posting,) = design(opened).corrections
+    assert posting.author == "Dr Ek"
+    assert opened.settings.author == "Dr Ek"
+
+
+def test_the_table_shows_both_feet(two_feet: Application) -> None:
+    act(two_feet, "copy_measures")
+    head, first, *_ = QApplication.clipboard().text().splitlines()
+    assert head == "measure,unit,left,right,difference,percent"
+    left, right = (float(number) for number in first.split(",")[2:4])
+    assert left == pytest.approx(right, abs=0.05)
+
+
+def test_a_mirrored_prescription_makes_the_mirrored_insole(make_foot: MakeFoot) -> None:
+    from insole_core.insole.mirroring import mirrored
+
+    left = make_foot(Side.LEFT)
+    flipped = TriangleMesh(left.mesh.vertices * [-1, 1, 1], left.mesh.triangles[:, ::-1].copy())
+    right = Foot(Side.RIGHT, flipped, np.eye(4), left.length_mm)
+    prescribed = InsoleDesign(Side.LEFT, (Pelott(centre_mm=(8.0, 150.0)), Posting(rearfoot_deg=4)))
+    a = build_insole(left, prescribed).contact
+    b = build_insole(right, mirrored(prescribed)).contact
+    nodes = a.nodes
+    assert b.height_at(nodes[:, :2] * [-1, 1]) == pytest.approx(nodes[:, 2], abs=1e-3)
