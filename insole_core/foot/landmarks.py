@@ -28,7 +28,8 @@ NAMES = (
     "metatarsale_fibulare", *HEADS, *TOE_TIPS, "arch_apex", *AXES,
 )  # fmt: skip
 
-_TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.70)  # shares of the length where the ball is widest
+_TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
+_USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.735, 0.64, 0.17
 _HEEL, _REAR = (0.10, 0.22), (0.0, 0.12)
 _HEADS = np.array(
     [  # share across from the 1st to the 5th head, and ahead of their line in ball widths
@@ -99,10 +100,10 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     medial, lateral = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
     ends = {
         "pternion": sole.support(np.array([0.0, -1.0]), _REAR),
-        "heel_medial": sole.support(medial, _HEEL),
-        "heel_lateral": sole.support(lateral, _HEEL),
-        "metatarsale_tibiale": sole.support(medial, _TIBIALE),
-        "metatarsale_fibulare": sole.support(lateral, _FIBULARE),
+        "heel_medial": sole.support(medial, _HEEL, _USUAL_HEEL),
+        "heel_lateral": sole.support(lateral, _HEEL, _USUAL_HEEL),
+        "metatarsale_tibiale": sole.support(medial, _TIBIALE, _USUAL_TIBIALE),
+        "metatarsale_fibulare": sole.support(lateral, _FIBULARE, _USUAL_FIBULARE),
     }
     for name, end in ends.items():
         yield name, Landmark(sole.to_insole(end.point), end.confidence)

@@ -17,10 +17,13 @@ from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
 _OUTERMOST = 3  # points whose mean is the outermost place: one alone may be noise
-_SEEN = 0.9  # cosine against the direction from which on the end itself was measured
+_WHOLE, _SEEN = 0.97, 0.9  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
 _MOST_MM = 6.0
-_STRIP_MM, _EVENED_STRIPS = 2.0, 1.2
+_BORDER_RADIUS_MM, _TOE_RADIUS_MM = 16.0, 11.0
+_RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
+_USUAL_MM = 12.0  # so far from its usual place an end must lie a millimetre farther out
+_STRIP_MM, _EVENED_STRIPS, _FRAYED_STRIPS = 2.0, 1.2, 2.5
 _LEAST_POINTS = 12
 _PATCH_MM = 4.0
 _FACING = -0.5
@@ -84,16 +87,26 @@ class SoleSurface:
         z = self._sole[near, 2] if near else self._sole[self._tree.query(xy)[1]][2:]
         return np.array([xy[0], xy[1], float(np.median(z))])
 
-    def support(self, direction: FloatArray, shares: tuple[float, float]) -> End:
+    def support(
+        self,
+        direction: FloatArray,
+        shares: tuple[float, float],
+        usual_share: float | None = None,
+    ) -> End:
         """The outermost place towards a horizontal direction, between shares of the length.
 
-        Where the surface stops short of its end, it is continued: on a round border the way along
-        the direction grows linearly with the normal's part in it, and the end is where that is 1.
+        Where the surface stops short of its end, it is continued as a round border; where it is
+        nearly straight, the end lies towards the usual share of the length.
         """
         share = (self.points[:, 1] - self.back_mm) / self.length_mm
         region = (share >= shares[0]) & (share <= shares[1])
         region = region if region.any() else np.ones(len(share), dtype=bool)
-        return _end(self.points[region], self.normals[region], np.array([*direction, 0.0]))
+        usual = None
+        if usual_share is not None:
+            usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
+        towards = np.array([*direction, 0.0])
+        points, normals = self.points[region], self.normals[region]
+        return _end(points, normals, towards, _BORDER_RADIUS_MM, usual)
 
     def toe_tips(self) -> list[tuple[FloatArray, bool]]:
         """Five tips (3,), medial to lateral, and whether each was seen as one."""
@@ -119,38 +132,81 @@ class SoleSurface:
         points = self.points[toe]
         if len(points) == 0:
             return np.array([*usual, _TIP_HEIGHT_MM]), False
-        tip = _end(points, self.normals[toe], np.array([0.0, 1.0, 0.0])).point
+        tip = _end(points, self.normals[toe], np.array([0.0, 1.0, 0.0]), _TOE_RADIUS_MM).point
         depth = points[:, 1] - points[:, 1].max() + _END_DEPTH_MM
         tip[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
         return tip, True
 
 
-def _end(points: FloatArray, normals: FloatArray, direction: FloatArray) -> End:
-    """The outermost place of some of the surface, continued where its normals fall short."""
+def _end(
+    points: FloatArray,
+    normals: FloatArray,
+    direction: FloatArray,
+    radius_mm: float,
+    usual_mm: float | None = None,
+) -> End:
+    """The outermost place of some of the surface, continued where its normals fall short.
+
+    `radius_mm` is that of the usual border, `usual_mm` where across the direction the end usually
+    lies: where a border is nearly straight and frayed, this decides.
+    """
     along, facing = points @ direction, normals @ direction
     top = float(np.sort(along)[-_OUTERMOST:].mean())
     near = along > top - _END_DEPTH_MM
     faced = float(np.quantile(facing[near], 0.9))
+    if faced >= _WHOLE:
+        usual_mm = None  # the border itself was measured, and tells best
+    place = points[_outermost(points, along, direction, usual_mm)].copy()
     if faced >= _SEEN or near.sum() < _LEAST_POINTS:
         reach, confidence = top, _SURE
     else:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
-        slope, start = np.polyfit(facing[last], along[last], 1) if last.sum() > 2 else (0.0, top)
-        reach = float(np.clip(start + slope, top, top + _MOST_MM))
+        reach, place[2] = _round_end(points[last], normals[last], direction, radius_mm)
+        reach = float(np.clip(reach, top, top + _MOST_MM))
         confidence = _SURE - (_SURE - _GUESS) * (reach - top) / _MOST_MM
-    place = points[_outermost(points, along, direction)]
     return End(place + (reach - place @ direction) * direction, confidence)
 
 
-def _outermost(points: FloatArray, along: FloatArray, direction: FloatArray) -> int:
+def _round_end(
+    points: FloatArray, normals: FloatArray, direction: FloatArray, radius_mm: float
+) -> tuple[float, float]:
+    """Where a border that is seen in part ends, and at which height, were it round.
+
+    On a circle the way along the direction grows with the normal's part in it, and the height with
+    its part upwards; both by the radius, which the points tell no better than `_RADIUS_SPREAD_MM`.
+    """
+    outward, upward = normals @ direction, normals[:, 2]
+    level = np.maximum(np.hypot(outward, upward), 1e-9)
+    one, none = np.ones(len(points)), np.zeros(len(points))
+    rows = np.concatenate(
+        [
+            np.column_stack([one, none, outward / level - 1]),
+            np.column_stack([none, one, upward / level]),
+            [[0.0, 0.0, np.sqrt(len(points)) * _ROUGHNESS_MM / _RADIUS_SPREAD_MM]],
+        ]
+    )
+    values = np.concatenate([points @ direction, points[:, 2], [rows[-1, 2] * radius_mm]])
+    reach, height, _ = np.linalg.lstsq(rows, values)[0]
+    return float(reach), float(height)
+
+
+def _outermost(
+    points: FloatArray, along: FloatArray, direction: FloatArray, usual_mm: float | None
+) -> int:
     """Index of the point at the summit of the border's profile, evened out against noise."""
     across = points @ np.array([-direction[1], direction[0], 0.0])
     strip = np.floor((across - across.min()) / _STRIP_MM).astype(int)
     profile = np.full(strip.max() + 1, -np.inf)
     np.maximum.at(profile, strip, along)
     profile[~np.isfinite(profile)] = profile[np.isfinite(profile)].min()
-    summit = int(gaussian_filter1d(profile, _EVENED_STRIPS, mode="nearest").argmax())
-    inside = np.flatnonzero(np.abs(strip - summit) <= np.abs(strip - summit).min())
+    if usual_mm is None:
+        profile = gaussian_filter1d(profile, _EVENED_STRIPS, mode="nearest")
+    else:
+        profile = gaussian_filter1d(profile, _FRAYED_STRIPS, mode="nearest")
+        middle = across.min() + (np.arange(len(profile)) + 0.5) * _STRIP_MM
+        profile = profile - ((middle - usual_mm) / _USUAL_MM) ** 2
+    away = np.abs(strip - int(profile.argmax()))
+    inside = np.flatnonzero(away <= away.min())
     return int(inside[along[inside].argmax()])
 
 
