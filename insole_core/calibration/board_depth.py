@@ -1,83 +1,65 @@
 """The pose between the cameras from colour pictures and raw depth of a board; needs no infrared.
 
-The colour camera knows the board's plane, the depth sensor measures it: with boards tilted to all
-sides, one rigid transform makes the two agree. What limits it: planes tell the rotation well, but a
-shift only as far as the boards are tilted; and a distortion that is left in the depth, or a wrong
-focal length of the depth camera, goes into the pose, because a plane that is a little deeper on one
-side cannot be told from a camera that is turned.
+The colour camera knows the board's plane, the depth sensor measures it. A plane before the colour
+camera is a plane over the pixels of the raw image, by one projective map of space; its numbers are
+the pose, the depth camera, the disparity model, and the plane that walls cannot tell. What limits
+it: the errors of the corners, since a shift is told only as far as the boards are tilted, and a
+distortion that is left in the depth.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
-import cv2
 import numpy as np
 
 from insole_core.calibration.adjustment import Adjustment, Blocks, adjust, pose, pose_vector
 from insole_core.calibration.board import Sighting
-from insole_core.calibration.captures import read_depth
+from insole_core.calibration.boards_in_depth import BoardInDepth, board_patch, board_planes
 from insole_core.calibration.disparity_fit import linear_inverse_near
 from insole_core.calibration.stereo import StereoCalibration, as_stereo, board_pose
-from insole_core.calibration.wall_plane import expected_raw
 from insole_core.errors import CalibrationError
-from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.transforms import inverse, rigid, transform
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.transforms import rigid
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.correction import DisparityCorrection
-from insole_core.sensing.disparity import NO_READING, DisparityModel, LinearInverseDisparity
+from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
 
 _TYPICAL = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
+_LOOSE = np.inf
+_SPREAD = {
+    "pose": (_LOOSE, _LOOSE, _LOOSE, 5.0, 3.0, 3.0),
+    "disparity": (_LOOSE, _LOOSE),
+    "centre": (10.0, 10.0),
+    "focal": (6.0, 6.0),
+    "tilt": (2.0, 2.0),
+}
+"""How far the sensors of a kind lie from the usual one (mm, px, raw units): both cameras sit on one
+bar. It keeps apart what a few boards cannot tell from each other, such as focal length and shift
+along the axis."""
 _LEAST_BOARDS = 4
-_LEAST_PIXELS = 200
-_NEAR_RAW = 30.0
-_SAMPLES = 100
-_CORNER_PX = 0.2
-_DEPTH_RAW = 1.5
-"""The usual errors of a corner and of a corrected raw number (which errs together with its
-neighbours, so that it counts for less than its noise)."""
 _OUTLIER = 4.0
-_ROUNDS = 2
+_ROUNDS = 3
 _LEAST_TILT_DEG = 3.0
-_MARGIN_PX = 4
 _CHI2_MEDIAN = 0.455
 """Median of a squared normal variable: a root mean square that outliers do not reach."""
 
 
-@dataclass(frozen=True, eq=False)
-class BoardInDepth:
-    """One board position, in colour and in raw depth.
+@dataclass(frozen=True)
+class _Errors:
+    """The usual errors of a corner, and of a raw number averaged over 8 x 8 pixels.
 
-    Parameters
-    ----------
-    color
-        The board in the colour picture.
-    raw : (480, 640) float64, raw units, corrected for distortion, NaN = no reading
+    They are taken from what the fit leaves, but never below those of a Kinect: what errs together
+    over a whole board does not show in what is left.
     """
 
-    color: Sighting
-    raw: FloatArray
+    corner_px: float = 0.2
+    depth_raw: float = 0.4
 
 
-def read_boards_in_depth(
-    folder: Path, sightings: Sequence[Sighting], correction: DisparityCorrection | None = None
-) -> list[BoardInDepth]:
-    """Read the raw depth beside each colour picture: ``depth_003.png`` beside ``color_003.jpg``.
-
-    Raises
-    ------
-    InputError
-        When a depth image is missing or cannot be read.
-    """
-    boards = []
-    for sighting in sightings:
-        number = Path(sighting.name).stem.removeprefix("color")
-        frame = read_depth(folder / f"depth{number}.png")
-        raw = np.where(frame < NO_READING, frame, np.nan)
-        boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
-    return boards
+_LEAST_ERRORS = _Errors()
 
 
 @dataclass(frozen=True)
@@ -86,14 +68,51 @@ class BoardDepthOptions:
 
     Parameters
     ----------
-    fit_disparity
+    disparity
         The two numbers of the linear-inverse model: the board's true size gives the scale.
-    fit_centre
-        The principal point of the depth camera; its focal length is taken as it is.
+    centre, focal
+        Principal point and focal lengths of the depth camera.
+    tilt
+        The plane over the image that is added to all raw numbers, which walls cannot tell.
     """
 
-    fit_disparity: bool = True
-    fit_centre: bool = True
+    disparity: bool = True
+    centre: bool = True
+    focal: bool = True
+    tilt: bool = True
+
+
+_NUMBERS = {
+    "disparity": ("a", "b"),
+    "centre": ("cx", "cy"),
+    "focal": ("fx", "fy"),
+    "tilt": ("tilt_x", "tilt_y"),
+}
+"""The unknowns of each option, by name."""
+
+
+@dataclass(frozen=True, eq=False)
+class DepthSensor:
+    """What turns a plane in space into raw numbers.
+
+    Parameters
+    ----------
+    camera
+    disparity
+    tilt_raw
+        What is added to the raw numbers at the right edge, and at the lower edge, of the image.
+    """
+
+    camera: Camera
+    disparity: DisparityModel
+    tilt_raw: tuple[float, float] = (0.0, 0.0)
+
+    def raw(self, planes: FloatArray, pixels: FloatArray) -> FloatArray:
+        """Give the raw numbers (k,) of planes (k, 3), 1/Z = plane · (x, y, 1), at pixels (k, 2)."""
+        rays = self.camera.normalised(pixels)
+        inverse_depth = (planes[:, :2] * rays).sum(-1) + planes[:, 2]
+        tilted = _tilt_columns(pixels, self.camera) @ np.asarray(self.tilt_raw)
+        return np.asarray(self.disparity.raw(1 / inverse_depth) + tilted)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,15 +122,16 @@ class BoardDepthCalibration:
     Parameters
     ----------
     stereo
-    depth_camera, disparity
-        As given, or as fitted.
-    deviations
-        Standard deviations of the fitted numbers: a, b, cx, cy.
+    depth
+        As given, and as far as it was fitted.
+    values, deviations
+        The fitted numbers and their standard deviations, by name: a, b, cx, cy, fx, fy, tilt_x,
+        tilt_y.
     """
 
     stereo: StereoCalibration
-    depth_camera: Camera
-    disparity: DisparityModel
+    depth: DepthSensor
+    values: dict[str, float]
     deviations: dict[str, float]
 
 
@@ -129,32 +149,77 @@ def calibrate_board_depth(
     CalibrationError
         With fewer than four boards, or boards that are all parallel.
     """
-    options = options or BoardDepthOptions()
+    names, errors = _names(options or BoardDepthOptions()), _LEAST_ERRORS
+    guess = depth = DepthSensor(depth_camera, disparity)
+    depth2color = _TYPICAL
     board2color = [board_pose(board.color, color_camera) for board in boards]
-    depth2color, seen = _TYPICAL, list(range(len(boards)))
     for _ in range(_ROUNDS):
         patches = [
-            _patch(boards[i], board2color[i], depth2color, depth_camera) for i in range(len(boards))
+            board_patch(board, placed, depth2color, depth.camera)
+            for board, placed in zip(boards, board2color, strict=True)
         ]
-        seen = [i for i, (_, values) in enumerate(patches) if len(values)]
+        seen = [i for i, (_, raw) in enumerate(patches) if len(raw)]
         _check(len(seen), [board2color[i] for i in seen])
-        problem = _Problem(
-            [boards[i].color for i in seen],
-            [patches[i] for i in seen],
-            depth_camera,
-            color_camera,
-            disparity,
-            options,
-        )
+        measured = _measured([boards[i].color for i in seen], [patches[i] for i in seen])
+        problem = _Problem(measured, color_camera, guess, names, errors)
         start = problem.start(depth2color, [board2color[i] for i in seen])
         found = adjust(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
-        depth2color = pose(found.values)
-    camera, fitted = problem.read(found.values)
+        depth2color, depth = pose(found.values), problem.read(found.values)
+        errors = problem.found_errors(found)
     return BoardDepthCalibration(
-        as_stereo(found, problem.rms_raw(found), "raw", tuple(boards[i].color.name for i in seen)),
-        camera,
-        fitted,
-        dict(zip(problem.names, found.deviations[6:].tolist(), strict=False)),
+        as_stereo(found, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
+        depth,
+        dict(zip(names, found.values[6:].tolist(), strict=False)),
+        dict(zip(names, found.deviations[6:].tolist(), strict=False)),
+    )
+
+
+def add_tilt(
+    correction: DisparityCorrection, camera: Camera, tilt_raw: tuple[float, float]
+) -> DisparityCorrection:
+    """Give a correction that takes the tilt of all raw numbers out as well."""
+    v, u = np.indices(correction.offset.shape)
+    columns = _tilt_columns(np.stack([u, v], axis=-1).reshape(-1, 2).astype(float), camera)
+    tilted = (columns @ np.asarray(tilt_raw)).reshape(u.shape)
+    return replace(correction, offset=(correction.offset + tilted).astype(np.float32))
+
+
+def _tilt_columns(pixels: FloatArray, camera: Camera) -> FloatArray:
+    """(k, 2) -1 to 1 from left to right, and from top to bottom, of the image."""
+    half = np.array([camera.width, camera.height]) / 2
+    return np.asarray((pixels + 0.5) / half - 1)
+
+
+def _names(options: BoardDepthOptions) -> tuple[str, ...]:
+    chosen = (field.name for field in fields(options) if getattr(options, field.name))
+    return tuple(name for option in chosen for name in _NUMBERS[option])
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """All corners (n) and all depth patches (k), one after the other, each with its board."""
+
+    boards: int
+    corner_board: IntArray
+    points_mm: FloatArray
+    corners: FloatArray
+    patch_board: IntArray
+    pixels: FloatArray
+    raw: FloatArray
+
+
+def _measured(
+    sightings: Sequence[Sighting], patches: Sequence[tuple[FloatArray, FloatArray]]
+) -> _Measured:
+    numbers = np.arange(len(sightings))
+    return _Measured(
+        len(sightings),
+        np.repeat(numbers, [len(sighting.pixels) for sighting in sightings]),
+        np.concatenate([sighting.points_mm for sighting in sightings]),
+        np.concatenate([sighting.pixels for sighting in sightings]),
+        np.repeat(numbers, [len(raw) for _, raw in patches]),
+        np.concatenate([pixels for pixels, _ in patches]),
+        np.concatenate([raw for _, raw in patches]),
     )
 
 
@@ -165,113 +230,89 @@ class _Problem:
     The boards' own poses are free, so that the colour camera's uncertainty about them counts.
     """
 
-    sightings: Sequence[Sighting]
-    patches: Sequence[tuple[FloatArray, FloatArray]]
-    depth_camera: Camera
+    measured: _Measured
     color_camera: Camera
-    disparity: DisparityModel
-    options: BoardDepthOptions
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        disparity = ("a", "b") if self.options.fit_disparity else ()
-        return disparity + (("cx", "cy") if self.options.fit_centre else ())
+    guess: DepthSensor
+    names: tuple[str, ...]
+    errors: _Errors
 
     @property
     def shared(self) -> int:
         return 6 + len(self.names)
 
-    def start(self, depth2color: FloatArray, board2color: Sequence[FloatArray]) -> FloatArray:
-        numbers: list[float] = []
-        if self.options.fit_disparity:
-            raw = np.concatenate([values for _, values in self.patches])
-            model = linear_inverse_near(self.disparity, raw)
-            numbers += [model.a, model.b]
-        if self.options.fit_centre:
-            numbers += [self.depth_camera.cx, self.depth_camera.cy]
-        poses = [pose_vector(placed) for placed in board2color]
-        return np.concatenate([pose_vector(depth2color), numbers, *poses])
+    @cached_property
+    def usual(self) -> FloatArray:
+        """Where the shared unknowns begin and, as far as the spread says, stay."""
+        camera, model = (
+            self.guess.camera,
+            linear_inverse_near(self.guess.disparity, self.measured.raw),
+        )
+        known = {"a": model.a, "b": model.b, "cx": camera.cx, "cy": camera.cy}
+        known |= {"fx": camera.fx, "fy": camera.fy, "tilt_x": 0.0, "tilt_y": 0.0}
+        return np.array([*pose_vector(_TYPICAL), *(known[name] for name in self.names)])
 
-    def read(self, unknowns: FloatArray) -> tuple[Camera, DisparityModel]:
+    @cached_property
+    def spread(self) -> FloatArray:
+        named = {
+            name: spread
+            for option, names in _NUMBERS.items()
+            for name, spread in zip(names, _SPREAD[option], strict=True)
+        }
+        return np.array([*_SPREAD["pose"], *(named[name] for name in self.names)])
+
+    def start(self, depth2color: FloatArray, board2color: Sequence[FloatArray]) -> FloatArray:
+        poses = [pose_vector(placed) for placed in board2color]
+        return np.concatenate([pose_vector(depth2color), self.usual[6:], *poses])
+
+    def read(self, unknowns: FloatArray) -> DepthSensor:
         values = dict(zip(self.names, unknowns[6 : self.shared].tolist(), strict=True))
-        centre = {key: values[key] for key in ("cx", "cy") if key in values}
-        model = self.disparity
+        camera = {key: values[key] for key in ("cx", "cy", "fx", "fy") if key in values}
+        disparity = self.guess.disparity
         if "a" in values:
-            model = LinearInverseDisparity(values["a"], values["b"])
-        return replace(self.depth_camera, **centre), model
+            disparity = LinearInverseDisparity(values["a"], values["b"])
+        tilt_raw = values.get("tilt_x", 0.0), values.get("tilt_y", 0.0)
+        return DepthSensor(replace(self.guess.camera, **camera), disparity, tilt_raw)
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """Errors of all corners and raw numbers, each against its usual size."""
-        camera, model = self.read(unknowns)
-        placed = [pose(vector) for vector in unknowns[self.shared :].reshape(-1, 6)]
-        planes = board_planes(placed, pose(unknowns))
-        parts = []
-        for sighting, board, (pixels, raw), plane in zip(
-            self.sightings, placed, self.patches, planes, strict=True
-        ):
-            corners = self.color_camera.project(transform(board, sighting.points_mm))
-            rays = camera.normalised(pixels)
-            rows = np.concatenate([rays, np.ones((len(rays), 1))], axis=-1)
-            parts.append((sighting.pixels - corners).ravel() / _CORNER_PX)
-            parts.append((raw - expected_raw(plane, rows, model)) / _DEPTH_RAW)
-        return np.concatenate(parts)
+        """Errors of all corners and raw numbers, each against its usual size, board by board."""
+        here, depth = self.measured, self.read(unknowns)
+        placed = np.array([pose(vector) for vector in unknowns[self.shared :].reshape(-1, 6)])
+        of_corner = placed[here.corner_board]
+        points = (of_corner[:, :3, :3] @ here.points_mm[..., None])[..., 0] + of_corner[:, :3, 3]
+        corners = here.corners - self.color_camera.project(points)
+        planes = board_planes(placed, pose(unknowns))[here.patch_board]
+        raw = here.raw - depth.raw(planes, here.pixels)
+        both = (corners.ravel() / self.errors.corner_px, raw / self.errors.depth_raw)
+        unusual = (unknowns[: self.shared] - self.usual) / self.spread
+        return np.concatenate([np.concatenate(both)[self._order], unusual])
 
     def blocks(self) -> Blocks:
-        lengths = tuple(
-            2 * len(sighting.pixels) + len(raw)
-            for sighting, (_, raw) in zip(self.sightings, self.patches, strict=True)
+        lengths = np.bincount(self._boards, minlength=self.measured.boards)
+        lengths[-1] += self.shared  # what is unusual depends on no board: it closes the last block
+        return Blocks(tuple(lengths.tolist()), self.shared)
+
+    def found_errors(self, found: Adjustment) -> _Errors:
+        """Root mean squares of the residuals, that outliers do not reach."""
+        left = np.empty(len(self._order))
+        left[self._order] = found.residuals[: len(left)]
+        corners, depth = np.split(left, [2 * len(self.measured.corners)])
+        return _Errors(
+            max(_typical(corners) * self.errors.corner_px, _LEAST_ERRORS.corner_px),
+            max(_typical(depth) * self.errors.depth_raw, _LEAST_ERRORS.depth_raw),
         )
-        return Blocks(lengths, self.shared)
 
-    def rms_raw(self, found: Adjustment) -> float:
-        """Root mean square of the depth residuals, raw units, that outliers do not reach."""
-        lengths = [
-            length
-            for sighting, (_, raw) in zip(self.sightings, self.patches, strict=True)
-            for length in (2 * len(sighting.pixels), len(raw))
-        ]
-        parts = np.split(found.residuals, np.cumsum(lengths)[:-1])
-        depth = np.concatenate(parts[1::2]) * _DEPTH_RAW
-        return float(np.sqrt(np.median(depth**2) / _CHI2_MEDIAN))
+    @property
+    def _boards(self) -> IntArray:
+        """The board of every residual: first two of each corner, then those of the patches."""
+        return np.concatenate([np.repeat(self.measured.corner_board, 2), self.measured.patch_board])
+
+    @cached_property
+    def _order(self) -> IntArray:
+        return np.argsort(self._boards, kind="stable")
 
 
-def board_planes(board2color: Sequence[FloatArray], depth2color: FloatArray) -> list[FloatArray]:
-    """Give the planes 1/Z = plane · (x, y, 1) of boards in the depth camera frame, 1/mm."""
-    planes = []
-    for placed in board2color:
-        normal, point = placed[:3, 2], placed[:3, 3]
-        distance = normal @ (point - depth2color[:3, 3])
-        planes.append(depth2color[:3, :3].T @ normal / distance)
-    return planes
-
-
-def _patch(
-    board: BoardInDepth,
-    board2color: FloatArray,
-    depth2color: FloatArray,
-    depth_camera: Camera,
-) -> tuple[FloatArray, FloatArray]:
-    """Pick pixels that certainly show the board: pixels (k, 2) and raw numbers (k,)."""
-    inside = _outline(board.color, inverse(depth2color) @ board2color, depth_camera)
-    inside &= np.isfinite(board.raw)
-    if inside.sum() < _LEAST_PIXELS:
-        return np.empty((0, 2)), np.empty(0)
-    v, u = np.nonzero(inside)
-    raw, pixels = board.raw[inside], np.stack([u, v], axis=-1).astype(float)
-    columns = np.column_stack([pixels, np.ones(len(pixels))])
-    flat = columns @ np.linalg.lstsq(columns, raw, rcond=None)[0]
-    near = np.abs(raw - flat - np.median(raw - flat)) < _NEAR_RAW
-    step = max(1, int(near.sum()) // _SAMPLES)
-    return pixels[near][::step], raw[near][::step]
-
-
-def _outline(sighting: Sighting, board2depth: FloatArray, depth_camera: Camera) -> BoolArray:
-    """Fill the area between the corners as the depth camera sees it, less a margin."""
-    corners = depth_camera.project(transform(board2depth, sighting.points_mm))
-    mask = np.zeros((depth_camera.height, depth_camera.width), np.uint8)
-    cv2.fillConvexPoly(mask, cv2.convexHull(np.round(corners).astype(np.int32)), 1)
-    width = 2 * _MARGIN_PX + 1
-    return np.asarray(cv2.erode(mask, np.ones((width, width), np.uint8)) > 0)
+def _typical(left: FloatArray) -> float:
+    return float(np.sqrt(np.median(left**2) / _CHI2_MEDIAN))
 
 
 def _check(count: int, board2color: Sequence[FloatArray]) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from insole_core.calibration.board import Sighting
-from insole_core.calibration.board_depth import BoardInDepth
+from insole_core.calibration.boards_in_depth import BoardInDepth
 from insole_core.calibration.stereo import board_pose
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.alignment import Correspondence

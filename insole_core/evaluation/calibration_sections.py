@@ -58,13 +58,25 @@ def camera_section(calibration: CameraCalibration, title: str = "Colour camera")
     )
 
 
-def stereo_section(stereo: StereoCalibration) -> Section:
-    """Report the pose between the two cameras."""
+def stereo_section(
+    stereo: StereoCalibration, fitted: Sequence[tuple[str, float, float]] = ()
+) -> Section:
+    """Report the pose between the two cameras, and what was fitted with it.
+
+    Parameters
+    ----------
+    stereo
+    fitted
+        Name, value and standard deviation of each further number.
+    """
     rows = tuple(
         (axis, f"{stereo.depth2color[i, 3]:.2f}", f"{stereo.translation_deviation_mm[i]:.2f}",
          f"{stereo.rotation_deviation_deg[i]:.3f}")
         for i, axis in enumerate("xyz")
     )  # fmt: skip
+    numbers = tuple((name, f"{value:.7g}", f"{sd:.2g}") for name, value, sd in fitted)
+    headings = ("number", "value", "deviation")
+    beside = (Table("Depth camera", headings, numbers),) if numbers else ()
     return Section(
         key="stereo",
         title="Depth camera to colour camera",
@@ -73,7 +85,7 @@ def stereo_section(stereo: StereoCalibration) -> Section:
             Number("rotation_deg", "Angle between the cameras", stereo.rotation_deg, "°"),
             Number("rms", "Residual (rms)", stereo.rms, stereo.unit),
         ),
-        tables=(Table("Pose", ("axis", "mm", "deviation mm", "deviation °"), rows),),
+        tables=(Table("Pose", ("axis", "mm", "deviation mm", "deviation °"), rows), *beside),
     )
 
 

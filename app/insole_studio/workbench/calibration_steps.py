@@ -11,7 +11,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.calibration.board import Board, Sighting, picture_paths, shifted
-from insole_core.calibration.board_depth import calibrate_board_depth, read_boards_in_depth
+from insole_core.calibration.board_depth import (
+    BoardDepthOptions,
+    add_tilt,
+    calibrate_board_depth,
+)
+from insole_core.calibration.boards_in_depth import read_boards_in_depth
 from insole_core.calibration.captures import WallCapture, read_captures
 from insole_core.calibration.disparity_fit import centre_pairs, fit_linear_inverse, fit_tangent
 from insole_core.calibration.distortion import calibrate_distortion
@@ -204,12 +209,23 @@ def calibrate_stereo_step(
     progress.step(0.5, "Reading the depth of the boards")
     boards = read_boards_in_depth(folder, color, sensor.correction)
     progress.step(0.6, f"Fitting the depth camera to {len(boards)} boards")
+    # Without a correction there is no map that a tilt of all raw numbers could be added to.
     found = calibrate_board_depth(
-        boards, sensor.depth_camera, sensor.color_camera, sensor.disparity
+        boards,
+        sensor.depth_camera,
+        sensor.color_camera,
+        sensor.disparity,
+        BoardDepthOptions(tilt=sensor.correction is not None),
     )
-    better = replace(sensor, depth_camera=found.depth_camera, disparity=found.disparity)
-    result = _stereo_result(better, found.stereo, "colour pictures and depth")
-    if sensor.correction is not None:
+    depth, correction = found.depth, sensor.correction
+    better = replace(sensor, depth_camera=depth.camera, disparity=depth.disparity)
+    if correction is not None:
+        better = replace(
+            better, correction=add_tilt(correction, sensor.depth_camera, depth.tilt_raw)
+        )
+    numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
+    result = _stereo_result(better, found.stereo, "colour pictures and depth", numbers)
+    if correction is not None:
         return result
     advice = (
         "The distortion of the depth was not corrected yet, which turns the cameras by a degree or "
@@ -385,11 +401,16 @@ def _number(sighting: Sighting, kind: str) -> str:
     return Path(sighting.name).stem.removeprefix(kind)
 
 
-def _stereo_result(sensor: Sensor, stereo: StereoCalibration, source: str) -> StepResult:
+def _stereo_result(
+    sensor: Sensor,
+    stereo: StereoCalibration,
+    source: str,
+    fitted: Sequence[tuple[str, float, float]] = (),
+) -> StepResult:
     x, y, z = stereo.depth2color[:3, 3]
     return StepResult(
         sensor=replace(sensor, depth2color=stereo.depth2color),
-        section=stereo_section(stereo),
+        section=stereo_section(stereo, fitted),
         sentences=(
             f"The cameras are {stereo.baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and "
             f"turned by {stereo.rotation_deg:.2f}°, from {len(stereo.pairs)} {source}.",

@@ -32,6 +32,28 @@ def board_poses(
     return poses
 
 
+def spread_poses(
+    seed: int, count: int, board: Board, depth2color: FloatArray, tilt_deg: float = 50
+) -> list[FloatArray]:
+    """Poses ``board2depth`` 570 to 1000 mm away, in all parts of the colour picture."""
+    generator, center = np.random.default_rng(seed), board.points_mm.mean(0)
+    poses: list[FloatArray] = []
+    while len(poses) < count:
+        tilts = generator.uniform(-tilt_deg, tilt_deg, 2)
+        rotation = (
+            rotation_about(np.array([1.0, 0, 0]), tilts[0])
+            @ rotation_about(np.array([0, 1.0, 0]), tilts[1])
+            @ rotation_about(np.array([0, 0, 1.0]), generator.uniform(-20, 20))
+        )
+        depth_mm = 1 / generator.uniform(1 / 1000, 1 / 570)
+        place = depth_mm * np.array([*generator.uniform([-0.4, -0.3], [0.4, 0.3]), 1])
+        pose = rigid(rotation, place - rotation @ center)
+        pixels = COLOR_CAMERA.project(transform(depth2color @ pose, board.points_mm))
+        if ((pixels > 5) & (pixels < (COLOR_CAMERA.width - 5, COLOR_CAMERA.height - 5))).all():
+            poses.append(pose)
+    return poses
+
+
 def sight(
     name: str,
     board: Board,

@@ -6,15 +6,18 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from simulated_board import COLOR_CAMERA, board_poses, sight
+from simulated_board import COLOR_CAMERA, board_poses, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
 from insole_core.calibration.board import Chequerboard, Sighting, picture_paths, shifted
 from insole_core.calibration.board_depth import (
     BoardDepthOptions,
+    add_tilt,
+    calibrate_board_depth,
+)
+from insole_core.calibration.boards_in_depth import (
     BoardInDepth,
     board_planes,
-    calibrate_board_depth,
     read_boards_in_depth,
 )
 from insole_core.calibration.captures import read_captures
@@ -79,49 +82,79 @@ def test_too_few_pairs() -> None:
         calibrate_stereo(ir, color, CAMERA, COLOR_CAMERA)
 
 
-def boards_in_depth(count: int, tilt_deg: float = 35) -> list[BoardInDepth]:
+def boards_in_depth(poses: list[FloatArray]) -> list[BoardInDepth]:
     device = SimulatedDevice(np.zeros((480, 640)))
     boards = []
-    for i, placed in enumerate(board_poses(5, count, CENTER, 900, tilt_deg)):
+    for i, placed in enumerate(poses):
         board2color = DEPTH2COLOR @ placed
-        plane = board_planes([board2color], DEPTH2COLOR)[0]
+        plane = board_planes(board2color[None], DEPTH2COLOR)[0]
         boards.append(
             BoardInDepth(
                 sight(f"color_{i}", BOARD, board2color, COLOR_CAMERA, 0.1, i),
-                device.capture(plane, 4).raw,
+                np.asarray(next(device.frames(plane, 1)), dtype=float),
             )
         )
     return boards
 
 
-def test_pose_and_scale_from_colour_and_disparity() -> None:
-    rough = replace(CAMERA, cx=319.5, cy=239.5)
+def tilted(count: int, tilt_deg: float = 35) -> list[BoardInDepth]:
+    return boards_in_depth(board_poses(5, count, CENTER, 900, tilt_deg))
+
+
+@pytest.fixture(scope="module")
+def everywhere() -> list[BoardInDepth]:
+    """Forty boards, tilted up to 50° to all sides, in all parts of the picture."""
+    return boards_in_depth(spread_poses(1, 40, BOARD, DEPTH2COLOR))
+
+
+def test_everything_from_colour_and_disparity(everywhere: list[BoardInDepth]) -> None:
+    rough = Camera(640, 480, 580, 580, 319.5, 239.5)
     guess = LinearInverseDisparity(DISPARITY.a * 1.02, DISPARITY.b * 1.02)
-    result = calibrate_board_depth(boards_in_depth(20), rough, COLOR_CAMERA, guess)
+    color = calibrate_camera([board.color for board in everywhere]).camera
+    result = calibrate_board_depth(everywhere, rough, color, guess)
     shift, turn = pose_error(result.stereo.depth2color)
-    # The principal point and the shift are hard to tell apart, and the deviations say so.
-    assert shift < 3 * np.linalg.norm(result.stereo.translation_deviation_mm) < 6
-    assert turn < 0.15
-    assert abs(result.depth_camera.cx - CAMERA.cx) < 3 * result.deviations["cx"] < 6
-    assert abs(result.depth_camera.cy - CAMERA.cy) < 3 * result.deviations["cy"] < 6
-    raw = np.array([600.0, 700, 800])
-    assert np.allclose(result.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=5e-4)
+    assert shift < 0.5
+    assert turn < 0.1
+    assert np.linalg.norm(result.stereo.translation_deviation_mm) < 0.35
+    for name in ("fx", "fy", "cx", "cy"):
+        assert getattr(result.depth.camera, name) == pytest.approx(getattr(CAMERA, name), abs=0.7)
+        assert 0 < result.deviations[name] < 0.4
+    raw = np.array([500.0, 600, 700])
+    assert np.allclose(result.depth.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=8e-4)
+
+
+def test_few_boards_say_how_little_they_tell() -> None:
+    result = calibrate_board_depth(tilted(12, 20), CAMERA, COLOR_CAMERA, DISPARITY)
+    shift, _ = pose_error(result.stereo.depth2color)
+    assert shift < 3 * np.linalg.norm(result.stereo.translation_deviation_mm)
+    assert np.linalg.norm(result.stereo.translation_deviation_mm) > 1
 
 
 def test_pose_alone_when_all_else_is_known() -> None:
-    options = BoardDepthOptions(fit_disparity=False, fit_centre=False)
-    result = calibrate_board_depth(boards_in_depth(20), CAMERA, COLOR_CAMERA, DISPARITY, options)
+    options = BoardDepthOptions(disparity=False, centre=False, focal=False, tilt=False)
+    result = calibrate_board_depth(tilted(12), CAMERA, COLOR_CAMERA, DISPARITY, options)
     shift, turn = pose_error(result.stereo.depth2color)
     assert shift < 0.5
     assert turn < 0.1
     assert result.deviations == {}
 
 
+def test_a_tilt_of_all_raw_numbers_goes_into_the_correction(everywhere: list[BoardInDepth]) -> None:
+    tilt = DisparityCorrection(np.zeros((480, 640), np.float32))
+    slanted = add_tilt(tilt, CAMERA, (-1.5, 1.0))
+    boards = [replace(board, raw=slanted.corrected(board.raw)) for board in everywhere]
+    result = calibrate_board_depth(boards, CAMERA, COLOR_CAMERA, DISPARITY)
+    assert result.depth.tilt_raw == pytest.approx((1.5, -1.0), abs=0.3)
+    mended = add_tilt(slanted, CAMERA, result.depth.tilt_raw)
+    assert np.abs(mended.offset).max() < 0.4
+    assert pose_error(result.stereo.depth2color)[1] < 0.1
+
+
 def test_boards_that_are_all_parallel_or_too_few() -> None:
     with pytest.raises(CalibrationError, match="tilted too little"):
-        calibrate_board_depth(boards_in_depth(6, 1.0), CAMERA, COLOR_CAMERA, DISPARITY)
+        calibrate_board_depth(tilted(6, 1.0), CAMERA, COLOR_CAMERA, DISPARITY)
     with pytest.raises(CalibrationError, match="at 3 positions, but 4"):
-        calibrate_board_depth(boards_in_depth(3), CAMERA, COLOR_CAMERA, DISPARITY)
+        calibrate_board_depth(tilted(3), CAMERA, COLOR_CAMERA, DISPARITY)
 
 
 @pytest.mark.shared

@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 def _measure_boards(
     arguments: argparse.Namespace, sensor: Sensor, progress: Progress
 ) -> ObjectEvaluation:
-    from insole_core.calibration.board_depth import read_boards_in_depth
+    from insole_core.calibration.boards_in_depth import read_boards_in_depth
     from insole_core.calibration.intrinsics import find_boards
     from insole_core.evaluation.board_points import evaluate_boards
     from insole_studio.workbench.calibration_steps import (

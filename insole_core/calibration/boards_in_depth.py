@@ -1,0 +1,118 @@
+"""A board in colour and in raw depth: where the depth image shows it, and what is measured."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.board import Sighting
+from insole_core.calibration.captures import read_depth
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.disparity import NO_READING
+
+_LEAST_PIXELS = 200
+_NEAR_RAW = 30.0
+_MARGIN_PX = 4
+_BLOCK_PX = 8
+
+
+@dataclass(frozen=True, eq=False)
+class BoardInDepth:
+    """One board position, in colour and in raw depth.
+
+    Parameters
+    ----------
+    color
+        The board in the colour picture.
+    raw : (480, 640) float64, raw units, corrected for distortion, NaN = no reading
+    """
+
+    color: Sighting
+    raw: FloatArray
+
+
+def read_boards_in_depth(
+    folder: Path, sightings: Sequence[Sighting], correction: DisparityCorrection | None = None
+) -> list[BoardInDepth]:
+    """Read the raw depth beside each colour picture: ``depth_003.png`` beside ``color_003.jpg``.
+
+    Raises
+    ------
+    InputError
+        When a depth image is missing or cannot be read.
+    """
+    boards = []
+    for sighting in sightings:
+        number = Path(sighting.name).stem.removeprefix("color")
+        frame = read_depth(folder / f"depth{number}.png")
+        raw = np.where(frame < NO_READING, frame, np.nan)
+        boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
+    return boards
+
+
+def board_planes(board2color: FloatArray, depth2color: FloatArray) -> FloatArray:
+    """Give the planes (n, 3) 1/Z = plane · (x, y, 1) of boards in the depth camera frame, 1/mm.
+
+    Parameters
+    ----------
+    board2color : (n, 4, 4) float64, mm
+    depth2color : (4, 4) float64, mm
+    """
+    normals, points = board2color[:, :3, 2], board2color[:, :3, 3]
+    distances = (normals * (points - depth2color[:3, 3])).sum(-1)
+    return np.asarray(normals @ depth2color[:3, :3] / distances[:, None])
+
+
+def board_patch(
+    board: BoardInDepth,
+    board2color: FloatArray,
+    depth2color: FloatArray,
+    depth_camera: Camera,
+) -> tuple[FloatArray, FloatArray]:
+    """Measure the board where the depth image certainly shows it.
+
+    Returns
+    -------
+    pixels, raw : (k, 2), (k,) float64
+        Mean pixel and mean raw number of squares of 8 pixels; empty when it is hardly seen.
+    """
+    inside = _outline(board.color, inverse(depth2color) @ board2color, depth_camera)
+    inside &= np.isfinite(board.raw)
+    if inside.sum() < _LEAST_PIXELS:
+        return np.empty((0, 2)), np.empty(0)
+    v, u = np.nonzero(inside)
+    raw, pixels = board.raw[inside], np.stack([u, v], axis=-1).astype(float)
+    columns = np.column_stack([pixels, np.ones(len(pixels))])
+    flat = columns @ np.linalg.lstsq(columns, raw, rcond=None)[0]
+    near = np.abs(raw - flat - np.median(raw - flat)) < _NEAR_RAW
+    return _block_means(pixels[near], raw[near])
+
+
+def _block_means(pixels: FloatArray, raw: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Average squares of pixels: of a plane, raw numbers are linear in the pixel, so none is lost.
+
+    Each mean weighs alike, so squares that are hardly filled are left out.
+    """
+    squares = (pixels // _BLOCK_PX).astype(int)
+    which = squares[:, 0] + squares[:, 1] * (squares[:, 0].max(initial=0) + 1)
+    counts = np.bincount(which)
+    sums = np.stack([np.bincount(which, values) for values in (*pixels.T, raw)], axis=-1)
+    filled = counts > _BLOCK_PX**2 / 2
+    means = sums[filled] / counts[filled, None]
+    return means[:, :2], means[:, 2]
+
+
+def _outline(sighting: Sighting, board2depth: FloatArray, depth_camera: Camera) -> BoolArray:
+    """Fill the area between the corners as the depth camera sees it, less a margin."""
+    corners = depth_camera.project(transform(board2depth, sighting.points_mm))
+    mask = np.zeros((depth_camera.height, depth_camera.width), np.uint8)
+    cv2.fillConvexPoly(mask, cv2.convexHull(np.round(corners).astype(np.int32)), 1)
+    width = 2 * _MARGIN_PX + 1
+    return np.asarray(cv2.erode(mask, np.ones((width, width), np.uint8)) > 0)
