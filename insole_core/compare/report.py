@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +35,7 @@ def report_json(difference: Difference) -> dict[str, Any]:
     }
 
 
-def draw_picture(difference: Difference, path: Path, names: tuple[str, str]) -> None:
+def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[str, str]) -> None:
     """Draw the signed and the absolute difference side by side as PNG, to scale."""
     signed = difference.signed_mm
     limit = _limit_mm(signed)

@@ -142,6 +142,24 @@ def write_prescription(
     _write(story, path, texts["title"])
 
 
+def write_report(
+    title: str, sections: Sequence[tuple[str, Facts]], picture: bytes, path: Path
+) -> None:
+    """Write a page of facts under a picture (PNG) of 9 to 8.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    _register_font()
+    image = Image(io.BytesIO(picture), width=153 * mm, height=136 * mm)
+    story: list[Flowable] = [Paragraph(_safe(title), _TITLE), image]
+    for heading, facts in sections:
+        story += _facts(heading, facts)
+    _write(story, path, title)
+
+
 def sha256_of(path: Path) -> str:
     """Hash of a file, in hexadecimal."""
     try:

@@ -36,10 +36,10 @@ def build_scene(
 ) -> TriangleMesh:
     """Put the room together: one coloured mesh, mm, reference frame."""
     bricks = (_brick(marker) for marker in reference_system.markers)
-    return _join([foot, *bricks, _bed(rng), *_clutter(rng)])
+    return joined([foot, *bricks, _bed(rng), *_clutter(rng)])
 
 
-def _join(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
+def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
     """Make one mesh of several coloured ones."""
     parts = list(meshes)
     starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])

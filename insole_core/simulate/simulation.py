@@ -140,7 +140,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         progress.step(0.1 + 0.9 * number / len(plan), f"Simulating view {name}")
         rng = np.random.default_rng([options.seed, 2, number])
         poses[name] = stand_sensor(sensor, options.distance_mm, options.half_angle_deg, rng)
-        recorder = _Recorder(
+        recorder = Recorder(
             record_depth(caster, devices[sensor], poses[name], rng),
             record_color(caster, devices[sensor].sensor, poses[name]),
             [options.seed, 3, number],
@@ -171,7 +171,7 @@ def _device(options: SimulationOptions, number: int, sensor: str) -> Device:
     )
 
 
-def _view(name: str, device: Device, recorder: _Recorder, options: SimulationOptions) -> View:
+def _view(name: str, device: Device, recorder: Recorder, options: SimulationOptions) -> View:
     return View(
         name,
         device.sensor,
@@ -196,7 +196,7 @@ def _manifest(
 
 
 @dataclass(frozen=True, eq=False)
-class _Recorder:
+class Recorder:
     """What one sensor recorded; every frame has its own random stream, so any order will do."""
 
     depth: DepthRecording
@@ -204,7 +204,9 @@ class _Recorder:
     seed: list[int]
 
     def read_depth(self, frame: int) -> RawArray:
+        """Give a depth frame, raw numbers."""
         return self.depth.frame(np.random.default_rng([*self.seed, 1, frame]))
 
     def read_color(self, frame: int) -> ByteArray:
+        """Give a colour frame, RGB."""
         return self.color.frame(np.random.default_rng([*self.seed, 2, frame]))

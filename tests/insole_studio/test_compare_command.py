@@ -10,11 +10,16 @@ import numpy as np
 import pytest
 
 from insole_core.export.stl import write_stl
+from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign
+from insole_core.recording.session import Manifest, Session
+from insole_core.recording.writer import write_session
 from insole_core.simulate import FootShape, build_foot
+from insole_core.simulate.one_view import simulate_view
+from insole_core.simulate.scene import load_reference_system
 from insole_core.solids.solid import insole_solid
 from insole_studio.cli import run
 
@@ -62,6 +67,23 @@ def test_picked_points(pair: tuple[str, str], tmp_path: Path) -> None:
     call = ["--align", str(tmp_path / "points.json"), "--report", str(tmp_path / "d.json")]
     assert run(["compare", *pair, *call]) == 0
     assert json.loads((tmp_path / "d.json").read_text())["max"] < 0.01
+
+
+def test_mould_in_one_view_without_a_reference_system(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    view = simulate_view(read_mesh(Path(pair[0])).mesh, 3, frames=3)
+    manifest = Manifest("2026-11-20T10:00:00Z", Side.LEFT, load_reference_system(), ("above",))
+    sensor = replace(view.sensor, faces=("sole",))
+    session = Session(manifest, (replace(view, sensor=sensor),), "simulated")
+    write_session(session, tmp_path / "mould.zip")
+    outputs = ["--report", str(tmp_path / "d.json"), "--paper", str(tmp_path / "d.pdf")]
+    assert run(["compare", pair[0], str(tmp_path / "mould.zip"), *outputs]) == 0
+    values = json.loads((tmp_path / "d.json").read_text())
+    assert values["mean_abs"] < 0.8
+    assert values["compared_area_mm2"] > 10_000
+    assert "taken as a thing on a table" in capsys.readouterr().err
+    assert (tmp_path / "d.pdf").read_bytes().startswith(b"%PDF")
 
 
 @pytest.mark.parametrize(

@@ -24,10 +24,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments."""
     for name in "ab":
         parser.add_argument(
-            name, type=Path, metavar=name.upper(), help="a mesh (.ply .stl .obj) or a session"
+            name,
+            type=Path,
+            metavar=name.upper(),
+            help="a mesh (.ply .stl .obj), a session, or a mould or insole recorded in one view",
         )
     parser.add_argument("--report", type=Path, required=True, metavar="difference.json")
     parser.add_argument("--picture", type=Path, metavar="difference.png")
+    parser.add_argument("--paper", type=Path, metavar="difference.pdf", help="report to print")
     parser.add_argument("--surface", type=Path, metavar="difference.ply", help="A in the colours")
     parser.add_argument(
         "--align", default="best", metavar="best|none|dots|points.json",
@@ -43,15 +47,17 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read both, lay B on A, measure, write."""
     _check_call(arguments)
     from insole_core.compare.comparison import compare_surfaces
+    from insole_core.compare.paper import write_report
     from insole_core.compare.report import colored_surface, draw_picture, report_json
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
 
     with ExitStack() as outputs:
-        report, picture, surface = (
+        report, picture, surface, paper = (
             path and outputs.enter_context(replacing_file(path))
-            for path in (arguments.report, arguments.picture, arguments.surface)
+            for path in (arguments.report, arguments.picture, arguments.surface, arguments.paper)
         )
+        names = arguments.a.name, arguments.b.name
         a = _read(arguments.a, progress.part(0.0, 0.2))
         b = _read(arguments.b, progress.part(0.2, 0.4))
         difference = compare_surfaces(
@@ -62,7 +68,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         text = json.dumps(report_json(difference), indent=1, allow_nan=False)
         report.write_text(text + "\n", encoding="utf-8")
         if picture:
-            draw_picture(difference, picture, (arguments.a.name, arguments.b.name))
+            draw_picture(difference, picture, names)
+        if paper:
+            write_report(difference, names, paper)
         if surface:
             write_ply(colored_surface(difference), surface)
     mean, largest = (difference.statistics[key] for key in ("mean_abs", "max"))
@@ -70,7 +78,11 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _check_call(arguments: argparse.Namespace) -> None:
-    for path, suffix in ((arguments.picture, ".png"), (arguments.surface, ".ply")):
+    for path, suffix in (
+        (arguments.picture, ".png"),
+        (arguments.surface, ".ply"),
+        (arguments.paper, ".pdf"),
+    ):
         if path is not None and path.suffix.lower() != suffix:
             raise UsageError(f"{path} names no file that can be written; let it end in {suffix}.")
     if not 1 <= arguments.median <= 25:
@@ -89,14 +101,9 @@ def _alignment(word: str) -> Alignment:
 
 
 def _read(path: Path, progress: Progress) -> TriangleMesh:
-    from insole_core.foot.mesh_file import read_mesh
-    from insole_core.reconstruct import reconstruct
-    from insole_core.recording.reader import is_session, read_session
+    from insole_core.compare.sources import read_source
 
-    progress.step(0.0, f"Reading {path.name}")
-    if is_session(path):
-        return reconstruct(read_session(path), "fused", progress).mesh
-    read = read_mesh(path)
-    for note in read.notes:
+    source = read_source(path, progress)
+    for note in source.notes:
         print(f"{path.name}: {note}", file=sys.stderr)
-    return read.mesh
+    return source.mesh

@@ -1,0 +1,56 @@
+"""A comparison on paper: the difference maps, their figures, table 3 of both."""
+
+from __future__ import annotations
+
+import io
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from insole_core.compare.difference import Difference, table_3
+from insole_core.compare.report import draw_picture
+from insole_core.export import paper
+
+_FIGURES = {
+    "mean_abs": "mean of the absolute difference",
+    "median_abs": "median",
+    "p95": "95 % are below",
+    "max": "largest",
+    "signed_mean": "mean of first minus second",
+}
+
+
+def write_report(difference: Difference, names: tuple[str, str], path: Path) -> None:
+    """Write a comparison as PDF.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+    picture = io.BytesIO()
+    draw_picture(difference, picture, names)
+    statistics = difference.statistics
+    figures = {text: f"{statistics[key]:.2f} mm" for key, text in _FIGURES.items()}
+    figures["compared area"] = f"{statistics['compared_area_mm2'] / 100:.0f} cm²"
+    measures = table_3(difference)
+    shapes = {
+        key.replace("_", " "): f"{value:.1f} mm and {measures['b'][key]:.1f} mm"
+        for key, value in measures["a"].items()
+    }
+    what = {
+        "first": names[0],
+        "second": names[1],
+        "laid on the first": _fit_text(difference),
+        "date": datetime.now(UTC).date().isoformat(),
+    }
+    sections = [("What", what), ("Difference", figures), ("First and second", shapes)]
+    paper.write_report("Comparison of two surfaces", sections, picture.getvalue(), path)
+
+
+def _fit_text(difference: Difference) -> str:
+    residual = difference.fit.residual_mm
+    if np.isnan(residual):
+        return "as both lie"
+    return f"with a residual of {residual:.2f} mm"

@@ -1,0 +1,62 @@
+"""What can be compared: a mesh from a file, a recorded foot, a mould or insole seen in one view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_core.compare.one_view import one_view_surface
+from insole_core.errors import ReconstructionError
+from insole_core.foot.mesh_file import read_mesh
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct import reconstruct
+from insole_core.recording.reader import is_session, read_session
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A surface to compare.
+
+    Parameters
+    ----------
+    name
+        For pictures and reports.
+    mesh : mm
+        In its own frame.
+    notes
+        What was assumed, a sentence each.
+    """
+
+    name: str
+    mesh: TriangleMesh
+    notes: tuple[str, ...] = ()
+
+
+def read_source(path: Path, progress: Progress = SILENT) -> Source:
+    """Read a surface from a mesh file or a session.
+
+    A session of one view without the reference system in its picture is that of a mould or a
+    finished insole on a table.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read.
+    ReconstructionError
+        When a session gives no surface.
+    """
+    progress.step(0.0, f"Reading {path.name}")
+    if not is_session(path):
+        read = read_mesh(path)
+        return Source(path.name, read.mesh, tuple(read.notes))
+    session = read_session(path)
+    if len(session.views) > 1:
+        return Source(path.name, reconstruct(session, "fused", progress).mesh)
+    try:
+        return Source(path.name, reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh)
+    except ReconstructionError:
+        mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
+    return Source(
+        path.name, mesh, ("One view without a reference system: taken as a thing on a table.",)
+    )
