@@ -114,6 +114,7 @@ class Capturing:
         self._draft = draft
         self._watcher = watcher
         self._told: CaptureStatus | None = None
+        self._under_way: tuple[str, ...] = ()
         self._calibrated = {
             shot.view: workplace.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
         }
@@ -171,27 +172,28 @@ class Capturing:
 
     def _take(self, step: Step, tilts: dict[str, float]) -> None:
         names = step.names
+        self._under_way = tuple(shot.view for shot in step.shots)
         if step.by_hand:
-            self._tell(Phase.MOVING, hand_sentence(step), names)
+            self._tell(Phase.MOVING, hand_sentence(step))
             self._watcher.wait_for_hand(step)
         for shot in step.shots:
             self._move(shot, step.by_hand, tilts.get(shot.serial))
-        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}", names)
+        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}")
         taken = [
             Series(shot, self._sensors[shot.serial], self._plan, beginning)
             for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
         self._collect(taken, names)
-        self._tell(Phase.VERIFYING, f"Checking view {names}", names)
+        self._tell(Phase.VERIFYING, f"Checking view {names}")
         for series in taken:
             self._finish(series)
-        self._tell(Phase.VERIFYING, f"View {names} is on the disk", names)
+        self._tell(Phase.VERIFYING, f"View {names} is on the disk")
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
         """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
         sensor = self._sensors[shot.serial]
         if level_deg is not None:
-            self._tell(Phase.TILTING, f"Tilting the sensor for view {shot.view}", shot.view)
+            self._tell(Phase.TILTING, f"Tilting the sensor for view {shot.view}")
             sensor.tilt_to(level_deg + shot.tilt_deg)
         if by_hand or level_deg is not None:
             sensor.stop()  # what is under way was seen from the place before
@@ -232,7 +234,7 @@ class Capturing:
                 settled = all(series.settled for series in taken)
                 phase = Phase.CAPTURING if settled else Phase.SETTLING
                 verb = "Capturing" if settled else "Waiting for steady depth of"
-                self._tell(phase, f"{verb} view {names}", names)
+                self._tell(phase, f"{verb} view {names}")
             else:
                 time.sleep(_POLL_S)
 
@@ -265,8 +267,8 @@ class Capturing:
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)
 
-    def _tell(self, phase: Phase, sentence: str, names: str) -> None:
-        status = CaptureStatus(phase, tuple(self._views.values()), sentence, names)
+    def _tell(self, phase: Phase, sentence: str) -> None:
+        status = CaptureStatus(phase, tuple(self._views.values()), sentence, self._under_way)
         if status != self._told:
             self._told = status
             self._watcher.report(status)

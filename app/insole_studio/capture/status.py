@@ -93,7 +93,7 @@ class CaptureStatus:
     phase: Phase
     views: tuple[ViewStatus, ...] = ()
     sentence: str = ""
-    names: str = ""
+    names: tuple[str, ...] = ()
 
     @property
     def fraction(self) -> float:

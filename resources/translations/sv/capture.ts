@@ -1,6 +1,6 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="sv">
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
     <context>
         <name>studio</name>
         <message>
@@ -10,6 +10,10 @@
         <message>
             <source>Almost nothing is measured; check distance and light</source>
             <translation>Nästan inget mäts; kontrollera avstånd och ljus</translation>
+        </message>
+        <message>
+            <source>Capture the view (F5)</source>
+            <translation>Avbilda vyn (F5)</translation>
         </message>
         <message>
             <source>Capturing view {view}</source>
@@ -82,6 +86,10 @@
         <message>
             <source>Waiting for steady depth of view {view}</source>
             <translation>Väntar på stadigt djup i vy {view}</translation>
+        </message>
+        <message>
+            <source>top</source>
+            <translation>uppifrån</translation>
         </message>
         <message>
             <source>{found:.0f} of {wanted:.0f} markers are hidden</source>

@@ -229,6 +229,7 @@ def test_a_finished_capture_begins_anew(bench: Bench) -> None:
     bench.presenter.capture()
     bench.finish("left", "right")
     assert bench.panel.capture.button == "Capture anew"
+    assert bench.panel.capture.is_whole
     assert bench.panel.capture.sentence == "All views are captured."
     bench.presenter.capture()
     assert bench.started().plan.views == ("left", "right")
@@ -295,9 +296,9 @@ def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:
     assert [step.by_hand for step in plan.steps] == [True, False, True, False, False, False]
 
     views = [ViewStatus(s.view, s.serial, 4, 4, s.place == "left", (), s.place) for s in plan.shots]
-    bench.tell(CaptureStatus(Phase.TILTING, tuple(views), "", "left_2"))
+    bench.tell(CaptureStatus(Phase.TILTING, tuple(views), "", ("left_2",)))
     assert not bench.panel.capture.waits_for_hand
-    bench.tell(CaptureStatus(Phase.MOVING, tuple(views), "", "heel"))
+    bench.tell(CaptureStatus(Phase.MOVING, tuple(views), "", ("heel",)))
     assert bench.panel.capture.waits_for_hand
     assert "in its place for view heel" in bench.panel.capture.sentence
     assert [row.title.split(" ")[0] for row in bench.panel.rows] == ["heel", "right"]

@@ -36,6 +36,7 @@ from insole_studio.capture.workplace import Workplace
 from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.assignment import Assignment, options_of
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
+from insole_studio.stages.capture.view_names import views_text
 from insole_studio.stages.capture.watch import SensorWatch
 from insole_studio.texts import tr
 
@@ -407,6 +408,7 @@ class CapturePresenter:
             button=self._button(),
             can_capture=not running and any(s.problem is None for s in self._sensors.states),
             can_use=not running and bool(self._finished),
+            is_whole=not running and self._is_whole,
             waits_for_hand=self._waits_for_hand,
             offer=_offer(self._left) if self._left is not None and not running else "",
         )
@@ -418,8 +420,11 @@ class CapturePresenter:
     def _button(self) -> str:
         if not self._finished:
             return tr("Capture")
-        whole = all(view in self._finished for view in self._order)
-        return tr("Capture anew") if whole else tr("Capture missing views")
+        return tr("Capture anew") if self._is_whole else tr("Capture missing views")
+
+    @property
+    def _is_whole(self) -> bool:
+        return bool(self._finished) and set(self._order) <= set(self._finished)
 
 
 def _offer(left: LeftDraft) -> str:
@@ -447,4 +452,4 @@ def _describe(status: CaptureStatus) -> str:
         Phase.VERIFYING: tr("Checking view {view}"),
         Phase.CANCELLED: tr("The capture was stopped."),
     }
-    return sentences.get(status.phase, status.sentence).format(view=status.names)
+    return sentences.get(status.phase, status.sentence).format(view=views_text(status.names))

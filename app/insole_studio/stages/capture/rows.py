@@ -95,6 +95,8 @@ class CaptureRow:
     can_capture
     can_use
         Whether a session is ready to be opened.
+    is_whole
+        Whether all its views are there, so that it is time to open it.
     waits_for_hand
         Whether somebody has to say that a sensor stands.
     offer
@@ -107,6 +109,7 @@ class CaptureRow:
     button: str = ""
     can_capture: bool = False
     can_use: bool = False
+    is_whole: bool = False
     waits_for_hand: bool = False
     offer: str = ""
 

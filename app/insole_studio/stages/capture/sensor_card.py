@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.capture.rows import SensorRow
+from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.picture_view import PictureView
@@ -53,7 +54,7 @@ class SensorCard(QFrame):
         self._facts, self._hints = QLabel(), QLabel()
         self._facts.setObjectName("quiet")
         self._hints.setWordWrap(True)
-        self._view = Choice([(view, view) for view in VIEWS])
+        self._view = Choice([(view, view_text(view)) for view in VIEWS])
         self._view.setAccessibleName(tr("View of sensor {serial}").format(serial=serial))
         self._view.edited.connect(self._choose_view)
         self._retake = QToolButton()
@@ -70,6 +71,8 @@ class SensorCard(QFrame):
         self._hints.setText(told)
         self._hints.setObjectName("warning" if told else "")
         self._hints.setStyle(self._hints.style())
+        if self._view.findData(row.view) < 0:
+            self._view.addItem(view_text(row.view), row.view)
         self._view.show_value(row.view)
         self._retakes = row.retakes
         self._retake.setEnabled(bool(row.retakes))
@@ -135,7 +138,7 @@ class SensorCard(QFrame):
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for view in self._retakes:
-            menu.addAction(view).triggered.connect(partial(self._emit_retake, view))
+            menu.addAction(view_text(view)).triggered.connect(partial(self._emit_retake, view))
         menu.popup(self._retake.mapToGlobal(self._retake.rect().bottomLeft()))
 
     def _emit_retake(self, view: str, _on: bool = False) -> None:

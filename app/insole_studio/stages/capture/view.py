@@ -103,9 +103,11 @@ class CaptureView(QWidget):
         """Show how far the capture is, and what can be done."""
         self._capture.setText(row.button)
         self._capture.setEnabled(row.can_capture)
+        self._capture.setVisible(not row.waits_for_hand)
         self._cancel.setVisible(row.running)
         self._placed.setVisible(row.waits_for_hand)
         self._use.setEnabled(row.can_use)
+        (self._use if row.is_whole else self._capture).setDefault(True)
         self._other.setEnabled(row.can_use)
         self._progress.setValue(round(100 * row.fraction))
         self._progress.setVisible(row.running)
@@ -230,12 +232,13 @@ class CaptureView(QWidget):
         self._warning.setObjectName("warning")
         self._warning.hide()
         self._capture = QPushButton(tr("Capture"))
-        self._capture.setMinimumHeight(48)
-        self._capture.setDefault(True)
-        self._capture.setShortcut(Qt.Key.Key_F5)
         self._capture.setToolTip(tr("Capture all views (F5)"))
         self._cancel = QPushButton(tr("Cancel"))
         self._placed = QPushButton(tr("The sensor stands"))
+        self._placed.setToolTip(tr("Capture the view (F5)"))
+        for large in (self._capture, self._placed):  # only one of them is seen
+            large.setMinimumHeight(48)
+            large.setShortcut(Qt.Key.Key_F5)
         self._use = QPushButton(tr("Use this scan"))
         self._other = QPushButton(tr("Keep, and capture the other foot"))
         self._progress = QProgressBar()
@@ -251,8 +254,9 @@ class CaptureView(QWidget):
     def _button_row(self) -> QVBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(8)
-        row.addWidget(self._capture, 1)
-        for button in (self._placed, self._cancel, self._use, self._other):
+        for large in (self._capture, self._placed):
+            row.addWidget(large, 1)
+        for button in (self._cancel, self._use, self._other):
             row.addWidget(button)
         column = QVBoxLayout()
         column.setSpacing(8)

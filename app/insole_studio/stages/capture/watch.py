@@ -17,6 +17,7 @@ from insole_studio.capture.plan import view_faces
 from insole_studio.capture.status import Phase
 from insole_studio.capture.workplace import Workplace
 from insole_studio.stages.capture.hints import hint_text
+from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr
 
 _FULL_COLOR = (1280, 1024)
@@ -99,7 +100,7 @@ class SensorWatch:
     def title(self) -> str:
         """Name the view with the depth in the middle of its picture."""
         depth = f"{self._centre_mm:.0f} mm" if self._centre_mm is not None else "– mm"
-        return f"{self.view} · {depth}"
+        return f"{view_text(self.view)} · {depth}"
 
     def facts(self, state: SensorState) -> str:
         """Say frame rate and losses, valid pixels and markers."""

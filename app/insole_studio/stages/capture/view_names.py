@@ -1,0 +1,24 @@
+"""The names of views in the language of the window."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from insole_studio.texts import tr
+
+_USUAL = re.compile(r"(left|right|top)(?:_(\d+))?")
+
+
+def view_text(view: str) -> str:
+    """Name a view: a usual one, or a burst of it, by its word; any other as it is called."""
+    match = _USUAL.fullmatch(view)
+    if match is None:
+        return view
+    word = {"left": tr("left"), "right": tr("right"), "top": tr("top")}[match[1]]
+    return f"{word} {match[2]}" if match[2] else word
+
+
+def views_text(views: Iterable[str]) -> str:
+    """Name several views."""
+    return ", ".join(map(view_text, views))
