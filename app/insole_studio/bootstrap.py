@@ -28,6 +28,7 @@ from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.appearance import Appearance
 from insole_studio.shell.authorship import Authorship
 from insole_studio.shell.capture_window import CaptureWindow
+from insole_studio.shell.comparing import Comparing
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
@@ -66,6 +67,7 @@ from insole_studio.tools.section import SectionTool
 from insole_studio.tools.tool import Tool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.counterpart import Counterpart
 from insole_studio.workbench.export_rules import ExportRules
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pads
@@ -144,12 +146,14 @@ def build_application(
     jobs = Jobs()
     case = Case()
     surface = InsoleSurface(case, jobs)
+    counterpart = Counterpart(case, jobs)
     section, pads = Section(), load_pads()
     hand = Hand(case, make_tools(section))
     stage = DesignStage(
         case=case,
         surface=surface,
         section=section,
+        counterpart=counterpart,
         hand=hand,
         pads=pads,
         rules=load_rules(),
@@ -187,6 +191,7 @@ def build_application(
         measuring=Measuring(case, dialogue),
         feet=Feet(case),
         variants=Variants(case, dialogue),
+        comparing=Comparing(case, stage, counterpart),
         repeating=Repeating(
             case=case,
             jobs=jobs,

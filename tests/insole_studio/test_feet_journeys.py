@@ -22,6 +22,7 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
 from insole_studio.bootstrap import Application
 from insole_studio.shell.questions import SameSide
+from insole_studio.workbench.counterpart import foot_difference, insole_difference
 
 LEFT_BUTTON = Qt.MouseButton.LeftButton
 Settle = Callable[[], None]
@@ -283,6 +284,88 @@ def test_a_case_of_two_feet_survives_saving_and_opening(
     assert [foot.side for foot in two_feet.case.record.feet] == [Side.LEFT, Side.RIGHT]
     assert two_feet.case.record.current is not None
     assert two_feet.case.record.current.chosen == "B"
+
+
+def test_both_feet_stand_side_by_side(two_feet: Application, settle: Settle) -> None:
+    press(two_feet, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
+    settle()
+    foot, insole = two_feet.stage.foot_presenter, two_feet.stage.insole_presenter
+    for presenter in (foot, insole):
+        assert presenter.companion is not None
+        assert presenter.mesh is not None
+        # The right foot is at hand: the left one stands to its left, and does not touch it.
+        assert presenter.companion.bounds_mm[1, 0] < presenter.mesh.bounds_mm[0, 0] - 30
+    assert two_feet.window.actions_by_key["beside_foot"].isChecked()
+    click_side(two_feet, Side.LEFT)
+    settle()
+    assert foot.companion is not None
+    assert foot.mesh is not None
+    assert foot.companion.bounds_mm[0, 0] > foot.mesh.bounds_mm[1, 0] + 30
+
+
+def test_the_feet_are_compared_mirrored(two_feet: Application, settle: Settle) -> None:
+    """The made-up feet are mirror images: only the pad of the right one differs."""
+    pad = Pelott(centre_mm=(-8.0, 150.0), height_mm=6.0)
+    two_feet.case.apply(design(two_feet).with_added(pad), "Place")
+    press(two_feet, Qt.Key.Key_J)
+    settle()
+    counterpart = two_feet.studio.rooms.comparing.counterpart
+    over = insole_difference(two_feet.surface, counterpart)
+    assert over is not None
+    assert two_feet.surface.mesh is not None
+    assert np.nanmax(over) == pytest.approx(6.0, abs=0.05)
+    highest = two_feet.surface.mesh.vertices[np.nanargmax(over), :2]
+    assert highest == pytest.approx([-8.0, 150.0], abs=1.5)
+    assert np.nanquantile(np.abs(over), 0.5) < 0.05
+    sole = foot_difference(two_feet.case.record.feet[1].foot, counterpart)
+    assert sole is not None
+    assert np.nanmax(np.abs(sole)) < 0.3
+    assert "RIGHT − LEFT mirrored" in two_feet.stage.insole.numbers
+    assert "max 6.0" in two_feet.stage.insole.numbers
+
+
+def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
+    pad = add_pad(opened)
+    act(opened, "variant_duplicate")
+    opened.case.apply(design(opened).with_changed(replace(pad, height_mm=9.0)), "Raise")
+    press(
+        opened,
+        Qt.Key.Key_B,
+        Qt.KeyboardModifier.ControlModifier,
+        Qt.KeyboardModifier.ShiftModifier,
+    )
+    press(opened, Qt.Key.Key_J)
+    settle()
+    counterpart = opened.studio.rooms.comparing.counterpart
+    over = insole_difference(opened.surface, counterpart)
+    assert over is not None
+    assert np.nanmax(over) == pytest.approx(3.0, abs=0.05)
+    assert np.nanmin(over) == pytest.approx(0.0, abs=1e-6)
+    assert opened.stage.insole.numbers.startswith("B − A")
+    assert opened.stage.foot_presenter.companion is None
+    press(opened, Qt.Key.Key_V)
+    settle()
+    over = insole_difference(opened.surface, counterpart)
+    assert over is not None
+    assert np.nanmin(over) == pytest.approx(-3.0, abs=0.05)
+    assert opened.stage.insole.numbers.startswith("A − B")
+    press(
+        opened,
+        Qt.Key.Key_0,
+        Qt.KeyboardModifier.ControlModifier,
+        Qt.KeyboardModifier.ShiftModifier,
+    )
+    assert opened.stage.insole_presenter.companion is None
+    assert opened.window.actions_by_key["map_none"].isChecked()
+
+
+def test_nothing_to_compare_with_is_said(opened: Application) -> None:
+    for key in ("beside_foot", "beside_variant", "map_difference"):
+        act(opened, key)
+    sentences = [dialog.text() for dialog in opened.studio.rooms.dialogue.dialogs]
+    assert ["one foot only" in s or "one variant only" in s for s in sentences] == [True] * 3
+    assert opened.window.actions_by_key["beside_nothing"].isChecked()
+    assert opened.window.actions_by_key["map_none"].isChecked()
 
 
 def test_the_author_is_stamped_and_remembered(opened: Application) -> None:

@@ -92,7 +92,7 @@ class Painter:
         self._surface = None
         if mesh is None or len(mesh.triangles) == 0:
             return
-        self._surface = _polydata(mesh)
+        self._surface = polydata(mesh)
         self._plotter.add_mesh(
             self._surface,
             name="surface",
@@ -354,7 +354,8 @@ def _line_cells(lengths: tuple[int, ...]) -> IndexArray:
     ).astype(np.int32)
 
 
-def _polydata(mesh: TriangleMesh) -> pv.PolyData:
+def polydata(mesh: TriangleMesh) -> pv.PolyData:
+    """Give a mesh as the renderer takes it, with its normals and colours."""
     surface = pv.PolyData.from_regular_faces(
         np.ascontiguousarray(mesh.vertices, dtype=np.float32), mesh.triangles
     )

@@ -18,6 +18,7 @@ from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Camera, Look, Preset, Subject, fitted, look
 from insole_studio.scene.canvas import make_canvas
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.companion import Companion
 from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
@@ -106,6 +107,7 @@ class SceneView(QWidget):
         self._last = QPointF()
         self._canvas = make_canvas(self._aim, self)
         self.painter = Painter(self._canvas.plotter, dark, self.devicePixelRatioF())
+        self.companion = Companion(self._canvas.plotter, self.devicePixelRatioF())
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._canvas)

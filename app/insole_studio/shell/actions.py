@@ -72,7 +72,7 @@ def _map(
         f"map_{kind.value}",
         text,
         tip,
-        lambda rooms, on: rooms.stage.insole_presenter.show_map(kind) if on else None,
+        lambda rooms, on: rooms.comparing.show_map(kind) if on else None,
         shortcut=shortcut,
         checkable=True,
         group="maps",
@@ -294,6 +294,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda: tr("Fit map"),
         lambda: tr("Colour by the distance of the insole from the foot"),
         "I",
+    ),
+    _map(
+        MapKind.DIFFERENCE,
+        lambda: tr("Difference map"),
+        lambda: tr("Colour by the difference to what stands beside, mirrored where it has to be"),
+        "J",
     ),
     ActionRecord(
         "contours",

@@ -2,9 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from insole_core.geometry.side import Side
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.texts import tr
+from insole_studio.workbench.counterpart import Beside
+
+
+def _beside(
+    kind: Beside, text: Callable[[], str], tip: Callable[[], str], shortcut: str
+) -> ActionRecord:
+    return ActionRecord(
+        f"beside_{kind.value}",
+        text,
+        tip,
+        lambda rooms, on: rooms.comparing.show_beside(kind) if on else None,
+        shortcut=shortcut,
+        checkable=True,
+        group="beside",
+        needs_foot=True,
+    )
+
 
 FOOT_ACTIONS: tuple[ActionRecord, ...] = (
     ActionRecord(
@@ -30,6 +49,24 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         lambda rooms, _on: rooms.feet.take(Side.RIGHT),
         shortcut="Ctrl+2",
         needs_foot=True,
+    ),
+    _beside(
+        Beside.NOTHING,
+        lambda: tr("One insole alone"),
+        lambda: tr("Show nothing beside the foot at hand"),
+        "Ctrl+Shift+0",
+    ),
+    _beside(
+        Beside.FOOT,
+        lambda: tr("Both feet side by side"),
+        lambda: tr("Show both feet, and both insoles, beside each other"),
+        "Ctrl+B",
+    ),
+    _beside(
+        Beside.VARIANT,
+        lambda: tr("Two variants side by side"),
+        lambda: tr("Show the variant that was chosen before beside the chosen one"),
+        "Ctrl+Shift+B",
     ),
     ActionRecord(
         "copy_to_other",

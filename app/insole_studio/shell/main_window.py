@@ -17,7 +17,16 @@ from PySide6.QtWidgets import (
 
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.shell.actions import ACTIONS
-from insole_studio.shell.menus import MAP_KEYS, MAPS, MENUS, RECENT, SEPARATOR, STRIP, TOOLBAR
+from insole_studio.shell.menus import (
+    BESIDE_KEYS,
+    MAP_KEYS,
+    MAPS,
+    MENUS,
+    RECENT,
+    SEPARATOR,
+    STRIP,
+    TOOLBAR,
+)
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -247,7 +256,7 @@ class MainWindow(QMainWindow):
         button.setToolTip(tr("Colour maps, contour lines and wireframe"))
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
-        for key in (*MAP_KEYS, "contours", "wireframe"):
+        for key in (*MAP_KEYS, *BESIDE_KEYS, "contours", "wireframe"):
             menu.addAction(self.actions_by_key[key])
         button.setMenu(menu)
         self._maps = button

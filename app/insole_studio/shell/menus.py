@@ -12,7 +12,8 @@ MAPS = "maps"
 RECENT = "recent"
 """Where the menu lists what was open lately."""
 
-MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit")
+MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference")
+BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (
     "tool_orbit",
     "tool_key_point",
@@ -101,6 +102,8 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "foot_other",
             "foot_left",
             "foot_right",
+            SEPARATOR,
+            *BESIDE_KEYS,
             SEPARATOR,
             "copy_to_other",
             "copy_selected_to_other",

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow
 from insole_studio.shell.appearance import Appearance
 from insole_studio.shell.authorship import Authorship
 from insole_studio.shell.capture_window import CaptureWindow
+from insole_studio.shell.comparing import Comparing
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
@@ -41,6 +42,7 @@ class Rooms:
     measuring: Measuring
     feet: Feet
     variants: Variants
+    comparing: Comparing
     repeating: Repeating
     authorship: Authorship
     notices: Notices

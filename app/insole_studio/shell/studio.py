@@ -49,10 +49,12 @@ class Studio(QObject):
         for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
             signal.connect(self._show_state)
         rooms.exporting.changed.connect(self._show_state)
+        rooms.comparing.counterpart.changed.connect(self._show_choices)
         hand.tool_changed.connect(self._show_tool)
         autosave.failed.connect(rooms.dialogue.show_sentence)
         self._show_state()
         self._show_tool()
+        self._show_choices()
         self._show_recent()
         window.check_action("linked", settings.linked_views)
         rooms.appearance.set_linked(settings.linked_views)
@@ -63,6 +65,7 @@ class Studio(QObject):
             self._actions[key].run(self.rooms, checked)
         except InsoleError as error:
             self.rooms.dialogue.show_error(error)
+        self._show_choices()
 
     def quit(self) -> None:
         """Close, once nothing can be lost."""
@@ -125,6 +128,12 @@ class Studio(QObject):
         exported = self.rooms.exporting.exported
         self.rooms.stage.steps.show_steps(steps_of(case.record, case.record is exported))
         self.rooms.stage.steps.show_whose(whose(case.record))
+
+    def _show_choices(self) -> None:
+        """Check what is really shown, whoever has chosen it."""
+        comparing = self.rooms.comparing
+        self._window.check_action(f"beside_{comparing.counterpart.kind.value}", True)
+        self._window.check_action(f"map_{comparing.map_kind.value}", True)
 
     def _show_tool(self) -> None:
         self._window.check_action(f"tool_{self._hand.tool.key}", True)

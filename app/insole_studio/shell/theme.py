@@ -98,6 +98,7 @@ def _style_sheet(colors: Colors) -> str:
     return f"""
     QLabel#panel-strip {{ background: {colors.raised}; padding: 4px 8px; }}
     QLabel#heading {{ font-weight: 600; color: {colors.quiet}; padding-top: 4px; }}
+    QLabel#numbers {{ font-weight: 600; }}
     QLabel#quiet {{ color: {colors.quiet}; }}
     QLabel#warning {{ background: {colors.warning}; color: {colors.on_warning};
                       border-radius: 4px; padding: 4px 8px; }}

@@ -28,6 +28,10 @@
             <translation>Börja ett nytt fall</translation>
         </message>
         <message>
+            <source>Both feet side by side</source>
+            <translation>Båda fötterna sida vid sida</translation>
+        </message>
+        <message>
             <source>Call the chosen variant by another name</source>
             <translation>Ge den valda varianten ett annat namn</translation>
         </message>
@@ -38,6 +42,10 @@
         <message>
             <source>Choose variant {name}</source>
             <translation>Välj variant {name}</translation>
+        </message>
+        <message>
+            <source>Colour by the difference to what stands beside, mirrored where it has to be</source>
+            <translation>Färga efter skillnaden mot det som står bredvid, speglat där det behövs</translation>
         </message>
         <message>
             <source>Copy the prescription to the left foot</source>
@@ -70,6 +78,14 @@
         <message>
             <source>Delete variant {name}</source>
             <translation>Ta bort variant {name}</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Skillnad</translation>
+        </message>
+        <message>
+            <source>Difference map</source>
+            <translation>Skillnadskarta</translation>
         </message>
         <message>
             <source>Dismiss</source>
@@ -124,8 +140,16 @@
             <translation>Ingen tidigare design för patienten är känd; öppna det tidigare fallet en gång.</translation>
         </message>
         <message>
+            <source>Nothing lies over each other</source>
+            <translation>Inget ligger över vartannat</translation>
+        </message>
+        <message>
             <source>Notices</source>
             <translation>Meddelanden</translation>
+        </message>
+        <message>
+            <source>One insole alone</source>
+            <translation>Ett inlägg ensamt</translation>
         </message>
         <message>
             <source>Prescribe it for the other foot as well, mirrored</source>
@@ -160,6 +184,18 @@
             <translation>Upprepa den senaste designen</translation>
         </message>
         <message>
+            <source>Show both feet, and both insoles, beside each other</source>
+            <translation>Visa båda fötterna och båda inläggen bredvid varandra</translation>
+        </message>
+        <message>
+            <source>Show nothing beside the foot at hand</source>
+            <translation>Visa inget bredvid den aktuella foten</translation>
+        </message>
+        <message>
+            <source>Show the variant that was chosen before beside the chosen one</source>
+            <translation>Visa den tidigare valda varianten bredvid den valda</translation>
+        </message>
+        <message>
             <source>Stands in every correction from now on.</source>
             <translation>Står i varje korrigering från och med nu.</translation>
         </message>
@@ -178,6 +214,10 @@
         <message>
             <source>The case has no right foot yet; open its scan, and it is added.</source>
             <translation>Fallet har ingen höger fot ännu; öppna dess skanning så läggs den till.</translation>
+        </message>
+        <message>
+            <source>The case has one foot only; open the scan of the other, and it is added.</source>
+            <translation>Fallet har bara en fot; öppna den andras skanning så läggs den till.</translation>
         </message>
         <message>
             <source>The difference in per cent of the mean of both</source>
@@ -202,6 +242,14 @@
         <message>
             <source>The variant that is shown, checked and made</source>
             <translation>Varianten som visas, kontrolleras och tillverkas</translation>
+        </message>
+        <message>
+            <source>This foot has one variant only; duplicate it first (Ctrl+D).</source>
+            <translation>Foten har bara en variant; duplicera den först (Ctrl+D).</translation>
+        </message>
+        <message>
+            <source>Two variants side by side</source>
+            <translation>Två varianter sida vid sida</translation>
         </message>
         <message>
             <source>Variant</source>
@@ -238,6 +286,14 @@
         <message>
             <source>Work on the right foot</source>
             <translation>Arbeta med höger fot</translation>
+        </message>
+        <message>
+            <source>mean {mean:+.2f}   95 % {p95:.2f}   max {max:.2f} mm</source>
+            <translation>medel {mean:+.2f}   95 % {p95:.2f}   max {max:.2f} mm</translation>
+        </message>
+        <message>
+            <source>{this} − {other} mirrored</source>
+            <translation>{this} − {other} speglad</translation>
         </message>
     </context>
 </TS>

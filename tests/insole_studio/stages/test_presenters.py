@@ -33,6 +33,7 @@ from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.counterpart import Counterpart
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section, SectionPlane
@@ -107,6 +108,22 @@ def section(qapp: QApplication) -> Section:
 def surface(case: Case, qapp: QApplication) -> Iterator[InsoleSurface]:
     jobs = Jobs()
     yield InsoleSurface(case, jobs)
+    jobs.close()
+
+
+@pytest.fixture
+def facts(
+    case: Case, surface: InsoleSurface, section: Section, hand: Hand
+) -> Iterator[dict[str, Any]]:
+    """What the two 3-D panels follow."""
+    jobs = Jobs()
+    yield {
+        "case": case,
+        "surface": surface,
+        "section": section,
+        "hand": hand,
+        "counterpart": Counterpart(case, jobs),
+    }
     jobs.close()
 
 
@@ -297,10 +314,8 @@ class TestParameters:
 
 
 class TestModels:
-    def test_no_foot_offers_what_comes_next(
-        self, view: Any, case: Case, surface: InsoleSurface, section: Section, hand: Hand
-    ) -> None:
-        FootPresenter(view, case, surface, section, hand).show_all()
+    def test_no_foot_offers_what_comes_next(self, view: Any, facts: dict[str, Any]) -> None:
+        FootPresenter(view, **facts).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
         assert list(offers) == ["open_session", "open_mesh", "open_example"]
@@ -311,15 +326,14 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
-        section: Section,
-        hand: Hand,
+        facts: dict[str, Any],
         open_foot: Any,
         side: Side,
     ) -> None:
-        presenter = FootPresenter(view, case, surface, section, hand)
+        presenter = FootPresenter(view, **facts)
         open_foot(side)
         assert case.foot is not None
-        assert view.shown["show_mesh"] == (case.foot.mesh,)
+        assert view.shown["show_mesh"] == (case.foot.mesh, None)
         assert view.shown["show_side"] == (side,)
         assert view.shown["show_directions"][0] is side
         assert presenter.side is side
@@ -329,12 +343,11 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
-        section: Section,
-        hand: Hand,
+        facts: dict[str, Any],
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = InsolePresenter(view, case, surface, section, hand)
+        presenter = InsolePresenter(view, **facts)
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         before = surface.height_mm(0.0, 150.0)
@@ -352,7 +365,7 @@ class TestModels:
         view: Any,
         case: Case,
         surface: InsoleSurface,
-        section: Section,
+        facts: dict[str, Any],
         hand: Hand,
         open_foot: Any,
         qtbot: QtBot,

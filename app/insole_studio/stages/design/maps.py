@@ -7,9 +7,11 @@ from enum import StrEnum
 
 import numpy as np
 
+from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
+from insole_studio.workbench.counterpart import Counterpart, foot_difference, insole_difference
 from insole_studio.workbench.insole_surface import InsoleSurface
 
 LEAST_SPAN_MM = 1.0
@@ -22,12 +24,15 @@ class MapKind(StrEnum):
     HEIGHT = "height"
     THICKNESS = "thickness"
     FIT = "fit"
+    DIFFERENCE = "difference"
 
 
-def color_by(kind: MapKind, surface: InsoleSurface) -> Coloring | None:
+def color_by(kind: MapKind, surface: InsoleSurface, counterpart: Counterpart) -> Coloring | None:
     """Give the colours of the shown insole; None where there is nothing to tell."""
     if surface.mesh is None or surface.contact is None or surface.base is None:
         return None
+    if kind is MapKind.DIFFERENCE:
+        return _difference(surface, counterpart)
     maker = _MAKERS.get(kind)
     return None if maker is None else maker(surface)
 
@@ -58,6 +63,41 @@ def _fit(surface: InsoleSurface) -> Coloring:
     over = np.nan_to_num(top[:, 2] - surface.base.surface.height_at(top[:, :2]))
     everywhere = surface.values_everywhere(over, np.zeros(len(bottom)))
     return Coloring(everywhere, _symmetric(over), tr("Insole over foot"), signed=True)
+
+
+def _difference(surface: InsoleSurface, counterpart: Counterpart) -> Coloring | None:
+    over = insole_difference(surface, counterpart)
+    if over is None:
+        return None
+    everywhere = surface.values_everywhere(over, np.full(len(over), np.nan))
+    return Coloring(everywhere, difference_limits(over), tr("Difference"), signed=True)
+
+
+def color_foot(foot: Foot, counterpart: Counterpart) -> Coloring | None:
+    """Colour the sole by its difference to the other foot; None where there is none."""
+    over = foot_difference(foot, counterpart)
+    if over is None or not np.isfinite(over).any():
+        return None
+    return Coloring(over, difference_limits(over), tr("Difference"), signed=True)
+
+
+def difference_limits(over: FloatArray) -> tuple[float, float]:
+    """Give limits that nearly all numbers lie between, in halves of a millimetre."""
+    known = np.abs(over[np.isfinite(over)])
+    span = float(np.quantile(known, 0.99)) if len(known) else 0.0
+    span = max(np.ceil(2 * span) / 2, LEAST_SPAN_MM)
+    return -span, span
+
+
+def numbers_text(over: FloatArray) -> str:
+    """Say how large a difference is: signed mean, and 95 % and maximum of its size."""
+    known = over[np.isfinite(over)]
+    if len(known) == 0:
+        return tr("Nothing lies over each other")
+    size = np.abs(known)
+    return tr("mean {mean:+.2f}   95 % {p95:.2f}   max {max:.2f} mm").format(
+        mean=float(known.mean()) + 0.0, p95=float(np.quantile(size, 0.95)), max=float(size.max())
+    )
 
 
 def _symmetric(values: FloatArray) -> tuple[float, float]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
 
 import numpy as np
 
 from insole_core.cases.record import ReferencePlane
+from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
@@ -17,8 +17,10 @@ from insole_core.insole.outline_curve import closed_curve
 from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.pointer import Handle, MarkedPoint, PointerEvent
-from insole_studio.stages.design.maps import MapKind, color_by
+from insole_studio.scene.pointer import MarkedPoint, PointerEvent
+from insole_studio.stages.design.beside import is_right, names_over, pair_text, placed_beside
+from insole_studio.stages.design.maps import MapKind, color_by, color_foot, numbers_text
+from insole_studio.stages.design.model_panel import ModelPanel
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import confidence, point_text, shown_points
@@ -27,6 +29,7 @@ from insole_studio.tools.outline import points_of
 from insole_studio.tools.pelott import selected_pelott
 from insole_studio.tools.tool import MenuOffer
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.counterpart import Beside, Counterpart
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.section import Section, section_line
 
@@ -34,40 +37,6 @@ OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 CONTOUR_MM = 1.0
 _NOTHING = (object(),) * 6
-
-
-class ModelPanel(Protocol):
-    """What a 3-D panel can show."""
-
-    def show_side(self, side: Side | None) -> None: ...  # noqa: D102
-    def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
-    def show_mesh(  # noqa: D102
-        self,
-        mesh: TriangleMesh,
-        coloring: Coloring | None = None,
-    ) -> None: ...
-    def move_mesh(  # noqa: D102
-        self,
-        mesh: TriangleMesh,
-        normals: FloatArray,
-        moved: IntArray | None = None,
-        coloring: Coloring | None = None,
-    ) -> bool: ...
-    def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
-    def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
-    def show_guide(  # noqa: D102
-        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
-    ) -> None: ...
-    def show_outlines(  # noqa: D102
-        self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
-    ) -> None: ...
-    def show_handles(self, handles: tuple[Handle, ...]) -> None: ...  # noqa: D102
-    def show_key_points(self, points: Sequence[MarkedPoint]) -> None: ...  # noqa: D102
-    def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
-    def show_section(self, line: FloatArray | None) -> None: ...  # noqa: D102
-    def show_sketch(self, line: FloatArray) -> None: ...  # noqa: D102
-    def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
-    def show_warning(self, text: str) -> None: ...  # noqa: D102
 
 
 class ModelPresenter:
@@ -78,12 +47,15 @@ class ModelPresenter:
     def __init__(
         self,
         panel: ModelPanel,
+        *,
         case: Case,
         surface: InsoleSurface,
         section: Section,
         hand: Hand,
+        counterpart: Counterpart,
     ) -> None:
         self.panel = panel
+        self._counterpart = counterpart
         self._case = case
         self._surface = surface
         self._section = section
@@ -97,6 +69,7 @@ class ModelPresenter:
         hand.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
         section.changed.connect(self.show_marks)
+        counterpart.changed.connect(self.show_counterpart)
 
     @property
     def side(self) -> Side:
@@ -110,8 +83,38 @@ class ModelPresenter:
 
     @property
     def bounds_mm(self) -> FloatArray | None:
-        """The box (2, 3) of what is shown."""
+        """The box (2, 3) of the subject."""
         return None if self.mesh is None else self.mesh.bounds_mm
+
+    @property
+    def whole_bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of the subject and of what stands beside it."""
+        bounds, companion = self.bounds_mm, self.companion
+        if bounds is None or companion is None:
+            return bounds
+        both = np.stack([bounds, companion.bounds_mm])
+        return np.stack([both[:, 0].min(axis=0), both[:, 1].max(axis=0)])
+
+    @property
+    def companion(self) -> TriangleMesh | None:
+        """What stands beside the subject, in its place; None for nothing."""
+        foot, mesh = self._case.record.current, self._beside()
+        if self.mesh is None or mesh is None or foot is None:
+            return None
+        return placed_beside(self.mesh, mesh, is_right(foot, self._counterpart))
+
+    def show_counterpart(self) -> None:
+        """Show what stands beside the subject, and the names of both."""
+        foot, companion = self._case.record.current, self.companion
+        self.panel.show_companion(companion)
+        if foot is None or self.mesh is None or companion is None:
+            self.panel.show_names(())
+        else:
+            self.panel.show_names(names_over(foot, self._counterpart, self.mesh, companion))
+
+    def _beside(self) -> TriangleMesh | None:
+        """What is to stand beside the subject, in its own place."""
+        raise NotImplementedError
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
         """Put a place of the insole frame onto what is shown."""
@@ -245,6 +248,7 @@ class FootPresenter(ModelPresenter):
     """The coloured foot."""
 
     subject = Subject.FOOT
+    _is_compared = False
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -271,9 +275,36 @@ class FootPresenter(ModelPresenter):
                 },
             )
             return
-        self.panel.show_mesh(foot.mesh)
+        self._show_foot(foot)
         self.panel.show_directions(foot.side, foot.mesh.bounds_mm)
         self.show_marks()
+
+    def show_difference(self, shown: bool) -> None:
+        """Colour the sole by its difference to the other foot, or show it as it is."""
+        self._is_compared = shown
+        if self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
+    def show_counterpart(self) -> None:
+        """Show the other foot, and how this one differs from it."""
+        super().show_counterpart()
+        if self._is_compared and self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
+    def _show_foot(self, foot: Foot) -> None:
+        coloring = color_foot(foot, self._counterpart) if self._is_compared else None
+        self.panel.show_mesh(foot.mesh, coloring)
+        record = self._case.record.current
+        text = ""
+        if coloring is not None and record is not None:
+            text = f"{pair_text(record, self._counterpart)}:  {numbers_text(coloring.values)}"
+        self.panel.show_numbers(text)
+
+    def _beside(self) -> TriangleMesh | None:
+        built = self._counterpart.built
+        if built is None or self._counterpart.kind is not Beside.FOOT:
+            return None
+        return built.foot.mesh
 
     def show_surface(self) -> None:
         """The foot stays; what is drawn on it follows the insole."""
@@ -288,12 +319,21 @@ class InsolePresenter(ModelPresenter):
     def __init__(
         self,
         panel: ModelPanel,
+        *,
         case: Case,
         surface: InsoleSurface,
         section: Section,
         hand: Hand,
+        counterpart: Counterpart,
     ) -> None:
-        super().__init__(panel, case, surface, section, hand)
+        super().__init__(
+            panel,
+            case=case,
+            surface=surface,
+            section=section,
+            hand=hand,
+            counterpart=counterpart,
+        )
         self._map = MapKind.NONE
         self._contours = True
         surface.failed.connect(self.panel.show_warning)
@@ -312,6 +352,21 @@ class InsolePresenter(ModelPresenter):
         """Colour the insole by a map."""
         self._map = kind
         self._show_mesh_anew()
+
+    def show_counterpart(self) -> None:
+        """Show the other insole, and how this one differs from it."""
+        super().show_counterpart()
+        if self._map is MapKind.DIFFERENCE:
+            self._show_mesh_anew()
+
+    @property
+    def map_kind(self) -> MapKind:
+        """What the insole is coloured by."""
+        return self._map
+
+    def _beside(self) -> TriangleMesh | None:
+        built = self._counterpart.built
+        return None if built is None else built.solid
 
     def show_contours(self, shown: bool) -> None:
         """Draw lines of equal height, a millimetre apart, or not."""
@@ -343,7 +398,14 @@ class InsolePresenter(ModelPresenter):
         self.show_marks()
 
     def _coloring(self) -> Coloring | None:
-        return color_by(self._map, self._surface)
+        coloring = color_by(self._map, self._surface, self._counterpart)
+        foot, text = self._case.record.current, ""
+        if coloring is not None and foot is not None and self._map is MapKind.DIFFERENCE:
+            bottom = self._surface.bottom_heights_mm
+            top = coloring.values[: 0 if bottom is None else len(bottom)]
+            text = f"{pair_text(foot, self._counterpart)}:  {numbers_text(top)}"
+        self.panel.show_numbers(text)
+        return coloring
 
     def _show_contours(self) -> None:
         """Draw the lines, unless the hand is moving the surface."""

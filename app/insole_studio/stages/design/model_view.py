@@ -20,6 +20,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Preset, Subject
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.companion import Name
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view import SceneView
 from insole_studio.texts import tr
@@ -46,6 +47,10 @@ class ModelView(QWidget):
         self._warning.setObjectName("warning")
         self._warning.setWordWrap(True)
         self._warning.hide()
+        self._numbers = QLabel()
+        self._numbers.setObjectName("numbers")
+        self._numbers.setWordWrap(True)
+        self._numbers.hide()
         self._scale = ScaleBar()
         self._legend = Legend()
         self._empty = EmptyPage()
@@ -58,6 +63,7 @@ class ModelView(QWidget):
         layout.setSpacing(4)
         layout.addLayout(self._header())
         layout.addWidget(self._warning)
+        layout.addWidget(self._numbers)
         layout.addLayout(self._pages, 1)
         layout.addLayout(self._footer())
         whole = QVBoxLayout(self)
@@ -164,6 +170,26 @@ class ModelView(QWidget):
         """Write the anatomical words around the box."""
         self.scene.painter.show_directions(side, bounds_mm)
         self.scene.request_render()
+
+    def show_companion(self, mesh: TriangleMesh | None) -> None:
+        """Show what stands beside the subject; None for nothing."""
+        self.scene.companion.show(mesh)
+        self.scene.request_render()
+
+    def show_names(self, names: Sequence[Name]) -> None:
+        """Tell the subject and what stands beside it apart."""
+        self.scene.companion.show_names(names)
+        self.scene.request_render()
+
+    @property
+    def numbers(self) -> str:
+        """What is said of the shown difference."""
+        return self._numbers.text()
+
+    def show_numbers(self, text: str) -> None:
+        """Say how large the shown difference is; empty hides it."""
+        self._numbers.setText(text)
+        self._numbers.setVisible(bool(text))
 
     def show_warning(self, text: str) -> None:
         """Say what is wrong, above the view; empty hides it."""

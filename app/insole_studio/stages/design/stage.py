@@ -29,6 +29,7 @@ from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.workbench.case import Case
+from insole_studio.workbench.counterpart import Beside, Counterpart
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.pad_library import LibraryPad
 from insole_studio.workbench.section import Section
@@ -49,6 +50,7 @@ class DesignStage(QObject):
         case: Case,
         surface: InsoleSurface,
         section: Section,
+        counterpart: Counterpart,
         hand: Hand,
         pads: Sequence[LibraryPad],
         rules: Rules,
@@ -68,8 +70,22 @@ class DesignStage(QObject):
         self.section = SectionChart()
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
-        self.foot_presenter = FootPresenter(self.foot, case, surface, section, hand)
-        self.insole_presenter = InsolePresenter(self.insole, case, surface, section, hand)
+        self.foot_presenter = FootPresenter(
+            self.foot,
+            case=case,
+            surface=surface,
+            section=section,
+            hand=hand,
+            counterpart=counterpart,
+        )
+        self.insole_presenter = InsolePresenter(
+            self.insole,
+            case=case,
+            surface=surface,
+            section=section,
+            hand=hand,
+            counterpart=counterpart,
+        )
         self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
             Subject.FOOT: (self.foot, self.foot_presenter),
             Subject.INSOLE: (self.insole, self.insole_presenter),
@@ -88,6 +104,10 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False
+        self._counterpart = counterpart
+        self._shown_beside = False
+        counterpart.changed.connect(self._fit_counterpart)
+        counterpart.failed.connect(self.insole.show_warning)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
         case.selection_changed.connect(self._show_hint)
@@ -102,8 +122,8 @@ class DesignStage(QObject):
     def look(self, preset: Preset) -> None:
         """Look at both subjects from a named direction, whole."""
         for view, presenter in self._presenters.values():
-            if presenter.bounds_mm is not None:
-                view.scene.set_camera(view.scene.aim_at(preset, presenter.bounds_mm))
+            if presenter.whole_bounds_mm is not None:
+                view.scene.set_camera(view.scene.aim_at(preset, presenter.whole_bounds_mm))
         if self.linked:
             self._link_to_larger()
         self._announce_cameras()
@@ -178,6 +198,18 @@ class DesignStage(QObject):
         if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:
             self._fit_when_shown = False
             self.look(Preset.PLANTAR)
+
+    def _fit_counterpart(self) -> None:
+        """Make room when something comes to stand beside, or goes; not when it only changes."""
+        if self._counterpart.kind is Beside.NOTHING:
+            is_beside = False
+        elif self._counterpart.built is not None:
+            is_beside = True
+        else:
+            return
+        if is_beside != self._shown_beside:
+            self._shown_beside = is_beside
+            self.fit()
 
     def _announce_cameras(self) -> None:
         for view, _ in self._presenters.values():

@@ -1,0 +1,71 @@
+"""What stands beside the subject of a view, and the names that tell the two apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_studio.scene.painter import MATERIAL, polydata
+
+NAME_PX = 15
+
+
+@dataclass(frozen=True, eq=False)
+class Name:
+    """A word on a coloured ground at a place (3,), mm."""
+
+    text: str
+    place_mm: FloatArray
+    color: str
+
+
+class Companion:
+    """Paints on the plotter of a view; what it shows cannot be touched."""
+
+    def __init__(self, plotter: Any, pixel_ratio: float = 1.0) -> None:
+        self._plotter = plotter
+        self._ratio = pixel_ratio
+        self._named = 0
+
+    def show(self, mesh: TriangleMesh | None) -> None:
+        """Show a surface in its own colours, or in the material; None for nothing."""
+        self._plotter.remove_actor("companion", render=False)
+        if mesh is None:
+            return
+        look: dict[str, Any] = {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
+        if mesh.colors is not None:
+            look = {"scalars": "colors", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
+        self._plotter.add_mesh(
+            polydata(mesh), name="companion", render=False, reset_camera=False, specular=0.0, **look
+        )
+
+    def show_names(self, names: Sequence[Name]) -> None:
+        """Write these names and no others."""
+        for number in range(self._named):
+            self._plotter.remove_actor(f"name-{number}", render=False)
+        self._named = len(names)
+        dots = self._plotter.render_window.GetDPI()
+        for number, name in enumerate(names):
+            self._plotter.add_point_labels(
+                np.array([name.place_mm], dtype=float),
+                [f" {name.text} "],
+                name=f"name-{number}",
+                font_size=round(NAME_PX * self._ratio * 72 / dots),
+                bold=True,
+                text_color="white",
+                shape="rounded_rect",
+                shape_color=name.color,
+                shape_opacity=1.0,
+                margin=round(4 * self._ratio),
+                show_points=False,
+                always_visible=True,
+                reset_camera=False,
+                render=False,
+                justification_horizontal="center",
+                justification_vertical="center",
+            )

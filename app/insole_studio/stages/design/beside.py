@@ -1,0 +1,69 @@
+"""Two subjects beside each other: where they stand, and which is which."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.record import FootRecord
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_studio.scene.companion import Name
+from insole_studio.texts import tr
+from insole_studio.widgets.side_badge import COLORS
+from insole_studio.workbench.counterpart import Beside, Counterpart
+
+GAP_MM = 64.0
+"""Between the two: the words of their inner sides stand there."""
+NAME_OVER_MM = 34.0
+AT_HAND, OTHER = "#1668b8", "#5f666d"
+
+
+def is_right(foot: FootRecord, counterpart: Counterpart) -> bool:
+    """Whether the subject stands to the right (+x) of its counterpart: as feet do, or by name."""
+    if counterpart.kind is Beside.VARIANT:
+        names = [variant.name for variant in foot.variants]
+        return names.index(foot.chosen) > names.index(counterpart.variant)
+    return foot.side is Side.RIGHT
+
+
+def placed_beside(mesh: TriangleMesh, other: TriangleMesh, is_right: bool) -> TriangleMesh:
+    """Move the counterpart beside the subject, which stays where it is."""
+    low, high = mesh.bounds_mm[:, 0]
+    other_low, other_high = other.bounds_mm[:, 0]
+    shift = low - GAP_MM - other_high if is_right else high + GAP_MM - other_low
+    return replace(other, vertices=other.vertices + np.array([shift, 0.0, 0.0]))
+
+
+def names_over(
+    foot: FootRecord, counterpart: Counterpart, mesh: TriangleMesh, other: TriangleMesh
+) -> tuple[Name, Name]:
+    """Give both their names, over the toes; sides in their colours."""
+    colors = COLORS[foot.side], COLORS[foot.side.other]
+    if counterpart.kind is Beside.VARIANT:
+        colors = AT_HAND, OTHER
+    y = max(mesh.bounds_mm[1, 1], other.bounds_mm[1, 1]) + NAME_OVER_MM
+    own, its = _words(foot, counterpart)
+    return Name(own, _over(mesh, y), colors[0]), Name(its, _over(other, y), colors[1])
+
+
+def pair_text(foot: FootRecord, counterpart: Counterpart) -> str:
+    """Say what is compared with what."""
+    own, its = _words(foot, counterpart)
+    if counterpart.is_mirrored:
+        return tr("{this} − {other} mirrored").format(this=own, other=its)
+    return f"{own} − {its}"
+
+
+def _words(foot: FootRecord, counterpart: Counterpart) -> tuple[str, str]:
+    if counterpart.kind is Beside.VARIANT:
+        return foot.chosen, counterpart.variant
+    words = {Side.LEFT: tr("LEFT"), Side.RIGHT: tr("RIGHT")}
+    return words[foot.side], words[foot.side.other]
+
+
+def _over(mesh: TriangleMesh, y_mm: float) -> FloatArray:
+    low, high = mesh.bounds_mm
+    return np.array([(low[0] + high[0]) / 2, y_mm, low[2]])

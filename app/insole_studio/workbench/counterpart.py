@@ -1,0 +1,198 @@
+"""What stands beside the foot at hand, to be seen and compared: the other foot, or a variant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.compare.seen_surface import STEEPEST, grid_over, height_map
+from insole_core.errors import InsoleError
+from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import InsoleDesign
+from insole_core.insole.height_field import HeightField
+from insole_core.progress import Progress
+from insole_core.solids.solid import insole_solid
+from insole_studio.jobs import Jobs
+from insole_studio.workbench.case import Case
+from insole_studio.workbench.insole_surface import InsoleSurface
+
+CHANNEL = "counterpart"
+_SOLE_PITCH_MM = 1.0
+
+
+class Beside(StrEnum):
+    """What stands beside the foot at hand."""
+
+    NOTHING = "nothing"
+    FOOT = "foot"
+    VARIANT = "variant"
+
+
+@dataclass(frozen=True, eq=False)
+class Built:
+    """A foot with one of its designs, built to be looked at.
+
+    Parameters
+    ----------
+    foot
+    design
+    contact
+        The upper side of the insole.
+    solid
+    sole
+        Heights of the foot seen from below; NaN where there is none.
+    """
+
+    foot: Foot
+    design: InsoleDesign
+    contact: HeightField
+    solid: TriangleMesh
+    sole: HeightField
+
+
+class Counterpart(QObject):
+    """Keeps built, beside the window, what stands beside the foot at hand."""
+
+    changed = Signal()
+    failed = Signal(str)
+
+    def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._jobs = jobs
+        self._against = ""
+        self._last_chosen: tuple[Side, str] | None = None
+        self._soles: tuple[Foot, HeightField] | None = None
+        self.kind = Beside.NOTHING
+        self.built: Built | None = None
+        """None while it is being built, and where there is nothing to build."""
+        case.foot_changed.connect(self._refresh)
+        case.changed.connect(self._refresh)
+
+    @property
+    def variant(self) -> str:
+        """Name of the variant that stands beside the chosen one; empty for none."""
+        foot = self._case.record.current
+        if foot is None or self.kind is not Beside.VARIANT:
+            return ""
+        others = [variant.name for variant in foot.variants if variant.name != foot.chosen]
+        if self._against in others:
+            return self._against
+        return others[0] if others else ""
+
+    @property
+    def is_mirrored(self) -> bool:
+        """Whether it has to be mirrored to lie on the foot at hand."""
+        return self.built is not None and self.built.foot.side is not self._case.side
+
+    def show(self, kind: Beside) -> None:
+        """Let something else stand beside the foot at hand."""
+        self.kind = kind
+        self.built = None
+        self._refresh()
+        self.changed.emit()
+
+    def compare_with(self, variant: str) -> None:
+        """Let another variant stand beside the chosen one."""
+        self._against = variant
+        self.show(Beside.VARIANT)
+
+    def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
+        """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
+        return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
+
+    def _refresh(self) -> None:
+        self._note_chosen()
+        wanted = self._wanted()
+        if wanted is None:
+            self._forget()
+        elif self.built is None or (self.built.foot, self.built.design) != wanted:
+            if self.built is not None and self.built.foot is not wanted[0]:
+                self._forget()
+            self._build(*wanted)
+
+    def _note_chosen(self) -> None:
+        """Compare with the variant that was chosen before this one."""
+        foot = self._case.record.current
+        chosen = None if foot is None else (foot.side, foot.chosen)
+        if chosen != self._last_chosen:
+            before, self._last_chosen = self._last_chosen, chosen
+            if before is not None and chosen is not None and before[0] is chosen[0]:
+                self._against = before[1]
+
+    def _wanted(self) -> tuple[Foot, InsoleDesign] | None:
+        record = self._case.record
+        if self.kind is Beside.FOOT and record.other is not None:
+            return record.other.foot, record.other.design
+        if record.current is not None and self.variant:
+            return record.current.foot, record.current.variant(self.variant).design
+        return None
+
+    def _forget(self) -> None:
+        self._jobs.cancel(CHANNEL)
+        if self.built is not None:
+            self.built = None
+            self.changed.emit()
+
+    def _build(self, foot: Foot, design: InsoleDesign) -> None:
+        def build(progress: Progress) -> Built:
+            insole = build_insole(foot, design, progress.part(0.0, 0.7))
+            progress.step(0.7, "Trimming the insole")
+            return Built(foot, design, insole.contact, insole_solid(insole), self._sole_of(foot))
+
+        def take(built: Built) -> None:
+            self.built = built
+            self.changed.emit()
+
+        def fail(error: Exception) -> None:
+            if not isinstance(error, InsoleError):
+                raise error
+            self.failed.emit(str(error))
+
+        self._jobs.start(CHANNEL, build, take, fail)
+
+    def _sole_of(self, foot: Foot) -> HeightField:
+        if self._soles is None or self._soles[0] is not foot:
+            self._soles = foot, sole_heights(foot)
+        return self._soles[1]
+
+
+def sole_heights(foot: Foot) -> HeightField:
+    """Give the heights of a foot as seen from below."""
+    grid = grid_over(foot.mesh, _SOLE_PITCH_MM)
+    heights = height_map(foot.mesh, grid, from_above=False)
+    return HeightField(*grid.first_mm, grid.pitch_mm, heights)
+
+
+def insole_difference(surface: InsoleSurface, counterpart: Counterpart) -> FloatArray | None:
+    """Height of the shown insole's top over the counterpart's, mm, at the vertices of the top.
+
+    Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN where the
+    counterpart does not reach. None while there is nothing to compare with.
+    """
+    bottom, built = surface.bottom_heights_mm, counterpart.built
+    if surface.mesh is None or bottom is None or built is None:
+        return None
+    top = surface.mesh.vertices[: len(bottom)]
+    return np.asarray(top[:, 2] - counterpart.heights_mm(built.contact, top[:, :2]))
+
+
+def foot_difference(foot: Foot, counterpart: Counterpart) -> FloatArray | None:
+    """Height of the foot's sole over the counterpart's, mm, at its vertices; NaN beside the sole.
+
+    None where the same foot stands beside, or nothing.
+    """
+    built = counterpart.built
+    if built is None or built.foot is foot:
+        return None
+    vertices = foot.mesh.vertices
+    over = vertices[:, 2] - counterpart.heights_mm(built.sole, vertices[:, :2])
+    is_sole = foot.mesh.vertex_normals[:, 2] < -STEEPEST
+    return np.where(is_sole, over, np.nan)
