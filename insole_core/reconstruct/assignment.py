@@ -177,9 +177,9 @@ def _congruent_triples(
     between_markers = np.linalg.norm(markers[:, None] - markers[None], axis=2)
     fits = np.abs(between_points - between_markers[..., None, None]) < limits.near_mm
     three_points, three_markers = [np.empty((0, 3), np.int64)], [np.empty((0, 3), np.int64)]
-    for k, l, p in combinations(range(len(markers)), 3):  # noqa: E741
-        if _height(markers[[k, l, p]]) < limits.narrowest_triple_mm:
-            continue
+    triples = np.array(list(combinations(range(len(markers)), 3)), dtype=np.int64).reshape(-1, 3)
+    wide = _heights(markers[triples]) >= limits.narrowest_triple_mm
+    for k, l, p in triples[wide]:  # noqa: E741
         first, second = np.nonzero(fits[k, l])
         pair, third = np.nonzero(fits[k, p][first] & fits[l, p][second])
         found = np.stack([first[pair], second[pair], third], axis=1)
@@ -188,11 +188,12 @@ def _congruent_triples(
     return np.concatenate(three_points), np.concatenate(three_markers)
 
 
-def _height(triangle: FloatArray) -> float:
-    """Smallest height of a triangle (3, 3)."""
-    sides = np.linalg.norm(triangle - np.roll(triangle, 1, axis=0), axis=1)
-    doubled_area = np.linalg.norm(np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0]))
-    return float(doubled_area / max(sides.max(), 1e-9))
+def _heights(triangles: FloatArray) -> FloatArray:
+    """Smallest heights (t,) of triangles (t, 3, 3)."""
+    sides = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2)
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    doubled_area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return np.asarray(doubled_area / np.maximum(sides.max(1), 1e-9))
 
 
 def _fit(
@@ -238,6 +239,8 @@ def _elsewhere(
 def _check_mirrored(
     points: FloatArray, markers: FloatArray, most: int, limits: AssignmentLimits
 ) -> None:
+    if most >= min(len(points), len(markers)):
+        return
     mirrored = _candidate_poses(points * [-1.0, 1.0, 1.0], markers, limits)
     if int(mirrored.counts.max(initial=0)) >= max(_needed(len(markers), limits), most + 1):
         raise ReconstructionError(

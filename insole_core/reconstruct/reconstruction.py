@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -12,7 +13,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.coloring import color_points
-from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
+from insole_core.reconstruct.fusion.reading import read_volume
 from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.measured_view import (
     MeasuredView,
@@ -43,6 +45,7 @@ from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_o
 from insole_core.recording.session import Box, Session, View
 
 _Part = TypeVar("_Part")
+_VIEWS_AT_ONCE = 2
 
 
 def reconstruct(
@@ -130,8 +133,10 @@ class _Fused:
     def measure(self, view: View) -> MeasuredView:
         return self.measuring(view)
 
-    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> Reading:
-        return read_volume(
+    def cut_out(
+        self, measured: MeasuredView, sensor2reference: FloatArray, box: Box
+    ) -> PreparedView:
+        reading = read_volume(
             measured.view.name,
             measured.view.sensor,
             sensor2reference,
@@ -139,8 +144,9 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
+        return prepare(reading)
 
-    def join(self, parts: list[Reading], progress: Progress) -> Surface:
+    def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
         if self.on_preview is not None:
             progress.step(0.0, "Making a first coarse foot")
             self.on_preview(coarse_foot(parts))
@@ -161,15 +167,21 @@ class _Chain(Generic[_Part]):
         parts: list[_Part] = []
         results: list[ViewResult] = []
         views = self.session.views
-        for number, view in enumerate(views):
-            start, end = (0.5 * (number + done) / len(views) for done in (0, 1))
+        # Reading and averaging leave the interpreter most of the time, so two views go at once.
+        with ThreadPoolExecutor(_VIEWS_AT_ONCE) as pool:
+            placing = [pool.submit(self._place, view) for view in views]
             try:
-                part, result = self._place(view, progress.part(start, end))
-            except ReconstructionError as error:
-                results.append(refused_result(view.name, error))
-                continue
-            parts.append(part)
-            results.append(result)
+                for number, view in enumerate(views):
+                    progress.step(0.5 * number / len(views), f"Placing the view {view.name}")
+                    try:
+                        part, result = placing[number].result()
+                    except ReconstructionError as error:
+                        results.append(refused_result(view.name, error))
+                        continue
+                    parts.append(part)
+                    results.append(result)
+            finally:
+                pool.shutdown(wait=False, cancel_futures=True)
         _check_any_used(self.session, results)
         with self.clock.measuring("surface"):
             surface = self.way.join(parts, progress.part(0.5, 1.0))
@@ -182,19 +194,17 @@ class _Chain(Generic[_Part]):
             surface.deviation_mm,
         )
 
-    def _place(self, view: View, progress: Progress) -> tuple[_Part, ViewResult]:
+    def _place(self, view: View) -> tuple[_Part, ViewResult]:
         """Bring one view to the reference frame."""
         edits = self.session.edits.of(view.name)
         if edits.off:
             raise ReconstructionError("it was switched off by hand")
-        progress.step(0.0, f"Averaging the frames of the view {view.name}")
         with self.clock.measuring("frames"):
             measured = self.way.measure(view)
-        progress.step(0.6, f"Finding the markers of the view {view.name}")
         with self.clock.measuring("markers"):
             system = self.session.manifest.reference_system
             registration = measured.register(system, self.limits, edits)
-        with self.clock.measuring("surface"):
+        with self.clock.measuring("cutting out"):
             part = self.way.cut_out(
                 measured, registration.sensor2reference, volume_of_interest(self.session)
             )

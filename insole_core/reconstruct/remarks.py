@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct.result import ViewResult
 from insole_core.recording.session import Session, View
-from insole_core.sensing.frames import RawAverage
+from insole_core.sensing.frames import MOVED_RAW, RawAverage
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
@@ -39,15 +39,19 @@ def motion_note(view: View, average: RawAverage, depth_mm: FloatArray) -> str:
     """Say how far the foot moved in the frames that were left out; empty when none was."""
     if not average.moved:
         return ""
-    typical_mm = float(np.nanmedian(depth_mm))
-    disparity = view.sensor.disparity
-    per_mm = abs(float(disparity.raw(np.array(typical_mm + 0.5)) - disparity.raw(
-        np.array(typical_mm - 0.5)
-    )))  # fmt: skip
     return (
-        f"something moved by {average.motion_raw / per_mm:.1f} mm; {len(average.moved)} of its "
-        f"{average.frames} depth frames are left out"
+        f"something moved by {_motion_mm(view, average, depth_mm):.1f} mm; "
+        f"{len(average.moved)} of its {average.frames} depth frames are left out"
     )
+
+
+def _motion_mm(view: View, average: RawAverage, depth_mm: FloatArray) -> float:
+    """Largest motion towards the sensor, or else sideways."""
+    typical_mm = float(np.nanmedian(depth_mm))
+    if average.motion_raw <= MOVED_RAW:
+        return average.sideways_px * typical_mm / view.sensor.depth_camera.fx
+    near_raw, far_raw = view.sensor.disparity.raw(typical_mm + np.array([-0.5, 0.5]))
+    return average.motion_raw / abs(float(far_raw - near_raw))
 
 
 def warnings_of(session: Session, results: list[ViewResult]) -> tuple[str, ...]:

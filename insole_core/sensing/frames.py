@@ -6,17 +6,26 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import chain, islice
 
+import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, RawArray
 from insole_core.sensing.disparity import NO_READING
+
+Int16Array = np.ndarray[tuple[int, ...], np.dtype[np.int16]]
 
 _FIRST_FRAMES = 9
 _NEAR_RAW = 3.0
 _BLOCK_PX = 16
 _JUMP_RAW = 12.0
-_MOVED_RAW = 1.0
-"""A still scene changes by a fifth of this; it is 1.6 mm at 750 mm."""
+MOVED_RAW = 1.2
+"""A still scene seems to change by up to two thirds of this; it is 1.9 mm at 750 mm."""
+_WIDE_BLOCK_PX = 32
+_MOVED_PX = 1.2
+"""A still scene seems to shift by up to half of this; it is 1.5 mm at 750 mm."""
+_STEEPEST_RAW = 2.0
+_LEAST_GRADIENT = 0.04
+"""Squared disparity gradient, raw²/px², below which a block hardly shows a shift."""
 
 
 def median_raw(frames: Iterable[RawArray]) -> FloatArray:
@@ -53,6 +62,8 @@ class RawAverage:
         The frames that were left out, because something in them had moved.
     motion_raw
         Largest change of a part of the picture over the frames, raw units.
+    sideways_px
+        Largest shift of a part of the picture over the frames.
     """
 
     raw: FloatArray
@@ -60,6 +71,7 @@ class RawAverage:
     frames: int
     moved: tuple[int, ...]
     motion_raw: float
+    sideways_px: float = 0.0
 
 
 def average_raw(frames: Iterable[RawArray]) -> RawAverage:
@@ -68,7 +80,7 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     The first estimate is the median of the first nine frames; readings farther than 3 raw units
     from it are outliers (the noise of the sensor is about 0.5). Holds nine frames, however many
     there are. Keeps the fractions of a raw unit that the median loses. A frame of which a part
-    differs from the estimate as a whole shows something that has moved, and is left out.
+    came nearer, or went sideways, as a whole shows something that has moved, and is left out.
 
     Parameters
     ----------
@@ -76,34 +88,35 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     """
     stream = iter(frames)
     first = list(islice(stream, _FIRST_FRAMES))
-    anchor = median_raw(first)
-    total, squares = np.zeros(anchor.shape), np.zeros(anchor.shape)
-    readings = np.zeros(anchor.shape, dtype=np.int32)
+    scene = _StillScene(median_raw(first))
+    shape = scene.anchor.shape
+    total, squares, readings = (np.zeros(shape, dtype=np.int32) for _ in range(3))
     moved: list[int] = []
-    motion_raw, count = 0.0, 0
+    motion_raw, sideways_px, count = 0.0, 0.0, 0
     for index, frame in enumerate(chain(first, stream)):
         count += 1
-        difference = np.where(frame < NO_READING, frame - anchor, np.nan)
-        change = _largest_change(difference)
-        motion_raw = max(motion_raw, change)
-        if change > _MOVED_RAW:
+        halves, valid = scene.compare(frame)
+        change, shift = scene.motion(halves, valid)
+        motion_raw, sideways_px = max(motion_raw, change), max(sideways_px, shift)
+        if change > MOVED_RAW or shift > _MOVED_PX:
             moved.append(index)
             continue
-        near = np.abs(difference) <= _NEAR_RAW
-        difference = np.where(near, difference, 0)
-        total += difference
-        squares += difference**2
+        near = valid & (np.abs(halves) <= 2 * _NEAR_RAW)
+        halves *= near
+        total += halves
+        squares += np.square(halves)
         readings += near
     enough = _enough(readings, max(count - len(moved), 1))
     number = np.maximum(readings, 1)
-    offset = total / number
-    variance = (squares / number - offset**2) / np.maximum(number - 1, 1)
+    offset = total / (2 * number)
+    variance = (squares / (4 * number) - offset**2) / np.maximum(number - 1, 1)
     return RawAverage(
-        np.where(enough, anchor + offset, np.nan),
+        np.where(enough, scene.anchor + offset, np.nan),
         np.where(enough, np.maximum(variance, 0), np.nan),
         count,
         tuple(moved),
         motion_raw,
+        sideways_px,
     )
 
 
@@ -112,21 +125,80 @@ def mean_raw(frames: Iterable[RawArray]) -> FloatArray:
     return average_raw(frames).raw
 
 
-def _largest_change(difference: FloatArray) -> float:
-    """Change that a hundredth of the picture's blocks exceeds, raw units.
+class _StillScene:
+    """What a frame shows as long as nothing moves, to compare others with.
 
-    The mean over a block has a twentieth of a pixel's noise; differences beyond `_JUMP_RAW` are
-    the borders of things, which flicker, and blocks without enough readings tell nothing.
+    Differences are in halves of a raw unit, in which the median of whole numbers is whole.
     """
-    height, width = (size // _BLOCK_PX * _BLOCK_PX for size in difference.shape)
-    blocks = difference[:height, :width].reshape(
-        height // _BLOCK_PX, _BLOCK_PX, width // _BLOCK_PX, _BLOCK_PX
-    )
-    usable = np.abs(blocks) < _JUMP_RAW
-    number = usable.sum((1, 3))
-    means = np.where(usable, blocks, 0).sum((1, 3)) / np.maximum(number, 1)
-    full = number >= _BLOCK_PX**2 / 2
-    return float(np.percentile(np.abs(means[full]), 99)) if full.any() else 0.0
+
+    def __init__(self, anchor: FloatArray) -> None:
+        self.anchor = anchor
+        self._known = np.isfinite(anchor)
+        self._halves = np.where(self._known, 2 * anchor, 0).astype(np.int16)
+        self._slopes = self._steady_slopes()
+        along_u, along_v = self._slopes
+        self._uu, self._uv, self._vv = (
+            _block_means(product, _WIDE_BLOCK_PX)
+            for product in (along_u * along_u, along_u * along_v, along_v * along_v)
+        )
+
+    def _steady_slopes(self) -> tuple[Float32Array, Float32Array]:
+        """Disparity gradients of surfaces, raw/px; 0 at the borders of things and beside gaps."""
+        known = self._known.astype(np.float32)
+        support = cv2.blur(known, (5, 5))
+        smooth = cv2.blur(np.where(self._known, self.anchor, 0).astype(np.float32), (5, 5))
+        smooth /= np.maximum(support, 1e-3)
+        along_u, along_v = (
+            cv2.Sobel(smooth, cv2.CV_32F, du, dv, ksize=1, scale=0.5) for du, dv in ((1, 0), (0, 1))
+        )
+        inside = cv2.erode(known, np.ones((7, 7), np.uint8)) > 0
+        steady = inside & (np.maximum(np.abs(along_u), np.abs(along_v)) < _STEEPEST_RAW)
+        return along_u * steady, along_v * steady
+
+    def compare(self, frame: RawArray) -> tuple[Int16Array, BoolArray]:
+        """Give the difference (height, width), half raw units, and where it is one."""
+        numbers = np.asarray(frame)
+        valid = self._known & (numbers < NO_READING)
+        return 2 * numbers.astype(np.int16) - self._halves, valid
+
+    def motion(self, halves: Int16Array, valid: BoolArray) -> tuple[float, float]:
+        """How far a part of the picture came nearer, raw units, and went sideways, px.
+
+        Differences beyond `_JUMP_RAW` are the borders of things, which flicker.
+        """
+        usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
+        difference = (halves * (usable / 2)).astype(np.float32)
+        return self._nearer_raw(difference, usable), self._sideways_px(difference, usable)
+
+    def _nearer_raw(self, difference: Float32Array, usable: Float32Array) -> float:
+        """Change that few blocks exceed; their mean has a twentieth of a pixel's noise."""
+        share = _block_means(usable, _BLOCK_PX)
+        means = _block_means(difference, _BLOCK_PX) / np.maximum(share, 1e-6)
+        return _percentile(np.abs(means[share >= 0.5]), 98)
+
+    def _sideways_px(self, difference: Float32Array, usable: Float32Array) -> float:
+        """Shift that explains the differences by the slopes, exceeded in few blocks.
+
+        Least squares in every block; where there is no slope, no shift is assumed.
+        """
+        share = _block_means(usable, _WIDE_BLOCK_PX)
+        u, v = (_block_means(slope * difference, _WIDE_BLOCK_PX) for slope in self._slopes)
+        uu, vv = self._uu + _LEAST_GRADIENT, self._vv + _LEAST_GRADIENT
+        determinant = uu * vv - self._uv**2
+        shift = np.hypot(vv * u - self._uv * v, uu * v - self._uv * u) / determinant
+        return _percentile(shift[share >= 0.5], 97)
+
+
+def _block_means(image: Float32Array, size: int) -> Float32Array:
+    height, width = (length // size for length in image.shape)
+    if min(height, width) == 0:
+        return np.zeros((0, 0), np.float32)
+    whole = image[: height * size, : width * size]
+    return np.asarray(cv2.resize(whole, (width, height), interpolation=cv2.INTER_AREA))
+
+
+def _percentile(values: FloatArray | Float32Array, share: float) -> float:
+    return float(np.percentile(values, share)) if values.size else 0.0
 
 
 def _enough(

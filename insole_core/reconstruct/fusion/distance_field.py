@@ -10,7 +10,7 @@ from scipy.ndimage import binary_dilation
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth
 
 _BLOCK_CELLS = 4
@@ -33,17 +33,16 @@ class FieldLimits:
     truncation_mm: float = 6.0
 
 
-def mesh_views(
-    readings: list[Reading], depths: list[SmoothDepth], limits: FieldLimits = FieldLimits()
-) -> TriangleMesh:
+def mesh_views(views: list[PreparedView], limits: FieldLimits = FieldLimits()) -> TriangleMesh:
     """Mesh the surface on which all views agree best.
 
     Every view tells for each lattice point how far before its surface it lies, weighted by
     cos² of the incidence.
     """
     placed = [
-        reading.origin_mm + depth.depth_mm[..., None] * reading.directions(reading.pixels)
-        for reading, depth in zip(readings, depths, strict=True)
+        view.reading.origin_mm
+        + view.depth.depth_mm[..., None] * view.reading.directions(view.reading.pixels)
+        for view in views
     ]
     points = np.concatenate([p[np.isfinite(p[..., 2])] for p in placed])
     reach = _BLOCK_CELLS * limits.cell_mm
@@ -52,8 +51,8 @@ def mesh_views(
     where = np.argwhere(near)
     lattice = origin + limits.cell_mm * where
     total, weight = np.zeros(len(where)), np.zeros(len(where))
-    for reading, depth in zip(readings, depths, strict=True):
-        at, before_mm, certainty = _distances(reading, depth, lattice, limits.truncation_mm)
+    for view in views:
+        at, before_mm, certainty = _distances(view, lattice, limits.truncation_mm)
         total[at] += certainty * before_mm
         weight[at] += certainty
     values, known = np.zeros(near.shape), np.zeros(near.shape, dtype=bool)
@@ -74,11 +73,11 @@ def _near_cells(points: FloatArray, origin: FloatArray, limits: FieldLimits) -> 
 
 
 def _distances(
-    reading: Reading, depth: SmoothDepth, lattice: FloatArray, truncation_mm: float
+    view: PreparedView, lattice: FloatArray, truncation_mm: float
 ) -> tuple[IntArray, FloatArray, FloatArray]:
     """Index of the lattice points that a view knows, how far before its surface, and the weight."""
-    at, surface_mm, cosine = _look_up(reading.project(lattice), depth)
-    before_mm = surface_mm - reading.depth_along(lattice[at])
+    at, surface_mm, cosine = _look_up(view.reading.project(lattice), view.depth)
+    before_mm = surface_mm - view.reading.depth_along(lattice[at])
     seen = before_mm > -truncation_mm
     certainty = np.maximum(cosine[seen], _LEAST_COSINE) ** 2
     return at[seen], np.minimum(before_mm[seen], truncation_mm), certainty

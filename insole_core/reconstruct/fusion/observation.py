@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.window import window_error
 
 _NOISE_RAW = 0.35
 """Standard deviation of a mean reading on a surface that faces the sensor."""
@@ -45,12 +46,9 @@ class Observations:
 
 
 def observe(
-    reading: Reading,
-    mesh: TriangleMesh,
-    normals: FloatArray,
-    caster: RayCaster,
+    reading: Reading, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
 ) -> Observations:
-    """Compare a reading with the mesh, ray by ray.
+    """Compare a reading with what the sensor would have made of the mesh, ray by ray.
 
     Parameters
     ----------
@@ -60,30 +58,37 @@ def observe(
     normals : (n, 3) float64
         Along which the vertices may move.
     """
-    known = reading.known
-    pixels = reading.pixels[known]
-    rays = reading.directions(pixels)
+    rays = reading.directions(reading.pixels).reshape(-1, 3)
     hits = caster.cast(reading.origin_mm, rays)
-    rays, raw = rays[hits.ray], reading.raw[known][hits.ray]
-    corners = mesh.triangles[hits.triangle]
+    rays, corners = rays[hits.ray], mesh.triangles[hits.triangle]
     normal = np.einsum("nk,nkc->nc", hits.weights, normals[corners])
     depth_mm = reading.depth_along(np.einsum("nk,nkc->nc", hits.weights, mesh.vertices[corners]))
     along = np.einsum("nc,nc->n", normal, rays)
     cosine = -along / (np.linalg.norm(normal, axis=1) * np.linalg.norm(rays, axis=1))
-    residuals = raw - reading.sensor.disparity.raw(depth_mm)
-    good = (cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW)
-    slope = reading.raw_per_mm(depth_mm)
-    weights = hits.weights[good] * (slope / along)[good, None]
-    count = int(good.sum())
+    expected = _as_sensed(reading.sensor.disparity.raw(depth_mm), cosine, hits.ray, reading)
+    residuals = reading.raw.ravel()[hits.ray] - expected
+    good = np.flatnonzero((cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW))
+    slope = reading.raw_per_mm(depth_mm[good])
+    weights = hits.weights[good] * (slope / along[good])[:, None]
+    count = len(good)
     design = sparse.csr_array(
         (weights.ravel(), corners[good].ravel(), np.arange(0, 3 * count + 1, 3)),
         (count, len(mesh.vertices)),
     )
-    pixel_mm = depth_mm / reading.sensor.depth_camera.fx
-    tangent = np.sqrt(1 / np.clip(cosine, 0.05, 1) ** 2 - 1)
+    pixel_mm = depth_mm[good] / reading.sensor.depth_camera.fx
+    tangent = np.sqrt(1 / np.clip(cosine[good], 0.05, 1) ** 2 - 1)
     variance = _NOISE_RAW**2 + (_SPOT_OFFSET_PX * slope * pixel_mm * tangent) ** 2
-    view_terms = _view_terms(reading, pixels[hits.ray[good]])
-    return Observations(design, residuals[good], 1 / (SHARED_PX * variance[good]), view_terms)
+    view_terms = _view_terms(reading, reading.pixels.reshape(-1, 2)[hits.ray[good]])
+    return Observations(design, residuals[good], 1 / (SHARED_PX * variance), view_terms)
+
+
+def _as_sensed(
+    raw: FloatArray, cosine: FloatArray, pixel: IntArray, reading: Reading
+) -> FloatArray:
+    """Add the error of the sensor's window to raw numbers (k,) at flat pixel indices (k,)."""
+    seen, light = np.full(reading.raw.shape, np.nan), np.zeros(reading.raw.shape)
+    seen.flat[pixel], light.flat[pixel] = raw, cosine
+    return np.asarray(raw + window_error(seen, light).ravel()[pixel])
 
 
 def _view_terms(reading: Reading, pixels: FloatArray) -> FloatArray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -14,17 +13,10 @@ from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
-from insole_core.reconstruct.fusion.silhouette import (
-    Silhouette,
-    find_silhouette,
-    is_beside,
-    within_outline,
-)
-from insole_core.reconstruct.fusion.smoothing import smooth_depth
+from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices
-from insole_core.reconstruct.fusion.window import without_window_error
 from insole_core.reconstruct.result import Surface
 
 _RELAXING_ROUNDS = 10
@@ -61,32 +53,25 @@ class FusionLimits:
 
 
 def fuse(
-    readings: list[Reading],
+    views: list[PreparedView],
     progress: Progress = SILENT,
     limits: FusionLimits = FusionLimits(),
-    on_preview: Callable[[TriangleMesh], None] | None = None,
 ) -> Surface:
     """Make one smooth surface of the placed readings of all views.
 
     Parameters
     ----------
-    readings
+    views
         At least one.
     progress
     limits
-    on_preview
-        Is given the coloured mesh before refinement, as soon as there is one.
     """
     progress.step(0.0, "Joining the views")
-    outlines = [find_silhouette(reading) for reading in readings]
-    readings = [within_outline(*pair) for pair in zip(readings, outlines, strict=True)]
-    coarse = _mesh(readings, limits)
-    if on_preview is not None:
-        on_preview(replace(coarse, colors=color_vertices(coarse, readings)))
+    readings = [view.reading for view in views]
+    coarse = _mesh(views, limits)
     progress.step(0.4, "Refining the surface")
-    corrected = [without_window_error(reading, coarse) for reading in readings]
-    refined = refine(coarse, corrected, limits.refinement)
-    kept = _is_supported(refined.mesh, readings, outlines, limits)
+    refined = refine(coarse, readings, limits.refinement)
+    kept = _is_supported(refined.mesh, views, limits)
     kept[kept] = in_large_pieces(refined.mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
     fine, ends = subdivided(refined.mesh.part(kept))
@@ -94,9 +79,9 @@ def fuse(
     return Surface(replace(fine, colors=colors), refined.deviation_mm[kept][ends].mean(1))
 
 
-def _mesh(readings: list[Reading], limits: FusionLimits) -> TriangleMesh:
-    mesh = mesh_views(readings, [smooth_depth(reading) for reading in readings], limits.lattice)
-    nearest = [reading.distance_mm(mesh.vertices, limits.reach_mm) for reading in readings]
+def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
+    mesh = mesh_views(views, limits.lattice)
+    nearest = [view.reading.distance_mm(mesh.vertices, limits.reach_mm) for view in views]
     mesh = mesh.part(np.any(np.isfinite(nearest), axis=0))
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
     mesh = TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
@@ -106,19 +91,14 @@ def _mesh(readings: list[Reading], limits: FusionLimits) -> TriangleMesh:
     return mesh
 
 
-def _is_supported(
-    mesh: TriangleMesh,
-    readings: list[Reading],
-    outlines: list[Silhouette | None],
-    limits: FusionLimits,
-) -> BoolArray:
+def _is_supported(mesh: TriangleMesh, views: list[PreparedView], limits: FusionLimits) -> BoolArray:
     """Tell which vertices (n,) have a reading near them and lie beside no outline."""
     near = np.zeros(len(mesh.vertices), dtype=bool)
     beside = np.zeros(len(mesh.vertices), dtype=bool)
-    for reading, outline in zip(readings, outlines, strict=True):
-        distance_mm = reading.distance_mm(mesh.vertices, limits.own_mm)
+    for view in views:
+        distance_mm = view.reading.distance_mm(mesh.vertices, limits.own_mm)
         near |= distance_mm < limits.support_mm
         own = np.isfinite(distance_mm)
-        if outline is not None:
-            beside[own] |= is_beside(mesh.vertices[own], reading, outline)
+        if view.outline is not None:
+            beside[own] |= is_beside(mesh.vertices[own], view.reading, view.outline)
     return near & ~beside

@@ -6,9 +6,6 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.ray_casting import RayCaster
-from insole_core.reconstruct.fusion.reading import Reading
 
 WINDOW_PX = 9
 """Side of the square that the sensor compares with its pattern (Konolige & Mihelich)."""
@@ -20,38 +17,27 @@ _LARGEST_RAW = 2.0
 _LEAST_LIGHT = 0.02
 
 
-def without_window_error(reading: Reading, mesh: TriangleMesh) -> Reading:
-    """Take out of a reading by how much the window's mean differs from its middle.
+def window_error(raw: FloatArray, light: FloatArray) -> FloatArray:
+    """By how much what the sensor reports differs from what is in the middle of its window.
 
-    The dots in a window count as they are lit, with the cosine of the incidence. So the side that
-    faces the sensor counts more, rims appear nearer than they are, and rounded shapes flatter.
+    The dots in a window count as they are lit. So the side that faces the sensor counts more, rims
+    appear nearer than they are, and rounded shapes flatter. Where a window looks over an edge
+    nothing is said.
 
     Parameters
     ----------
-    reading
-    mesh
-        The surface as far as it is known.
+    raw : (height, width) float64, raw units
+        What is there, as far as it is known; NaN = nothing.
+    light : (height, width) float64
+        Brightness, the cosine of the incidence.
+
+    Returns
+    -------
+    (height, width) float64, raw units; 0 where it is no larger than the noise of what is known
     """
-    raw, light = _rendered(reading, mesh)
-    error = _mean_minus_middle(raw, light)
+    error = _mean_minus_middle(raw, np.clip(light, _LEAST_LIGHT, 1))
     shrunk = np.sign(error) * np.maximum(np.abs(error) - _NOISE_RAW, 0)
-    return reading.with_raw(reading.raw - np.clip(shrunk, -_LARGEST_RAW, _LARGEST_RAW))
-
-
-def _rendered(reading: Reading, mesh: TriangleMesh) -> tuple[FloatArray, FloatArray]:
-    """Raw numbers of the mesh, NaN beside it, and how brightly it is lit; both (height, width)."""
-    rays = reading.directions(reading.pixels).reshape(-1, 3)
-    hits = RayCaster(mesh).cast(reading.origin_mm, rays)
-    corners = mesh.triangles[hits.triangle]
-    places = np.einsum("nk,nkc->nc", hits.weights, mesh.vertices[corners])
-    normals = np.einsum("nk,nkc->nc", hits.weights, mesh.vertex_normals[corners])
-    rays = rays[hits.ray]
-    lengths = np.linalg.norm(normals, axis=1) * np.linalg.norm(rays, axis=1)
-    cosine = -np.einsum("nc,nc->n", normals, rays) / np.maximum(lengths, 1e-12)
-    raw, light = np.full(reading.raw.shape, np.nan), np.zeros(reading.raw.shape)
-    raw.flat[hits.ray] = reading.sensor.disparity.raw(reading.depth_along(places))
-    light.flat[hits.ray] = np.clip(cosine, _LEAST_LIGHT, 1)
-    return raw, light
+    return np.asarray(np.clip(shrunk, -_LARGEST_RAW, _LARGEST_RAW))
 
 
 def _mean_minus_middle(raw: FloatArray, light: FloatArray) -> FloatArray:
@@ -59,6 +45,7 @@ def _mean_minus_middle(raw: FloatArray, light: FloatArray) -> FloatArray:
     if not known.any():
         return np.zeros_like(raw)
     values = np.where(known, raw - np.nanmedian(raw), 0)
+    light = np.where(known, light, 0)
     error = _sum(light * values) / np.maximum(_sum(light), 1e-9) - values
     return np.where(known & _is_one_surface(values, known), error, 0)
 

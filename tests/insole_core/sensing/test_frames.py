@@ -73,3 +73,28 @@ def test_a_frame_in_which_something_moved_is_left_out() -> None:
     assert average.moved == (5,)
     assert average.motion_raw == pytest.approx(3.0, abs=0.2)
     np.testing.assert_allclose(average.raw[20:40, 20:60].mean(), 700, atol=0.05)
+
+
+def tilted(shift_px: float, rng: np.random.Generator) -> RawArray:
+    """A ball before a wall, and noise; the ball shifted along u."""
+    v, u = np.mgrid[:192, :256].astype(float)
+    height = 60**2 - (u - 128 - shift_px) ** 2 - (v - 96) ** 2
+    ball = 760 - 0.8 * (60 - np.sqrt(np.maximum(height, 0)))
+    raw = np.where(height > 0, ball, 500.0) + rng.normal(0, 0.5, u.shape)
+    return np.rint(raw).astype(np.uint16)
+
+
+def test_a_shift_sideways_is_found_and_measured() -> None:
+    rng = np.random.default_rng(7)
+    shifts = [0.0] * 12
+    shifts[7] = 3.0
+    average = average_raw(tilted(shift, rng) for shift in shifts)
+    assert average.moved == (7,)
+    assert average.sideways_px == pytest.approx(3.0, abs=0.7)
+
+
+def test_noise_is_no_shift() -> None:
+    rng = np.random.default_rng(8)
+    average = average_raw(tilted(0.0, rng) for _ in range(30))
+    assert average.moved == ()
+    assert average.sideways_px < 0.6

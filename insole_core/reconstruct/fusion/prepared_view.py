@@ -1,0 +1,35 @@
+"""A placed view with all that can be said of it alone, before the views are joined."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.silhouette import Silhouette, find_silhouette, within_outline
+from insole_core.reconstruct.fusion.smoothing import SmoothDepth, smooth_depth
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedView:
+    """One view, ready to be joined with others.
+
+    Parameters
+    ----------
+    reading
+        Without what lies beside the foot's outline.
+    outline
+        None where the colours do not tell.
+    depth
+        The reading, smoothed.
+    """
+
+    reading: Reading
+    outline: Silhouette | None
+    depth: SmoothDepth
+
+
+def prepare(reading: Reading) -> PreparedView:
+    """Find the outline of the foot in a view, and smooth what lies within."""
+    outline = find_silhouette(reading)
+    inside = within_outline(reading, outline)
+    return PreparedView(inside, outline, smooth_depth(inside))
