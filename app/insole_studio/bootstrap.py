@@ -50,6 +50,7 @@ from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.shell.variants import Variants
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
+from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.texts import load_language, tr
@@ -119,6 +120,7 @@ class Application:
         """Stop the threads, free the renderers, remember the settings."""
         self.studio.rooms.capture.close()
         self.studio.rooms.exporting.close()
+        self.studio.rooms.compare.close()
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
@@ -213,6 +215,7 @@ def build_application(
         guide=Guide(window, stage, settings, remember),
         capture=CaptureWindow(partial(_make_capture, settings, places, place)),
         calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
+        compare=StageWindow(lambda: CompareStage(case, is_dark(settings.theme))),
     )
     studio = Studio(
         rooms=rooms,

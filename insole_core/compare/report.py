@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +64,12 @@ def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[s
 
 def colored_surface(difference: Difference) -> TriangleMesh:
     """Give surface a with the signed difference as colour, for a 3-D view; b missing is grey."""
+    mesh, signed = difference_surface(difference)
+    return replace(mesh, colors=difference_colors(signed))
+
+
+def difference_surface(difference: Difference) -> tuple[TriangleMesh, FloatArray]:
+    """Give surface a, and the signed difference (n,) at its vertices; NaN where b is missing."""
     heights = difference.heights_a_mm
     known = np.isfinite(heights)
     places = np.concatenate([difference.grid.places, heights[..., None]], axis=-1).reshape(-1, 3)
@@ -72,8 +79,13 @@ def colored_surface(difference: Difference) -> TriangleMesh:
         [np.stack([corner.ravel() for corner in half], axis=1) for half in ((a, b, c), (a, c, d))]
     )
     whole = known.ravel()[triangles].all(axis=1)
-    mesh = TriangleMesh(places, triangles[whole], difference_colors(difference.signed_mm.ravel()))
-    return mesh.part(known.ravel())
+    mesh = TriangleMesh(places, triangles[whole]).part(known.ravel())
+    return mesh, difference.signed_mm.ravel()[known.ravel()]
+
+
+def span_mm(difference: Difference) -> float:
+    """End of the colour scale: what 99 % of the places stay below."""
+    return _limit_mm(difference.signed_mm)
 
 
 def difference_colors(signed_mm: FloatArray) -> ByteArray:

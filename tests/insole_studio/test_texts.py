@@ -18,6 +18,7 @@ SWEDISH = resource_path("translations/sv")
 DESIGN_PARTS = (
     "shell",
     "stages/capture",
+    "stages/compare",
     "stages/design",
     "stages/export",
     "tools",

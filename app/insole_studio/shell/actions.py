@@ -410,6 +410,12 @@ ACTIONS: tuple[ActionRecord, ...] = (
         lambda rooms, _on: rooms.calibrate.open(),
     ),
     ActionRecord(
+        "compare",
+        lambda: tr("Compare surfaces…"),
+        lambda: tr("How far feet, insoles and scans of moulds differ"),
+        lambda rooms, _on: rooms.compare.open(),
+    ),
+    ActionRecord(
         "about",
         lambda: tr("About Insole Studio"),
         lambda: tr("Version and licence"),

@@ -73,7 +73,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
-        (*TOOL_KEYS, SEPARATOR, "calibrate"),
+        (*TOOL_KEYS, SEPARATOR, "compare", "calibrate"),
     ),
     (
         lambda: tr("&Prescribe"),

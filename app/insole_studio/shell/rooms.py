@@ -24,6 +24,7 @@ from insole_studio.shell.saving import Saving
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.variants import Variants
 from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
 
 
@@ -50,3 +51,4 @@ class Rooms:
     guide: Guide
     capture: CaptureWindow
     calibrate: StageWindow[CalibrateStage]
+    compare: StageWindow[CompareStage]

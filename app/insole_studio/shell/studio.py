@@ -96,6 +96,7 @@ class Studio(QObject):
         self.rooms.capture.close()
         self.rooms.calibrate.close()
         self.rooms.exporting.close()
+        self.rooms.compare.close()
         self._autosave.forget()
         self.rooms.appearance.remember_layout()
         self._window.close_for_good()

@@ -1,0 +1,67 @@
+"""Picks places on a surface: a click on it is a place, a drag beside it turns the view."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.view import Offered
+
+_STILL_PX = 4.0
+
+
+class PointPicker:
+    """Acts on the pointer of a view.
+
+    Parameters
+    ----------
+    picked
+        Told the place (3,), mm, in the frame of what is shown.
+    """
+
+    def __init__(self, picked: Callable[[FloatArray], None]) -> None:
+        self.is_on = False
+        self._picked = picked
+        self._pressed: PointerEvent | None = None
+
+    def press(self, event: PointerEvent) -> bool:
+        """Take a press on the surface."""
+        if not self.is_on or event.surface_mm is None:
+            return False
+        self._pressed = event
+        return True
+
+    def move(self, event: PointerEvent) -> None:
+        """Wait for the release."""
+
+    def release(self, event: PointerEvent) -> None:
+        """Take the place, if the pointer has stayed there."""
+        pressed, self._pressed = self._pressed, None
+        if pressed is None or pressed.surface_mm is None:
+            return
+        if np.hypot(*np.subtract(event.pixel, pressed.pixel)) <= _STILL_PX:
+            self._picked(pressed.surface_mm)
+
+    def cancel(self) -> bool:
+        """Forget a press."""
+        held, self._pressed = self._pressed is not None, None
+        return held
+
+    def double_click(self, event: PointerEvent) -> bool:
+        """Leave it to the camera."""
+        return False
+
+    def offers(self, event: PointerEvent) -> Sequence[Offered]:
+        """Offer nothing."""
+        return ()
+
+    def wheel(self, event: PointerEvent, steps: float) -> bool:
+        """Leave the wheel to the camera."""
+        return False
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
+        """Leave the arrow keys to others."""
+        return False

@@ -1,0 +1,63 @@
+"""What the compare panel shows, as values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from insole_core.compare.difference import Difference
+from insole_studio.texts import tr
+
+FILE, FOLDER = "file", "folder"
+"""Keys of the choices that ask for a path."""
+
+
+@dataclass(frozen=True)
+class FigureRow:
+    """A line of the table: what, the first and the second number; a heading has no numbers."""
+
+    text: str
+    first: str = ""
+    second: str = ""
+
+
+@dataclass(frozen=True)
+class Buttons:
+    """What can be pressed."""
+
+    save: bool = False
+    cancel: bool = False
+    take_back: bool = False
+
+
+STATISTICS: dict[str, Callable[[], str]] = {
+    "mean_abs": lambda: tr("Mean"),
+    "p95": lambda: tr("95 % are below"),
+    "max": lambda: tr("Largest"),
+    "signed_mean": lambda: tr("Mean, signed"),
+}
+MEASURES: dict[str, Callable[[], str]] = {
+    "length": lambda: tr("Length"),
+    "heel_width": lambda: tr("Heel width"),
+    "forefoot_width": lambda: tr("Forefoot width"),
+    "arch_height": lambda: tr("Arch height"),
+}
+
+
+def figure_rows(
+    difference: Difference, measures: dict[str, dict[str, float]]
+) -> tuple[FigureRow, ...]:
+    """Give the figures of the difference, and table 3 of both surfaces."""
+    statistics = difference.statistics
+    fit = difference.fit.residual_mm
+    rows = [FigureRow(tr("Difference"))]
+    rows += [FigureRow(text(), f"{statistics[key]:.2f} mm") for key, text in STATISTICS.items()]
+    rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
+    if fit == fit:  # noqa: PLR0124 - not NaN: something was fitted
+        rows.append(FigureRow(tr("Residual of the fit"), f"{fit:.2f} mm"))
+    rows.append(FigureRow(tr("Measures"), "A", "B"))
+    rows += [
+        FigureRow(text(), f"{measures['a'][key]:.1f} mm", f"{measures['b'][key]:.1f} mm")
+        for key, text in MEASURES.items()
+    ]
+    return tuple(rows)

@@ -1,0 +1,150 @@
+"""What of the open case, or from a file, can be compared; and a comparison written for others."""
+
+from __future__ import annotations
+
+import io
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.cases.record import CaseRecord
+from insole_core.compare.comparison import Alignment, compare_surfaces
+from insole_core.compare.difference import Difference, table_3
+from insole_core.compare.paper import write_report
+from insole_core.compare.report import (
+    colored_surface,
+    difference_surface,
+    draw_picture,
+    report_json,
+    span_mm,
+)
+from insole_core.compare.sources import Source, read_source
+from insole_core.errors import InputError, UsageError
+from insole_core.export.atomic import replacing_file
+from insole_core.export.ply import write_ply
+from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.progress import SILENT, Progress
+from insole_core.solids.solid import insole_solid
+
+REPORT_SUFFIXES = (".pdf", ".json", ".png", ".ply")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """A surface to compare: of the case by side and kind, or from a path."""
+
+    kind: str
+    """"foot", "insole", or "file"."""
+    side: Side | None = None
+    path: Path | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """A comparison with what is shown of it.
+
+    Parameters
+    ----------
+    difference
+    surface, signed_mm
+        The first surface, and the difference at its vertices (n,); NaN where the second is missing.
+    span_mm
+        End of the colour scale.
+    picture : (height, width, 3) uint8, RGB
+        The signed and the absolute map.
+    measures
+        Table 3, of "a" and "b".
+    """
+
+    difference: Difference
+    surface: TriangleMesh
+    signed_mm: FloatArray
+    span_mm: float
+    picture: ByteArray
+    measures: dict[str, dict[str, float]]
+
+
+def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> Source:
+    """Give the surface that is wanted.
+
+    Raises
+    ------
+    InsoleError
+        When there is none.
+    """
+    if wanted.path is not None:
+        return read_source(wanted.path, progress)
+    foot = None if wanted.side is None else record.of_side(wanted.side)
+    if foot is None:
+        raise InputError("The case has no such foot; open or capture one first.")
+    name = f"{foot.side} {wanted.kind}"
+    if wanted.kind == "foot":
+        return Source(name, foot.foot.mesh)
+    return Source(name, insole_solid(build_insole(foot.foot, foot.design, progress)))
+
+
+def compare_sources(
+    a: Source,
+    b: Source,
+    alignment: Alignment,
+    median_pixels: int,
+    progress: Progress = SILENT,
+) -> Compared:
+    """Lay b on a and measure.
+
+    Raises
+    ------
+    InputError
+        When the two cannot be laid on each other.
+    """
+    difference = compare_surfaces(
+        a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.8)
+    )
+    progress.step(0.8, "Drawing the difference")
+    surface, signed = difference_surface(difference)
+    drawn = io.BytesIO()
+    draw_picture(difference, drawn, (a.name, b.name))
+    picture = cv2.imdecode(np.frombuffer(drawn.getvalue(), np.uint8), cv2.IMREAD_COLOR_RGB)
+    assert picture is not None
+    return Compared(
+        difference,
+        surface,
+        signed,
+        span_mm(difference),
+        np.asarray(picture, np.uint8),
+        table_3(difference),
+    )
+
+
+def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> None:
+    """Write a comparison as its suffix says: report, figures, picture, or coloured surface.
+
+    Raises
+    ------
+    UsageError
+        When the suffix is not known.
+    OutputError
+        When the place cannot be written.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in REPORT_SUFFIXES:
+        raise UsageError(
+            f"{path} names no form of a report; let it end in {', '.join(REPORT_SUFFIXES)}."
+        )
+    if suffix == ".ply":
+        write_ply(colored_surface(compared.difference), path)
+        return
+    with replacing_file(path) as beside:
+        if suffix == ".pdf":
+            write_report(compared.difference, names, beside)
+        elif suffix == ".png":
+            draw_picture(compared.difference, beside, names)
+        else:
+            text = json.dumps(report_json(compared.difference), indent=1, allow_nan=False)
+            beside.write_text(text + "\n", encoding="utf-8")

@@ -1,0 +1,147 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>95 % are below</source>
+            <translation>95 % ligger under</translation>
+        </message>
+        <message>
+            <source>A over B</source>
+            <translation>A över B</translation>
+        </message>
+        <message>
+            <source>As they lie</source>
+            <translation>Som de ligger</translation>
+        </message>
+        <message>
+            <source>B is laid on A by</source>
+            <translation>B läggs på A med</translation>
+        </message>
+        <message>
+            <source>Best fit</source>
+            <translation>Bästa passning</translation>
+        </message>
+        <message>
+            <source>Choose what is compared, at the left.</source>
+            <translation>Välj till vänster vad som jämförs.</translation>
+        </message>
+        <message>
+            <source>Choose…</source>
+            <translation>Välj…</translation>
+        </message>
+        <message>
+            <source>Click the same places on A and B, three or more. Picked: {a} on A, {b} on B.</source>
+            <translation>Klicka på samma ställen på A och B, tre eller fler. Utpekade: {a} på A, {b} på B.</translation>
+        </message>
+        <message>
+            <source>Compare surfaces</source>
+            <translation>Jämför ytor</translation>
+        </message>
+        <message>
+            <source>Compare surfaces…</source>
+            <translation>Jämför ytor…</translation>
+        </message>
+        <message>
+            <source>Compared area</source>
+            <translation>Jämförd yta</translation>
+        </message>
+        <message>
+            <source>Difference in 3-D</source>
+            <translation>Skillnad i 3-D</translation>
+        </message>
+        <message>
+            <source>Difference maps</source>
+            <translation>Skillnadskartor</translation>
+        </message>
+        <message>
+            <source>First, A</source>
+            <translation>Första, A</translation>
+        </message>
+        <message>
+            <source>Forefoot width</source>
+            <translation>Framfotsbredd</translation>
+        </message>
+        <message>
+            <source>Four black dots</source>
+            <translation>Fyra svarta prickar</translation>
+        </message>
+        <message>
+            <source>How far feet, insoles and scans of moulds differ</source>
+            <translation>Hur mycket fötter, inlägg och skanningar av formar skiljer sig</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Störst</translation>
+        </message>
+        <message>
+            <source>Left insole</source>
+            <translation>Vänster inlägg</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Medel</translation>
+        </message>
+        <message>
+            <source>Mean, signed</source>
+            <translation>Medel, med tecken</translation>
+        </message>
+        <message>
+            <source>Median filter</source>
+            <translation>Medianfilter</translation>
+        </message>
+        <message>
+            <source>Mesh or archive</source>
+            <translation>Nät eller arkiv</translation>
+        </message>
+        <message>
+            <source>Mesh or archive…</source>
+            <translation>Nät eller arkiv…</translation>
+        </message>
+        <message>
+            <source>Picked points</source>
+            <translation>Utpekade punkter</translation>
+        </message>
+        <message>
+            <source>Residual of the fit</source>
+            <translation>Passningens restfel</translation>
+        </message>
+        <message>
+            <source>Right insole</source>
+            <translation>Höger inlägg</translation>
+        </message>
+        <message>
+            <source>Save report…</source>
+            <translation>Spara rapport…</translation>
+        </message>
+        <message>
+            <source>Second, B</source>
+            <translation>Andra, B</translation>
+        </message>
+        <message>
+            <source>Session, also of a mould…</source>
+            <translation>Inspelning, även av en form…</translation>
+        </message>
+        <message>
+            <source>Something unexpected happened; nothing was changed. Please report it.</source>
+            <translation>Något oväntat hände; inget ändrades. Anmäl det gärna.</translation>
+        </message>
+        <message>
+            <source>Surfaces</source>
+            <translation>Ytor</translation>
+        </message>
+        <message>
+            <source>Take the last point back</source>
+            <translation>Ta tillbaka senaste punkten</translation>
+        </message>
+        <message>
+            <source>Writing the report</source>
+            <translation>Skriver rapporten</translation>
+        </message>
+        <message>
+            <source>pixels</source>
+            <translation>pixlar</translation>
+        </message>
+    </context>
+</TS>

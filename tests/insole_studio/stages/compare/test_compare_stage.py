@@ -1,0 +1,202 @@
+"""The user compares a foot with its insole, and with a surface from a file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.record import CaseRecord, FootRecord, Source
+from insole_core.export.stl import write_stl
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.insole.build import build_insole
+from insole_core.insole.design import InsoleDesign
+from insole_core.solids.solid import insole_solid
+from insole_studio.scene.camera import Camera, Subject, look
+from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.stages.compare.point_picker import PointPicker
+from insole_studio.stages.compare.stage import CompareStage
+from insole_studio.workbench.case import Case
+
+NOWHERE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
+B2A = rigid(rotation_about(np.array([0.0, 0, 1]), 3.0), np.array([6.0, -4.0, 1.25]))
+
+
+@pytest.fixture
+def case(make_foot: Callable[[Side], Foot]) -> Case:
+    built = Case()
+    foot = FootRecord.begun(make_foot(Side.LEFT), NOWHERE, InsoleDesign(Side.LEFT, grid_mm=2.0))
+    built.open(CaseRecord.of_foot(foot), None)
+    return built
+
+
+@pytest.fixture
+def solid(case: Case) -> TriangleMesh:
+    foot, design = case.record.foot, case.record.design
+    assert foot is not None
+    assert design is not None
+    return insole_solid(build_insole(foot, design))
+
+
+class Chosen:
+    """Answers the questions for paths."""
+
+    def __init__(self) -> None:
+        self.path: Path | None = None
+
+    def source(self, _kind: str) -> Path | None:
+        return self.path
+
+    def report(self) -> Path | None:
+        return self.path
+
+
+@pytest.fixture
+def chosen() -> Chosen:
+    return Chosen()
+
+
+@pytest.fixture
+def stage(qapp: QApplication, qtbot: QtBot, case: Case, chosen: Chosen) -> Iterator[CompareStage]:
+    built = CompareStage(case, False, ask_source=chosen.source, ask_report=chosen.report)
+    built.show()
+    yield built
+    built.close()
+    built.deleteLater()
+
+
+@pytest.fixture
+def settle(qtbot: QtBot, stage: CompareStage) -> Callable[[], None]:
+    def wait() -> None:
+        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=60_000)
+
+    wait()
+    return wait
+
+
+def lower_file(solid: TriangleMesh, path: Path) -> Path:
+    """Write the insole as it lies in another frame."""
+    moved = TriangleMesh((solid.vertices - B2A[:3, 3]) @ B2A[:3, :3], solid.triangles)
+    write_stl(moved, path)
+    return path
+
+
+def number(stage: CompareStage, text: str) -> float:
+    texts = stage.view.figure_texts()
+    return float(texts[texts.index(text) + 1].removesuffix(" mm"))
+
+
+def test_insole_and_foot_of_the_case_are_compared_at_once(
+    stage: CompareStage, settle: Callable[[], None]
+) -> None:
+    assert number(stage, "Mean") < 0.3
+    assert stage.view.tabs.currentIndex() == 1
+    assert stage.view.save.isEnabled()
+
+
+def test_surface_from_a_file_is_fitted(
+    stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
+    chosen: Chosen,
+) -> None:  # fmt: skip
+    chosen.path = lower_file(solid, tmp_path / "insole Fuß.stl")
+    stage.view.source_chosen.emit("b", "file")
+    settle()
+    assert number(stage, "Largest") < 0.05
+    assert stage.view.sources["b"].currentText() == "insole Fuß.stl"
+
+
+def test_nothing_is_chosen(stage: CompareStage, settle: Callable[[], None], chosen: Chosen) -> None:
+    before = stage.view.sources["b"].currentText()
+    stage.view.source_chosen.emit("b", "folder")
+    assert stage.view.sources["b"].currentText() == before
+
+
+def test_picked_points_lay_one_on_the_other(
+    stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
+) -> None:
+    stage.presenter.choose_path("b", lower_file(solid, tmp_path / "b.stl"))
+    settle()
+    stage.view.alignment_chosen.emit("picked")
+    assert stage.view.tabs.currentIndex() == 0
+    assert not stage.view.save.isEnabled()
+    for place in solid.vertices[[40, 900, 2500]]:
+        stage.view.point_picked.emit("a", place)
+        stage.view.point_picked.emit("b", B2A[:3, :3].T @ (place - B2A[:3, 3]))
+    assert "3 on A, 3 on B" in stage.view.hint_text()
+    settle()
+    assert number(stage, "Largest") < 0.05
+    stage.view.take_back.click()
+    assert "3 on A, 2 on B" in stage.view.hint_text()
+    assert not stage.view.save.isEnabled()
+
+
+@pytest.mark.parametrize("suffix", [".pdf", ".json", ".png", ".ply"])
+def test_report(
+    stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, suffix: str
+) -> None:
+    chosen.path = tmp_path / f"d{suffix}"
+    stage.view.save.click()
+    settle()
+    assert chosen.path.stat().st_size > 100
+    if suffix == ".json":
+        assert json.loads(chosen.path.read_text())["unit"] == "mm"
+
+
+def test_report_of_no_known_form(
+    stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    chosen.path = tmp_path / "d.docx"
+    stage.view.save.click()
+    settle()
+    assert "let it end in .pdf" in stage.view.error_text()
+
+
+def test_surfaces_that_do_not_overlap(
+    stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
+) -> None:
+    far = TriangleMesh(solid.vertices + np.array([900.0, 0, 0]), solid.triangles)
+    write_stl(far, tmp_path / "far.stl")
+    stage.view.alignment_chosen.emit("none")
+    stage.presenter.choose_path("b", tmp_path / "far.stl")
+    settle()
+    assert "too little to compare" in stage.view.error_text()
+    assert not stage.view.tabs.isTabEnabled(1)
+
+
+def test_no_dots_is_one_sentence(stage: CompareStage, settle: Callable[[], None]) -> None:
+    stage.view.alignment_chosen.emit("dots")
+    settle()
+    assert "pick the points instead" in stage.view.error_text()
+
+
+def test_median_filter_compares_anew(stage: CompareStage, settle: Callable[[], None]) -> None:
+    before = number(stage, "Largest")
+    stage.view.median.setValue(6)
+    settle()
+    assert number(stage, "Largest") != before
+
+
+def test_only_a_click_picks() -> None:
+    picked: list[np.ndarray] = []
+    picker = PointPicker(picked.append)
+    shown = look(Camera(), Subject.INSOLE, Side.LEFT, (400, 400))
+
+    def at(phase: Phase, x: float, place: np.ndarray | None) -> PointerEvent:
+        return PointerEvent(phase, Subject.INSOLE, shown, (x, 100.0), place)
+
+    place = np.array([1.0, 2.0, 3.0])
+    assert not picker.press(at(Phase.PRESS, 100, place))
+    picker.is_on = True
+    assert not picker.press(at(Phase.PRESS, 100, None))
+    for end in (101, 140):
+        assert picker.press(at(Phase.PRESS, 100, place))
+        picker.release(at(Phase.RELEASE, end, place))
+    assert len(picked) == 1
