@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 from kinect_v1.camera import Camera, CameraSettings, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import MODES
+from kinect_v1.motor import Led
 from kinect_v1.streams import Stream
 from kinect_v1.usb_bus import UsbBus, system_bus
 
@@ -92,7 +94,28 @@ def survive_unplug(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str,
     return {"lost": lost}
 
 
-VERBS = {verb.__name__: verb for verb in (stream, share_controller, survive_unplug)}
+def hold(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
+    """Stream from a sensor until standard input ends."""
+    (serial,) = request["serials"]
+    with open_camera(serial, PATIENT, bus) as camera:
+        camera.start_depth().read()
+        print("streaming", flush=True)
+        sys.stdin.readline()
+    return {}
+
+
+def move(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
+    """Tilt and light every sensor, and tell how it stands."""
+    postures = {}
+    for serial in request["serials"]:
+        with open_camera(serial, PATIENT, bus) as camera:
+            camera.motor.set_led(Led.RED)
+            camera.motor.set_tilt(-7)
+            postures[serial] = asdict(camera.motor.posture())
+    return postures
+
+
+VERBS = {verb.__name__: verb for verb in (stream, share_controller, survive_unplug, hold, move)}
 
 
 if __name__ == "__main__":

@@ -172,6 +172,42 @@ def test_unplug_while_streaming_and_replug(
     assert find(np.load(tmp_path / "after.npy"), sent) == 0
 
 
+def test_a_second_program_is_told_and_a_killed_one_leaves_nothing_behind(
+    tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    """Three processes on one sensor: one streams, one is refused, one follows the killed first."""
+    serial = SERIALS[0]
+    kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage)
+    request = {"serials": [serial], "frames": 2, "depth": "depth-11"}
+    (tmp_path / "request.json").write_text(json.dumps(request), encoding="utf-8")
+    with emulated_usbfs(tmp_path, kinect) as usbfs:
+        arguments = (CLIENT, "hold", tmp_path / "request.json", tmp_path)
+        with usbfs.start(sys.executable, *arguments) as first:
+            assert first.stdout
+            assert first.stdout.readline() == "streaming\n"
+            refused = usbfs.run(sys.executable, "-m", "kinect_v1", "info")
+            listed = usbfs.run(sys.executable, "-m", "kinect_v1", "list")
+            first.kill()
+        found = run_driver(usbfs, "stream", request, tmp_path)
+    assert refused.returncode == 1
+    assert refused.stderr.count("\n") == 1
+    assert "is used by another program; close that program first." in refused.stderr
+    assert listed.stdout.startswith(serial)
+    assert "used by another program" in listed.stdout
+    sent = images[serial]["depth-11"]
+    assert [find(image, sent) for image in np.load(tmp_path / f"{serial}-depth.npy")] == [0, 1]
+    assert found[serial]["discarded"] == {"depth": 0}
+
+
+def test_every_model_tilts_and_tells_how_it_stands(
+    three: list[dict[str, Any]], tmp_path: Path
+) -> None:
+    with emulated_usbfs(tmp_path, *three) as usbfs:
+        found = run_driver(usbfs, "move", {"serials": SERIALS}, tmp_path)
+    assert [found[serial]["tilt_deg"] for serial in SERIALS] == [-7.0] * 3
+    assert [found[serial]["acceleration_g"] for serial in SERIALS] == [[0.0, 1.0, 0.0]] * 3
+
+
 def test_the_command_line_on_the_real_libusb(three: list[dict[str, Any]], tmp_path: Path) -> None:
     with emulated_usbfs(tmp_path, *three) as usbfs:
         listed = usbfs.run(sys.executable, "-m", "kinect_v1", "list")

@@ -56,8 +56,8 @@ REQUESTS = {
     _code(2, 13, 8): "reap",
     _code(1, 15, 4): "claim",
     _code(2, 15, 4): "claim",
-    _code(1, 16, 4): "accept",  # release
-    _code(2, 16, 4): "accept",
+    _code(1, 16, 4): "release",
+    _code(2, 16, 4): "release",
     _code(3, 18, 16): "detach",
     _code(0, 20, 0): "accept",  # reset
     _code(1, 21, 4): "accept",  # clear halt
@@ -130,6 +130,7 @@ class Node:
         self.kernel_driver = function.kernel_driver
         self.handler = UMockdev.IoctlBase()
         self.handler.connect("handle-ioctl", self.handle)
+        self.owner: Any = None
         self.clients: dict[Any, list[Urb]] = {}
         self.breath: dict[Any, bool] = {}
 
@@ -170,7 +171,16 @@ class Node:
         return 0
 
     def claim(self, client: Any, arg: Any, urbs: list[Urb]) -> int:
-        return errno.EBUSY if self.kernel_driver else 0
+        others = self.owner is not None and self.owner != client and self.owner.get_connected()
+        if self.kernel_driver or others:  # who has ended, however it ended, owns nothing any more
+            return errno.EBUSY
+        self.owner = client
+        return 0
+
+    def release(self, client: Any, arg: Any, urbs: list[Urb]) -> int:
+        if self.owner == client:
+            self.owner = None
+        return 0
 
     def set_interface(self, client: Any, arg: Any, urbs: list[Urb]) -> int:
         _interface, alternate = struct.unpack("<II", bytes(arg.resolve(0, 8).retrieve()))

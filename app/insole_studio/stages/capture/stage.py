@@ -104,9 +104,10 @@ class CaptureStage(QWidget):
 
 def first_options(place: Place) -> CaptureOptions:
     """Give what is chosen at first: emulated sensors are captured as they were recorded."""
-    views = place.usual_views()
-    request = PlanRequest(tuple(views), bursts=place.usual_bursts())
-    return options_of(request, CaptureOptions()) if views else CaptureOptions()
+    if place.session is None:
+        return CaptureOptions()
+    request = PlanRequest(place.usual_views(), bursts=place.usual_bursts())
+    return options_of(request, CaptureOptions(place.session.manifest.side))
 
 
 def _lock_drafts(folder: Path) -> QLockFile:

@@ -93,6 +93,7 @@ class CaptureView(QWidget):
             self._card_row.insertWidget(place, card, 1)
             card.show_row(row)
         self._pages.setCurrentIndex(1)
+        self._legend.show()
 
     def show_pictures(self, serial: str, depth: ByteArray | None, color: ByteArray | None) -> None:
         """Show new pictures of a sensor."""
@@ -107,7 +108,8 @@ class CaptureView(QWidget):
         self._cancel.setVisible(row.running)
         self._placed.setVisible(row.waits_for_hand)
         self._use.setEnabled(row.can_use)
-        (self._use if row.is_whole else self._capture).setDefault(True)
+        self._use.setDefault(row.is_whole)
+        self._capture.setDefault(not row.is_whole)
         self._other.setEnabled(row.can_use)
         self._progress.setValue(round(100 * row.fraction))
         self._progress.setVisible(row.running)
@@ -140,6 +142,7 @@ class CaptureView(QWidget):
         self.show_sensors([])
         self._empty.show_offers(sentence, {_FIND: tr("Look again")})
         self._pages.setCurrentIndex(0)
+        self._legend.hide()
 
     def show_sentence(self, sentence: str) -> None:
         """Show a sentence that has to be read."""
