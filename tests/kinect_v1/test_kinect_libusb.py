@@ -15,6 +15,7 @@ from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH_11
+from kinect_v1.recordings import read_depth, read_received, read_recording
 
 WANTED = 4
 CLIENT = HERE / "driver_client.py"
@@ -216,6 +217,32 @@ def test_the_command_line_on_the_real_libusb(three: list[dict[str, Any]], tmp_pa
         [serial, model.value] for serial, model in zip(SERIALS, Model, strict=True)
     ]
     assert json.loads(info.stdout)["serial"] == SERIALS[2]
+
+
+@pytest.mark.parametrize(
+    ("color", "kind", "mode"),
+    [
+        ("640x480", "b", "bayer-640x480"),
+        ("1280x1024", "b", "bayer-1280x1024"),
+        ("ir", "i", "ir-640x488"),
+    ],
+)
+def test_recording_on_the_real_libusb(
+    color: str, kind: str, mode: str, tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    serial = SERIALS[1]
+    kinect = describe_kinect(tmp_path, Model.XBOX_1473, serial, footage)
+    call = ("record", tmp_path / "recording", "--frames", "4", "--color", color)
+    with emulated_usbfs(tmp_path, kinect) as usbfs:
+        done = usbfs.run(sys.executable, "-m", "kinect_v1", *call)
+    assert done.returncode == 0, done.stderr
+    recording = read_recording(tmp_path / "recording")
+    assert (recording.serial, recording.model) == (serial, "1473")
+    depth = [find(read_depth(f), images[serial]["depth-11"]) for f in recording.of_kind("d")]
+    assert depth == [i % FRAMES for i in range(4)]
+    received = [find(read_received(f), images[serial][mode]) for f in recording.of_kind(kind)]
+    assert received
+    assert received == [i % FRAMES for i in range(len(received))]
 
 
 def test_no_sensor_is_said_in_one_sentence(tmp_path: Path) -> None:

@@ -147,11 +147,30 @@ def test_idle_and_tiny_packets_are_ignored() -> None:
     assert assemble(SMALL, packets, [7])[0] == frames
 
 
+def renumber(packets: list[bytes], sequence: int, time: int) -> list[bytes]:
+    """Let sequence and device time begin elsewhere; both wrap."""
+    return [
+        packet[:5]
+        + bytes(((packet[5] + sequence) & 0xFF,))
+        + packet[6:8]
+        + ((int.from_bytes(packet[8:12], "little") + time) & 0xFFFFFFFF).to_bytes(4, "little")
+        + packet[12:]
+        for packet in packets
+    ]
+
+
 @settings(max_examples=150, deadline=None)
-@given(st.sampled_from([SMALL, ROUND, LONG]), st.lists(st.integers(0, 10_000), max_size=8))
-def test_any_split_gives_the_same_frames(mode: StreamMode, cuts: list[int]) -> None:
+@given(
+    st.sampled_from([SMALL, ROUND, LONG]),
+    st.lists(st.integers(0, 10_000), max_size=8),
+    st.integers(0, 255),
+    st.sampled_from([0, 0xFFFFFFFF, 0xFFFFFFFF - 100_000]),
+)
+def test_any_split_and_any_start_gives_the_same_frames(
+    mode: StreamMode, cuts: list[int], sequence: int, time: int
+) -> None:
     frames = make_frames(mode, 4)
-    packets = make_packets(mode, frames)
+    packets = renumber(make_packets(mode, frames), sequence, time)
     assert assemble(mode, packets, [cut % len(packets) for cut in cuts])[0] == frames
 
 

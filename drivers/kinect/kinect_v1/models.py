@@ -37,6 +37,13 @@ class Model(Enum):
         return 322 if self is Model.XBOX_1414 else 334
 
 
+def function_name(product: int) -> str:
+    """Say what a USB function is."""
+    if product in CAMERA_PRODUCTS:
+        return "camera"
+    return "motor" if product == MOTOR_PRODUCT else "audio part"
+
+
 def camera_model(product: int, release: int) -> Model:
     """Tell the model from the camera's idProduct and bcdDevice."""
     if product == _PRODUCT_K4W:

@@ -34,7 +34,7 @@ from kinect_v1.isochronous import (
     bandwidth_full,
     unplugged,
 )
-from kinect_v1.models import PRODUCTS, VENDOR
+from kinect_v1.models import PRODUCTS, VENDOR, function_name
 from kinect_v1.packets import PacketReceiver
 
 UsbError = usb.core.USBError
@@ -233,8 +233,8 @@ class UsbFunction:
             if error.errno != errno.ENOENT:
                 raise
             raise BandwidthError(
-                f"The system could not set up {self._name[0].lower()}{self._name[1:]}, most often "
-                "because that USB controller is full; plug the sensor into a controller of its own."
+                f"{self._name} could not be set up by the system, most often because its USB "
+                "controller is full; plug the sensor into a controller of its own."
             ) from error
 
     def _kernel_driver_active(self) -> bool:
@@ -302,7 +302,7 @@ class UsbFunction:
 
     @property
     def _name(self) -> str:
-        return f"The device {VENDOR:04x}:{self.product:04x} on USB bus {self.bus}"
+        return f"The {function_name(self.product)} of the Kinect on USB bus {self.bus}"
 
 
 _REPLUG = "unplug the sensor and plug it in again."
