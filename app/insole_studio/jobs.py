@@ -91,6 +91,10 @@ class Jobs(QObject):
             job.stop.set()
             self._end(job)
 
+    def tell(self, call: Callable[[], None]) -> None:
+        """Call something in the thread of the window; a running task may, from its own."""
+        self._answered.emit(call)
+
     def is_running(self, channel: str | None = None) -> bool:
         """Whether a job of the channel (or any job) has not answered yet."""
         return bool(self._current) if channel is None else channel in self._current

@@ -15,6 +15,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
+from insole_core.recording.session import Session
 
 MANIFEST = "manifest.json"
 
@@ -87,9 +88,7 @@ def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress
     result = reconstruct(session, "fused", progress.part(0.05, 0.9))
     progress.step(0.9, "Finding heel and toes")
     foot = place_foot(result.mesh, recorded, frame="reference", force=force)
-    return ScannedFoot(
-        foot, _source("session", path, session.manifest.recorded_at), tuple(result.warnings)
-    )
+    return ScannedFoot(foot, session_source(path, session), tuple(result.warnings))
 
 
 def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
@@ -100,6 +99,11 @@ def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -
     progress.step(0.3, "Finding the pose of the foot")
     foot = place_foot(read.mesh, side, frame="unknown", force=force)
     return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), _source("mesh", path))
+
+
+def session_source(path: Path, session: Session) -> Source:
+    """Say of a foot that it comes from a session."""
+    return _source("session", path, session.manifest.recorded_at)
 
 
 def _source(kind: str, path: Path, recorded_at: str = "") -> Source:

@@ -1,0 +1,140 @@
+"""The volume of interest in the hand: each face of the box is dragged along its own axis."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.recording.session import Box
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.texts import tr
+from insole_studio.tools.tool import Gesture, rounded
+
+STEP_MM = 1.0
+LEAST_MM = 20.0
+"""No side of the box gets shorter."""
+_SHORTEST = 0.3
+"""Share of an axis that must lie in the picture for a drag along it to make sense."""
+
+
+def box_handles(box: Box) -> tuple[Handle, ...]:
+    """Give a spot to grab in the middle of every face."""
+    low, high = np.array(box.min_mm), np.array(box.max_mm)
+    handles = []
+    for axis, name in enumerate("xyz"):
+        for end, side in (("min", low), ("max", high)):
+            x, y, z = np.where(np.arange(3) == axis, side, (low + high) / 2).tolist()
+            hint = tr("Drag the face of the box along its axis")
+            handles.append(Handle(f"box-{name}-{end}", (x, y, z), hint))
+    return tuple(handles)
+
+
+def box_edges(box: Box) -> list[FloatArray]:
+    """Give the twelve edges of a box as lines (2, 3), mm."""
+    corners = np.array([box.min_mm, box.max_mm])
+    edges = []
+    for axis in range(3):
+        first, second = (other for other in range(3) if other != axis)
+        for i in (0, 1):
+            for j in (0, 1):
+                line = corners.copy()
+                line[:, first], line[:, second] = corners[i, first], corners[j, second]
+                edges.append(line)
+    return edges
+
+
+class BoxHand:
+    """Takes the pointer of a view and drags the faces of a box.
+
+    Parameters
+    ----------
+    box
+        Gives the box of now; None where there is none.
+    preview
+        Shows a box while the hand moves.
+    apply
+        Takes the box on release.
+    """
+
+    def __init__(
+        self,
+        box: Callable[[], Box | None],
+        preview: Callable[[Box], None],
+        apply: Callable[[Box], None],
+    ) -> None:
+        self._box = box
+        self._preview = preview
+        self._apply = apply
+        self._gesture: Gesture | None = None
+
+    def press(self, event: PointerEvent) -> bool:
+        """Grab a face; False leaves the press to the camera."""
+        box = self._box()
+        if box is None or not (event.handle or "").startswith("box-"):
+            return False
+        _, name, end = str(event.handle).split("-")
+        axis = "xyz".index(name)
+        if np.linalg.norm(_on_screen(event, axis)) < _SHORTEST:
+            return False
+        self._gesture = self._drag(event, box, axis, end == "max")
+        next(self._gesture)
+        return True
+
+    def move(self, event: PointerEvent) -> None:
+        """Continue the drag."""
+        if self._gesture is None:
+            return
+        try:
+            self._gesture.send(event)
+        except StopIteration:
+            self._gesture = None
+
+    def release(self, event: PointerEvent) -> None:
+        """End the drag."""
+        self.move(event)
+
+    def cancel(self) -> bool:
+        """Give the drag up; False when there is none."""
+        box = self._box()
+        if self._gesture is None or box is None:
+            return False
+        self._gesture.close()
+        self._gesture = None
+        self._preview(box)
+        return True
+
+    def wheel(self, _event: PointerEvent, _steps: float) -> bool:
+        """Leave the wheel to the camera."""
+        return False
+
+    def nudge(self, _event: PointerEvent, _right: int, _up: int) -> bool:
+        """Leave the arrow keys to others."""
+        return False
+
+    def _drag(self, press: PointerEvent, start: Box, axis: int, is_max: bool) -> Gesture:
+        box, event = start, press
+        along = _on_screen(press, axis)
+        while event.phase is not Phase.RELEASE:
+            event = yield
+            moved_px = np.subtract(event.pixel, press.pixel) * [1, -1]
+            by_mm = float(moved_px @ along / (along @ along)) * press.look.mm_per_px
+            box = _with_face(start, axis, is_max, by_mm)
+            self._preview(box)
+        self._apply(box)
+
+
+def _on_screen(event: PointerEvent, axis: int) -> FloatArray:
+    """Direction (2,) of an axis in the picture, right and up."""
+    return np.array([event.look.right[axis], event.look.up[axis]])
+
+
+def _with_face(box: Box, axis: int, is_max: bool, by_mm: float) -> Box:
+    low, high = list(box.min_mm), list(box.max_mm)
+    if is_max:
+        high[axis] = max(rounded(high[axis] + by_mm, STEP_MM), low[axis] + LEAST_MM)
+    else:
+        low[axis] = min(rounded(low[axis] + by_mm, STEP_MM), high[axis] - LEAST_MM)
+    return replace(box, min_mm=(low[0], low[1], low[2]), max_mm=(high[0], high[1], high[2]))

@@ -1,0 +1,28 @@
+"""What one placed view alone measured, as a coarse surface to look at."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import transform
+from insole_core.reconstruct.measured_view import MeasuredView
+from insole_core.reconstruct.sheet import Sheet, join, longest_edges, triangulate
+from insole_core.reconstruct.volume import is_inside
+from insole_core.recording.session import Box
+
+_STEP = 2
+
+
+def view_mesh(
+    measured: MeasuredView, sensor2reference: FloatArray, box: Box, rgb: tuple[int, int, int]
+) -> TriangleMesh:
+    """Give every second reading of a view in the volume, mm, reference frame, in one colour."""
+    camera = measured.view.sensor.depth_camera
+    points = measured.points[::_STEP, ::_STEP]
+    placed = transform(sensor2reference, points)
+    edges = _STEP * longest_edges(points[..., 2], camera.fx)
+    triangles = triangulate(placed, is_inside(placed, box), edges)
+    colors = np.broadcast_to(np.array(rgb, dtype=np.uint8), placed.shape)
+    return join([Sheet(placed, triangles, colors, sensor2reference, camera)])
