@@ -16,7 +16,7 @@ _LEAST_SPAN_MM = 0.5
 
 
 def color_foot(kind: FootMap, made: MadeFoot) -> Coloring | None:
-    """Give the colours of a foot; None for those of the skin, and where there is nothing to tell."""
+    """Give the colours of a foot; None for those of the skin, and where nothing is known."""
     maker = _MAKERS.get(kind)
     return None if maker is None else maker(made)
 

@@ -333,7 +333,7 @@ class ReconstructPresenter:
         panel.limits_edited.connect(self.edit_limits)
         panel.undo_requested.connect(self.undo)
         panel.redo_requested.connect(self.redo)
-        panel.make_requested.connect(lambda: self.make())
+        panel.make_requested.connect(self.make)
         panel.cancel_requested.connect(self.cancel)
         panel.go_on_requested.connect(self.go_on)
 

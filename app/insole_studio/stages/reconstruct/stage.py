@@ -1,0 +1,94 @@
+"""The foot stage as a window of its own: view and presenter while it is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from insole_core.reconstruct import RegistrationLimits
+from insole_studio.jobs import Jobs
+from insole_studio.stages.reconstruct.presenter import ReconstructPresenter
+from insole_studio.stages.reconstruct.view import ReconstructView
+from insole_studio.texts import tr
+from insole_studio.tools.box import BoxHand
+
+_SIZE = (1280, 720)
+
+
+class ReconstructStage(QWidget):
+    """Shows how a foot comes about, and lets the hand correct it.
+
+    Parameters
+    ----------
+    jobs
+        Those of the window: the work is shown there as well.
+    limits
+        When the pose of a view is refused.
+    ask
+        Whether to go on although a sentence speaks against it.
+    dark
+    """
+
+    foot_made = Signal(object)
+    """A `ScannedFoot` that is to be designed on."""
+    unreadable = Signal(object)
+    """The error, when the session cannot be read at all; the stage closes."""
+    closed = Signal()
+
+    def __init__(
+        self,
+        *,
+        jobs: Jobs,
+        limits: RegistrationLimits,
+        ask: Callable[[str], bool],
+        dark: bool,
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(tr("Foot") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self._jobs = jobs
+        self.path: Path | None = None
+        self.view = ReconstructView(dark)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self.presenter = ReconstructPresenter(
+            panel=self.view,
+            jobs=jobs,
+            limits=limits,
+            hand_over=self.foot_made.emit,
+            ask=ask,
+            finished=self._leave,
+            unreadable=self._give_up,
+        )
+        box = BoxHand(lambda: self.presenter.box, self.view.show_box, self.presenter.edit_box)
+        self.view.foot.scene.sink = box
+        jobs.progressed.connect(self.presenter.progressed)
+
+    def open_session(self, path: Path, hand_over: bool) -> None:
+        """Reconstruct a session; hand its foot over then, or when the user says so."""
+        self.path = path
+        self.presenter.open(path, hand_over)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what runs."""
+        self._jobs.progressed.disconnect(self.presenter.progressed)
+        self.presenter.cancel()
+        self.view.close_scene()
+        event.accept()
+        self.closed.emit()
+
+    def _leave(self, all_done: bool) -> None:
+        """Close, or wait out of sight for what is still computed."""
+        if all_done:
+            self.close()
+        else:
+            self.hide()
+
+    def _give_up(self, error: Exception) -> None:
+        self.unreadable.emit(error)
+        self.close()
