@@ -20,6 +20,7 @@ from insole_core.errors import OutputError, UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_core.insole.rules import load_rules
+from insole_core.reconstruct import RegistrationLimits
 from insole_core.solids.shop import read_shop
 from insole_studio.capture.place import Place
 from insole_studio.capture.plan import parse_assignment
@@ -33,6 +34,7 @@ from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
 from insole_studio.shell.feet import Feet
+from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import Guide
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.measuring import Measuring
@@ -53,6 +55,7 @@ from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.stages.export.stage import ExportStage
+from insole_studio.stages.reconstruct.stage import ReconstructStage
 from insole_studio.texts import load_language, tr
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import pad_text
@@ -121,6 +124,7 @@ class Application:
         self.studio.rooms.capture.close()
         self.studio.rooms.exporting.close()
         self.studio.rooms.compare.close()
+        self.studio.rooms.foot.close()
         self.jobs.close()
         self.autosave.close()
         self.stage.close()
@@ -172,6 +176,7 @@ def build_application(
     saving = Saving(case, jobs, dialogue, recent)
     place = Place(_sensor_store(places), emulate)
     notices = Notices(stage.notices, window)
+    foot = FootWindow(partial(_make_foot_stage, settings, jobs, dialogue))
     rooms = Rooms(
         window=window,
         stage=stage,
@@ -183,6 +188,7 @@ def build_application(
             recent=recent,
             saving=saving,
             autosave=autosave,
+            reconstruct=foot.open_session,
         ),
         saving=saving,
         exporting=Exporting(
@@ -216,6 +222,7 @@ def build_application(
         capture=CaptureWindow(partial(_make_capture, settings, places, place)),
         calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
         compare=StageWindow(lambda: CompareStage(case, is_dark(settings.theme))),
+        foot=foot,
     )
     studio = Studio(
         rooms=rooms,
@@ -254,6 +261,31 @@ def _make_capture(settings: Settings, places: Places, place: Place) -> CaptureSt
         folder=places.data_folder,
         remember=(lambda _assignment: None) if place.emulate else remember,
     )
+
+
+def _make_foot_stage(settings: Settings, jobs: Jobs, dialogue: Dialogue) -> ReconstructStage:
+    """Begin with the limits of last time."""
+
+    def remember(limits: RegistrationLimits) -> None:
+        settings.largest_residual_mm = limits.residual_mm
+        settings.largest_reprojection_px = limits.reprojection_px
+        settings.largest_displacement_mm = limits.displacement_mm
+
+    return ReconstructStage(
+        jobs=jobs,
+        limits=RegistrationLimits(
+            residual_mm=settings.largest_residual_mm,
+            reprojection_px=settings.largest_reprojection_px,
+            displacement_mm=settings.largest_displacement_mm,
+        ),
+        remember=remember,
+        ask=partial(_ask_to_open, dialogue),
+        dark=is_dark(settings.theme),
+    )
+
+
+def _ask_to_open(dialogue: Dialogue, sentence: str) -> bool:
+    return dialogue.questions.open_anyway(sentence)
 
 
 def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:

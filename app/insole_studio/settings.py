@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from insole_core.export.atomic import replacing_file
+from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
 
@@ -24,7 +25,8 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``).
+    which sensor gives which view (``left=SERIAL``). A view whose pose is worse than the largest
+    residuals and displacement is refused.
     """
 
     theme: Theme = "system"
@@ -37,6 +39,9 @@ class Settings:
     window_geometry: str = ""
     window_docks: str = ""
     capture_views: list[str] = field(default_factory=list)
+    largest_residual_mm: float = DEFAULT_LIMITS.residual_mm
+    largest_reprojection_px: float = DEFAULT_LIMITS.reprojection_px
+    largest_displacement_mm: float = DEFAULT_LIMITS.displacement_mm
 
     def remember(self, path: Path) -> None:
         """Put `path` at the head of the recent files."""

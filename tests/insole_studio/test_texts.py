@@ -21,6 +21,7 @@ DESIGN_PARTS = (
     "stages/compare",
     "stages/design",
     "stages/export",
+    "stages/reconstruct",
     "tools",
     "widgets",
     "scene",

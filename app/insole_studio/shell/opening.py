@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
@@ -43,6 +42,7 @@ class Opening:
         recent: Recent,
         saving: Saving,
         autosave: Autosave,
+        reconstruct: Callable[[Path], None],
     ) -> None:
         self._case = case
         self._jobs = jobs
@@ -50,6 +50,7 @@ class Opening:
         self._recent = recent
         self._saving = saving
         self._autosave = autosave
+        self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
         """Open a case, a session or a mesh, whatever the path is."""
@@ -94,6 +95,17 @@ class Opening:
         self._autosave.write_now()
         recovered.discard()
 
+    def take_scan(self, scanned: ScannedFoot) -> None:
+        """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
+        self._recent.remember(Path(scanned.source.path))
+        self._dialogue.say(" ".join(scanned.foot.notes), LONG_MS)
+        before = self._case.record.of_side(scanned.foot.side)
+        if before is not None and before.source.path == scanned.source.path:
+            again = replace(before, foot=scanned.foot, source=scanned.source)
+            self._case.apply(again, tr("Reconstruct the foot again"))
+        else:
+            self._put_on_bench(scanned)
+
     def _open_chosen(self, path: Path | None) -> None:
         if path is not None:
             self.open_path(path)
@@ -112,7 +124,7 @@ class Opening:
         )
 
     def _open_session(self, path: Path) -> None:
-        self._open_foot(partial(open_scan, path), self._dialogue.show_error)
+        self._reconstruct(path)
 
     def _open_mesh(self, path: Path, side: Side | None, force: bool = False) -> None:
         if side is None:
@@ -134,11 +146,9 @@ class Opening:
         self, task: Callable[..., ScannedFoot], failed: Callable[[Exception], None]
     ) -> None:
         def opened(scanned: ScannedFoot) -> None:
-            self._recent.remember(Path(scanned.source.path))
             if scanned.warnings:
                 self._dialogue.show_sentence(" ".join(scanned.warnings))
-            self._dialogue.say(" ".join(scanned.foot.notes), LONG_MS)
-            self._put_on_bench(scanned)
+            self.take_scan(scanned)
 
         def task_of(progress: Progress) -> ScannedFoot:
             return task(progress=progress)

@@ -14,6 +14,7 @@ from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import Exporting
 from insole_studio.shell.feet import Feet
+from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import Guide
 from insole_studio.shell.measuring import Measuring
 from insole_studio.shell.notices import Notices
@@ -52,3 +53,4 @@ class Rooms:
     capture: CaptureWindow
     calibrate: StageWindow[CalibrateStage]
     compare: StageWindow[CompareStage]
+    foot: FootWindow

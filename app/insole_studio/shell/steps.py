@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from insole_core.cases.record import CaseRecord
 from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.side import Side
@@ -29,6 +31,14 @@ def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
     return [
         Step(key, _texts()[key], _state(is_done, key == current)) for key, is_done in done.items()
     ]
+
+
+def session_of(record: CaseRecord) -> Path | None:
+    """Give the recorded session that the foot at hand was made of, where it is still there."""
+    source = record.source
+    if source is None or source.kind != "session" or not Path(source.path).exists():
+        return None
+    return Path(source.path)
 
 
 def whose(record: CaseRecord) -> str:

@@ -13,7 +13,7 @@ from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.recent import Recent
 from insole_studio.shell.rooms import Rooms
 from insole_studio.shell.saving import case_name
-from insole_studio.shell.steps import steps_of, whose
+from insole_studio.shell.steps import session_of, steps_of, whose
 from insole_studio.tools.hand import Hand
 from insole_studio.workbench.autosave import Autosave
 from insole_studio.workbench.case import Case
@@ -82,12 +82,16 @@ class Studio(QObject):
         rooms.stage.offer_chosen.connect(self._take_offer)
         rooms.stage.steps.chosen.connect(self._go_to_step)
         rooms.capture.captured.connect(rooms.opening.open_path)
+        rooms.foot.foot_made.connect(rooms.opening.take_scan)
+        rooms.foot.unreadable.connect(rooms.dialogue.show_error)
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":
             self.rooms.stage.patient.setFocus()
         elif key == "capture":
             self.run_action("capture", False)
+        elif key == "foot" and (session := session_of(self._case.record)) is not None:
+            self.rooms.foot.open_session(session, hand_over=False)
         elif self._case.foot is not None:
             self.run_action(_STEP_ACTIONS[key], True)
 
@@ -97,6 +101,7 @@ class Studio(QObject):
         self.rooms.calibrate.close()
         self.rooms.exporting.close()
         self.rooms.compare.close()
+        self.rooms.foot.close()
         self._autosave.forget()
         self.rooms.appearance.remember_layout()
         self._window.close_for_good()

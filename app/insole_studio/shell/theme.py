@@ -115,6 +115,10 @@ def _style_sheet(colors: Colors) -> str:
     QLabel#check-sign[state="blocking"] {{ background: #b3261e; color: white; }}
     QPushButton#row {{ text-align: left; padding: 4px 6px; border: none; border-radius: 4px; }}
     QPushButton#row:checked {{ background: {colors.accent}; color: {colors.on_accent}; }}
+    QPushButton#primary {{ background: {colors.accent}; color: {colors.on_accent};
+                           border: none; border-radius: 4px; padding: 8px 16px; font-weight: 600; }}
+    QPushButton#primary:disabled {{ background: {colors.raised}; color: {colors.quiet}; }}
+    QPushButton#primary:focus {{ border: 2px solid {colors.text}; padding: 6px 14px; }}
     QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}
     QToolButton#step[state="current"] {{ color: {colors.text}; font-weight: 600; }}
     QToolButton#step[state="done"] {{ color: {colors.text}; }}

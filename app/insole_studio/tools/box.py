@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.recording.session import Box
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view import Offered
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, rounded
 
@@ -106,12 +107,24 @@ class BoxHand:
         self._preview(box)
         return True
 
-    def wheel(self, _event: PointerEvent, _steps: float) -> bool:
-        """Leave the wheel to the camera."""
+    def double_click(self, event: PointerEvent) -> bool:
+        """Leave the double click to the camera."""
+        del event
         return False
 
-    def nudge(self, _event: PointerEvent, _right: int, _up: int) -> bool:
+    def offers(self, event: PointerEvent) -> tuple[Offered, ...]:
+        """Offer nothing."""
+        del event
+        return ()
+
+    def wheel(self, event: PointerEvent, steps: float) -> bool:
+        """Leave the wheel to the camera."""
+        del event, steps
+        return False
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
         """Leave the arrow keys to others."""
+        del event, right, up
         return False
 
     def _drag(self, press: PointerEvent, start: Box, axis: int, is_max: bool) -> Gesture:

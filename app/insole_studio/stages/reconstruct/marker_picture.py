@@ -32,6 +32,9 @@ _DRAG_PX = 4.0
 _ZOOM_PER_STEP = 1.2
 _GREATEST_ZOOM = 24.0
 _LEAST_CORNERS = 3
+_MARGIN = 0.12
+"""Round the markers, as a share of what they span."""
+_SPOT_PX, _MARK_PX = 5.0, 9.0
 _COLORS = {
     "used": QColor("#4ade80"),
     "unused": QColor("#ffb454"),
@@ -63,33 +66,54 @@ class MarkerPicture(QWidget):
         self._searched: Region | None = None
         self._selected = ""
         self._zoom = 1.0
+        self._fits_marks = False
         self._middle = QPointF()
         self._pressed: QPointF | None = None
         self._dragged: Mark | None = None
         self._panning = False
         self._sketch: list[QPointF] = []
         self._drawing = False
+        self._fits_marks = False
         self.setMinimumSize(240, 180)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB, whole."""
+        """Show (height, width, 3) uint8, RGB; the markers that are shown next fill the widget."""
         height, width = picture.shape[:2]
         packed = np.ascontiguousarray(picture).tobytes()
         self._image = QImage(packed, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
         self._selected = ""
         self.show_whole()
+        self._fits_marks = True
 
     def show_whole(self) -> None:
         """Show the whole image."""
         self._zoom, self._middle = 1.0, QPointF(self._image.rect().center())
         self.update()
 
+    def show_marked(self) -> None:
+        """Show the part of the image in which the markers are."""
+        places = np.array([mark.pixel for mark in self._marks if mark.id]).reshape(-1, 2)
+        if len(places) < _LEAST_CORNERS:
+            self.show_whole()
+            return
+        low, high = places.min(0), places.max(0)
+        margin = _MARGIN * float((high - low).max())
+        wide, tall = high - low + 2 * margin
+        image = self._image
+        zoom = min(image.width() / wide, image.height() / tall)
+        self._zoom = min(max(zoom, 1.0), _GREATEST_ZOOM)
+        self._middle = QPointF(*((low + high) / 2))
+        self.update()
+
     def show_marks(self, marks: Sequence[Mark]) -> None:
         """Show other marks."""
         self._marks = tuple(marks)
+        if self._fits_marks:
+            self._fits_marks = False
+            self.show_marked()
         self.update()
 
     def show_regions(self, ignored: Sequence[Region], searched: Region | None) -> None:
@@ -179,8 +203,11 @@ class MarkerPicture(QWidget):
             self.mark_chosen.emit("" if found is None else found.id, pixel)
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
-        """Show the whole image."""
-        self.show_whole()
+        """Show the whole image, or where the markers are."""
+        if self._zoom > 1.0:
+            self.show_whole()
+        else:
+            self.show_marked()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer."""
@@ -261,12 +288,14 @@ class MarkerPicture(QWidget):
     def _draw_mark(self, painter: QPainter, mark: Mark) -> None:
         place, color = self.to_widget(mark.pixel), _COLORS[mark.state]
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        radius = 9.0
+        radius = _SPOT_PX if mark.state == "spot" else _MARK_PX
         for width, shade in ((4, QColor(0, 0, 0, 150)), (2, color)):
             style = Qt.PenStyle.DotLine if mark.state == "spot" else Qt.PenStyle.SolidLine
             painter.setPen(QPen(shade, width, style))
             if mark.by_hand:
-                painter.drawRect(QRectF(place.x() - radius, place.y() - radius, 18, 18))
+                painter.drawRect(
+                    QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
+                )
             else:
                 painter.drawEllipse(place, radius, radius)
         if mark.id == self._selected != "":

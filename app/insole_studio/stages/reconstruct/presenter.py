@@ -97,6 +97,8 @@ class ReconstructPresenter:
     jobs
     limits
         When the pose of a view is refused.
+    remember
+        Is told other limits.
     hand_over
         Is given a foot that is to be designed on.
     ask
@@ -113,6 +115,7 @@ class ReconstructPresenter:
         panel: ReconstructPanel,
         jobs: Jobs,
         limits: RegistrationLimits,
+        remember: Callable[[RegistrationLimits], None],
         hand_over: Callable[[ScannedFoot], None],
         ask: Callable[[str], bool],
         finished: Callable[[bool], None],
@@ -121,6 +124,7 @@ class ReconstructPresenter:
         self._panel = panel
         self._jobs = jobs
         self._limits = limits
+        self._remember = remember
         self._hand_over = hand_over
         self._ask = ask
         self._finished = finished
@@ -247,6 +251,7 @@ class ReconstructPresenter:
             reprojection_px=limits.reprojection_px,
             displacement_mm=limits.displacement_mm,
         )
+        self._remember(self._limits)
         self._place_all()
 
     def choose_map(self, kind: FootMap) -> None:

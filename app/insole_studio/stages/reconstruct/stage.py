@@ -28,6 +28,8 @@ class ReconstructStage(QWidget):
         Those of the window: the work is shown there as well.
     limits
         When the pose of a view is refused.
+    remember
+        Is told other limits.
     ask
         Whether to go on although a sentence speaks against it.
     dark
@@ -44,6 +46,7 @@ class ReconstructStage(QWidget):
         *,
         jobs: Jobs,
         limits: RegistrationLimits,
+        remember: Callable[[RegistrationLimits], None],
         ask: Callable[[str], bool],
         dark: bool,
     ) -> None:
@@ -51,6 +54,7 @@ class ReconstructStage(QWidget):
         self.setWindowTitle(tr("Foot") + " – Insole Studio")
         self.resize(*_SIZE)
         self._jobs = jobs
+        self._is_open = True
         self.path: Path | None = None
         self.view = ReconstructView(dark)
         layout = QVBoxLayout(self)
@@ -60,6 +64,7 @@ class ReconstructStage(QWidget):
             panel=self.view,
             jobs=jobs,
             limits=limits,
+            remember=remember,
             hand_over=self.foot_made.emit,
             ask=ask,
             finished=self._leave,
@@ -76,11 +81,13 @@ class ReconstructStage(QWidget):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop what runs."""
-        self._jobs.progressed.disconnect(self.presenter.progressed)
-        self.presenter.cancel()
-        self.view.close_scene()
         event.accept()
-        self.closed.emit()
+        if self._is_open:
+            self._is_open = False
+            self._jobs.progressed.disconnect(self.presenter.progressed)
+            self.presenter.cancel()
+            self.view.close_scene()
+            self.closed.emit()
 
     def _leave(self, all_done: bool) -> None:
         """Close, or wait out of sight for what is still computed."""

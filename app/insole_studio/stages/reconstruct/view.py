@@ -37,7 +37,7 @@ from insole_studio.widgets.icons import icon
 from insole_studio.widgets.number_field import NumberField
 
 _SIDE_PX = 300
-_TABLE_PX = 168
+_WIDE_PX = 1000
 
 
 class ReconstructView(QWidget):
@@ -71,6 +71,7 @@ class ReconstructView(QWidget):
         self.table = ViewTable()
         self.box = BoxFields()
         self.maps = QComboBox()
+        self.maps.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.maps.setAccessibleName(tr("Colours of the foot"))
         self.undo = _tool_button("undo", "Ctrl+Z")
         self.redo = _tool_button("redo", "Ctrl+Shift+Z")
@@ -226,16 +227,19 @@ class ReconstructView(QWidget):
         upper = QSplitter(Qt.Orientation.Horizontal)
         upper.addWidget(self.markers)
         upper.addWidget(self._foot_side())
-        upper.setSizes([1, 1])
+        upper.setStretchFactor(0, 1)
+        upper.setStretchFactor(1, 1)
+        upper.setSizes([_WIDE_PX, _WIDE_PX])
         upper.setChildrenCollapsible(False)
         whole.addWidget(upper, 1)
         lower = QHBoxLayout()
         lower.setContentsMargins(8, 0, 8, 0)
         lower.setSpacing(16)
         left = QVBoxLayout()
-        left.addWidget(self._sentences)
+        left.setSpacing(8)
         left.addWidget(self.table)
-        self.table.setFixedHeight(_TABLE_PX)
+        left.addWidget(self._sentences)
+        left.addStretch(1)
         lower.addLayout(left, 1)
         lower.addWidget(self._actions())
         whole.addLayout(lower)

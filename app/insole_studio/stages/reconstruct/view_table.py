@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -19,6 +19,7 @@ from insole_studio.texts import tr
 
 _CHIP_PX = 12
 _ROW_PX = 26
+_MOST_LINES = 5
 
 
 class ViewTable(QTableWidget):
@@ -58,6 +59,8 @@ class ViewTable(QTableWidget):
                 self._show_row(number, row)
                 if row.name == selected:
                     self.setCurrentCell(number, max(self.currentColumn(), 0))
+        lines = min(max(len(rows), 2), _MOST_LINES)
+        self.setFixedHeight(self.horizontalHeader().sizeHint().height() + lines * _ROW_PX + 4)
 
     def text_at(self, row: int, title: str) -> str:
         """Give what a line says under a heading."""
@@ -143,5 +146,10 @@ def _number(value: float | None, decimals: int) -> str:
 
 def _chip(color: tuple[int, int, int]) -> QIcon:
     chip = QPixmap(_CHIP_PX, _CHIP_PX)
-    chip.fill(QColor(*color))
-    return QIcon(chip)
+    chip.fill(QColor("white"))
+    painter = QPainter(chip)
+    painter.fillRect(1, 1, _CHIP_PX - 2, _CHIP_PX - 2, QColor(*color))
+    painter.end()
+    icon = QIcon(chip)
+    icon.addPixmap(chip, QIcon.Mode.Selected)  # or else it is tinted with the selection
+    return icon

@@ -1,0 +1,337 @@
+"""The foot stage without its window: corrections, undo, and the foot that is handed over."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.scan import ScannedFoot
+from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS
+from insole_core.recording.hand_edits import NO_EDITS
+from insole_core.recording.hand_edits_file import edits_path
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Box
+from insole_studio.jobs import Jobs
+from insole_studio.stages.reconstruct.presenter import ReconstructPresenter
+from insole_studio.stages.reconstruct.rows import FootMap, Limits, Mark, ViewRow
+
+
+class Intent:
+    """A signal without Qt."""
+
+    def __init__(self) -> None:
+        self.heard: list[Callable[..., object]] = []
+
+    def connect(self, slot: Callable[..., object]) -> None:
+        self.heard.append(slot)
+
+    def emit(self, *values: object) -> None:
+        for slot in self.heard:
+            slot(*values)
+
+
+class FakePanel:
+    """Remembers what is shown; its intents are there when asked for."""
+
+    def __init__(self) -> None:
+        self.shown: dict[str, Any] = {}
+        self.intents: dict[str, Intent] = {}
+        self.feet: list[Any] = []
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("show_"):
+            return lambda *values: self.shown.__setitem__(name, values)
+        return self.intents.setdefault(name, Intent())
+
+    def show_foot(self, mesh: Any, coloring: Any) -> None:
+        self.feet.append((mesh, coloring))
+
+    @property
+    def rows(self) -> dict[str, ViewRow]:
+        return {row.name: row for row in self.shown["show_views"][0]}
+
+    @property
+    def marks(self) -> dict[str, Mark]:
+        return {mark.id: mark for mark in self.shown["show_markers"][0]}
+
+    @property
+    def buttons(self) -> Any:
+        return self.shown["show_buttons"][0]
+
+    @property
+    def sentences(self) -> str:
+        return "\n".join(self.shown.get("show_sentences", [()])[0])
+
+
+class Bench:
+    """A presenter before a fake panel, and what it tells others."""
+
+    def __init__(self, jobs: Jobs, session: Path, qtbot: QtBot) -> None:
+        self.panel, self.session, self.jobs, self._qtbot = FakePanel(), session, jobs, qtbot
+        self.handed: list[ScannedFoot] = []
+        self.left: list[bool] = []
+        self.errors: list[Exception] = []
+        self.limits = [DEFAULT_LIMITS]
+        self.asked: list[str] = []
+        self.answer = False
+        self.presenter = ReconstructPresenter(
+            panel=self.panel,
+            jobs=jobs,
+            limits=DEFAULT_LIMITS,
+            remember=self.limits.append,
+            hand_over=self.handed.append,
+            ask=self._ask,
+            finished=self.left.append,
+            unreadable=self.errors.append,
+        )
+
+    def _ask(self, sentence: str) -> bool:
+        self.asked.append(sentence)
+        return self.answer
+
+    def until(self, is_ready: Callable[[], bool]) -> None:
+        self._qtbot.waitUntil(is_ready, timeout=60_000)
+
+    def settle(self) -> None:
+        self.until(lambda: not self.jobs.is_running())
+
+    def open(self, hand_over: bool = False) -> None:
+        self.presenter.open(self.session, hand_over)
+        self.settle()
+
+    def poses(self) -> dict[str, Any]:
+        return {name: r.sensor2reference for name, r in self.presenter._results.items()}
+
+
+@pytest.fixture
+def bench(qapp: QApplication, qtbot: QtBot, tmp_path: Path, small_session: Path) -> Iterator[Bench]:
+    session = tmp_path / "session.zip"
+    shutil.copy(small_session, session)
+    jobs = Jobs()
+    yield Bench(jobs, session, qtbot)
+    jobs.close()
+
+
+@pytest.fixture
+def opened(bench: Bench) -> Bench:
+    """A session that is read and placed; its foot is not made."""
+    bench.presenter.open(bench.session, hand_over=False)
+    bench.until(lambda: bench.presenter._opened is not None)
+    bench.panel.cancel_requested.emit()
+    return bench
+
+
+@pytest.fixture
+def made(bench: Bench) -> Bench:
+    """A session and its foot."""
+    bench.open()
+    return bench
+
+
+def test_a_session_is_shown_and_its_foot_made(made: Bench) -> None:
+    assert list(made.panel.rows) == ["left", "right", "top"]
+    left = made.panel.rows["left"]
+    assert (left.found, left.used, left.on, left.trouble) == (12, 12, True, "")
+    assert left.residual_mm is not None
+    assert 0 < left.residual_mm[0] <= left.residual_mm[1] <= left.residual_mm[2] < 3
+    assert left.displacement_mm is not None
+    assert left.frames > 0
+    assert made.panel.shown["show_session"][0] == "session"
+    assert made.panel.buttons.go_on
+    assert not made.panel.buttons.is_stale
+    assert made.handed == []
+    mesh, _ = made.panel.feet[-1]
+    assert len(np.unique(mesh.colors, axis=0)) == 3
+
+
+def test_a_foot_that_was_opened_for_design_is_handed_over_once(bench: Bench) -> None:
+    bench.open(hand_over=True)
+    assert len(bench.handed) == 1
+    assert bench.left == []
+    bench.panel.go_on_requested.emit()
+    assert len(bench.handed) == 1
+    assert bench.left == [True]
+
+
+def test_a_correction_is_live_kept_and_undone(opened: Bench) -> None:
+    before = opened.poses()["left"]
+    opened.panel.marker_toggled.emit("S3")
+    assert opened.panel.marks["S3"].state == "excluded"
+    assert opened.panel.rows["left"].used == 11
+    assert "S3" in opened.panel.buttons.undo
+    assert read_session(opened.session).edits.of("left").excluded == ("S3",)
+    opened.panel.undo_requested.emit()
+    np.testing.assert_array_equal(opened.poses()["left"], before)
+    assert opened.panel.marks["S3"].state == "used"
+    assert not edits_path(opened.session).exists()
+    opened.panel.redo_requested.emit()
+    assert opened.panel.marks["S3"].state == "excluded"
+    opened.panel.marker_toggled.emit("S3")
+    assert opened.presenter.edits == NO_EDITS
+
+
+def test_a_marker_is_dragged_and_left_to_the_search_again(opened: Bench) -> None:
+    before, (u, v) = opened.poses()["left"], opened.panel.marks["S6"].pixel
+    for step in (5.0, 10.0):
+        opened.panel.marker_moved.emit("S6", (u + step, v))
+        assert opened.panel.marks["S6"].pixel == (u + step, v)
+    assert opened.presenter.edits == NO_EDITS
+    opened.panel.marker_dropped.emit("S6", (u + 10, v))
+    assert opened.panel.marks["S6"].by_hand
+    assert opened.panel.marks["S6"].state == "unused"
+    assert opened.panel.marks[""].pixel == (u, v)
+    opened.panel.marker_released.emit("S6")
+    np.testing.assert_array_equal(opened.poses()["left"], before)
+
+
+def test_two_markers_are_exchanged_and_put_back(opened: Bench) -> None:
+    before, marks = opened.poses()["left"], opened.panel.marks
+    for marker, other in (("S2", "S9"), ("S9", "S2")):
+        opened.panel.marker_named.emit(marker, marks[other].pixel, False)
+    assert opened.panel.marks["S2"].pixel == marks["S9"].pixel
+    assert opened.panel.rows["left"].used == 10
+    for marker in ("S2", "S9"):
+        opened.panel.marker_named.emit(marker, marks[marker].pixel, False)
+    np.testing.assert_allclose(opened.poses()["left"], before, atol=1e-6)
+
+
+def test_regions_limit_the_search(opened: Bench) -> None:
+    u, v = opened.panel.marks["S4"].pixel
+    opened.panel.spot_ignored.emit((u, v))
+    assert "S4" not in opened.panel.marks
+    assert opened.panel.rows["left"].found == 11
+    opened.panel.regions_cleared.emit()
+    assert "S4" in opened.panel.marks
+    opened.panel.region_searched.emit(((0.0, 0.0), (100.0, 0.0), (100.0, 100.0)))
+    assert not opened.panel.rows["left"].is_used
+    assert "no blue marker" in opened.panel.rows["left"].trouble
+    opened.panel.marker_named.emit("S4", (u, v), False)
+    assert opened.panel.marks["S4"].by_hand  # shown although there is no pose
+
+
+def test_a_view_is_left_out_and_the_foot_made_again(made: Bench) -> None:
+    made.panel.view_switched.emit("right", False)
+    assert not made.panel.rows["right"].on
+    mesh, _ = made.panel.feet[-1]
+    assert len(np.unique(mesh.colors, axis=0)) == 2
+    made.panel.make_requested.emit()
+    assert made.panel.buttons.cancel
+    made.settle()
+    assert "The view right is left out: it was switched off by hand." in made.panel.sentences
+    made.panel.go_on_requested.emit()
+    assert len(made.handed) == 1
+    assert any("switched off" in warning for warning in made.handed[0].warnings)
+
+
+def test_going_on_with_corrections_makes_the_foot_first(made: Bench) -> None:
+    made.panel.view_switched.emit("right", False)
+    assert made.panel.buttons.is_stale
+    made.panel.undo_requested.emit()
+    assert not made.panel.buttons.is_stale
+    made.panel.redo_requested.emit()
+    made.panel.go_on_requested.emit()
+    assert made.handed == []
+    made.settle()
+    assert len(made.handed) == 1
+    assert made.left == [True]
+
+
+def test_the_coarse_foot_can_be_designed_on_while_the_fine_one_is_made(bench: Bench) -> None:
+    bench.presenter.open(bench.session, hand_over=False)
+    bench.until(lambda: bench.presenter._made is not None)
+    coarse = bench.presenter._made
+    assert coarse is not None
+    assert coarse.reconstruction is None
+    assert bench.jobs.is_running()
+    assert bench.panel.shown["show_map"][1] == [FootMap.VIEWS, FootMap.SKIN]
+    bench.panel.go_on_requested.emit()
+    assert bench.left == [False]
+    bench.settle()
+    assert bench.left == [False, True]
+    first, second = bench.handed
+    assert len(first.foot.mesh.vertices) < len(second.foot.mesh.vertices)
+
+
+def test_cancel_answers_at_once(opened: Bench) -> None:
+    opened.panel.make_requested.emit()
+    opened.panel.cancel_requested.emit()
+    assert not opened.jobs.is_running()
+    assert opened.panel.shown["show_progress"] == (0.0, "")
+    assert opened.panel.buttons.make
+
+
+def test_the_volume_is_changed_and_reset(opened: Bench) -> None:
+    recorded = opened.presenter.box
+    for y in (-80.0, -60.0):
+        opened.panel.box_edited.emit(Box((-70, y, -40), (70, 150, 160)))
+    assert opened.panel.shown["show_box"][0].min_mm == (-70, -60, -40)
+    mesh, _ = opened.panel.feet[-1]
+    assert mesh.vertices[:, 1].min() >= -60
+    opened.panel.undo_requested.emit()
+    assert opened.presenter.box == recorded
+    opened.panel.redo_requested.emit()
+    opened.panel.box_reset.emit()
+    assert opened.presenter.box == recorded
+
+
+def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
+    for kind in FootMap:
+        made.panel.map_chosen.emit(kind)
+        mesh, coloring = made.panel.feet[-1]
+        assert made.panel.shown["show_map"][0] is kind
+        if coloring is not None:
+            assert coloring.values.shape == (len(mesh.vertices),)
+            assert coloring.limits[0] < coloring.limits[1]
+    _, spread = made.panel.feet[-1]
+    assert 0 < np.nanmedian(spread.values) < 3
+    assert np.isnan(spread.values).any()
+
+
+def test_a_limit_refuses_a_view_and_names_its_markers(opened: Bench) -> None:
+    opened.panel.limits_edited.emit(Limits(4.0, 1.0, 0.7))
+    assert not opened.panel.rows["top"].is_used
+    assert "mm uncertain at the foot" in opened.panel.rows["top"].trouble
+    assert opened.panel.rows["top"].found == 8
+    assert opened.limits[-1].displacement_mm == 0.7
+    opened.panel.view_chosen.emit("top")
+    assert "A1" in opened.panel.marks
+
+
+def test_no_view_left_is_told_and_can_be_mended(opened: Bench) -> None:
+    for name in ("left", "right", "top"):
+        opened.panel.view_switched.emit(name, False)
+    opened.panel.make_requested.emit()
+    opened.settle()
+    assert "none of its views can be used" in opened.panel.sentences
+    opened.panel.view_switched.emit("left", True)
+    assert opened.panel.sentences == ""
+    assert opened.panel.buttons.make
+
+
+def test_corrections_that_cannot_be_kept_are_told(opened: Bench) -> None:
+    edits_path(opened.session).mkdir()
+    opened.panel.marker_toggled.emit("S3")
+    assert "cannot be written" in opened.panel.sentences
+    assert opened.panel.marks["S3"].state == "excluded"
+
+
+def test_a_session_that_cannot_be_read(bench: Bench, tmp_path: Path) -> None:
+    bench.presenter.open(tmp_path / "absent", hand_over=True)
+    bench.settle()
+    assert "does not exist" in str(bench.errors[0])
+
+
+def test_nothing_can_be_pressed_before_there_is_a_session(bench: Bench) -> None:
+    assert not bench.panel.buttons.make
+    assert not bench.panel.buttons.go_on
+    bench.panel.undo_requested.emit()
+    bench.panel.view_chosen.emit("left")
+    bench.panel.marker_moved.emit("S1", (1.0, 1.0))
+    assert bench.presenter.edits == NO_EDITS

@@ -1,0 +1,285 @@
+"""The foot stage as the window offers it: real mouse and keys, from a session to the design."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from insole_core.insole.design import Pelott
+from insole_core.recording.hand_edits import Pixel
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Box
+from insole_studio.bootstrap import Application
+from insole_studio.scene.camera import Preset
+from insole_studio.stages.reconstruct.rows import Mark
+from insole_studio.stages.reconstruct.stage import ReconstructStage
+
+LEFT = Qt.MouseButton.LeftButton
+PATIENCE_MS = 60_000
+
+
+@pytest.fixture
+def session(tmp_path: Path, small_session: Path) -> Path:
+    path = tmp_path / "session.zip"
+    shutil.copy(small_session, path)
+    return path
+
+
+def shown_stage(app: Application) -> ReconstructStage:
+    stage = app.studio.rooms.foot.stage
+    assert stage is not None
+    return stage
+
+
+@pytest.fixture
+def stage(app: Application, qtbot: QtBot, session: Path) -> ReconstructStage:
+    """The stage with a session that is read and placed; its foot is not made."""
+    app.studio.rooms.opening.open_path(session)
+    opened = shown_stage(app)
+    qtbot.waitUntil(lambda: opened.view.table.rowCount() == 3, timeout=PATIENCE_MS)
+    opened.view.cancel_requested.emit()
+    opened.activateWindow()
+    QTest.qWait(50)  # until the panels have their places
+    return opened
+
+
+def mark(stage: ReconstructStage, marker: str) -> Mark:
+    return next(m for m in stage.view.markers.picture._marks if m.id == marker)
+
+
+def click(stage: ReconstructStage, pixel: Pixel) -> None:
+    place = stage.view.markers.picture.to_widget(pixel).toPoint()
+    QTest.mouseClick(stage.view.markers.picture, LEFT, pos=place)
+
+
+def choose(stage: ReconstructStage, text: str, sub: str = "") -> None:
+    """Choose a line of the menu that a click has opened."""
+    menu = stage.view.markers.menu
+    menu.close()
+    action = next(a for a in menu.actions() if a.text() == text)
+    if sub:
+        action = next(a for a in action.menu().actions() if a.text() == sub)  # type: ignore[attr-defined]
+    action.trigger()
+
+
+def drag(stage: ReconstructStage, start: QPointF, *way: QPointF) -> None:
+    picture = stage.view.markers.picture
+    QTest.mousePress(picture, LEFT, pos=start.toPoint())
+    for place in way:
+        QTest.mouseMove(picture, place.toPoint())
+        QApplication.processEvents()
+    QTest.mouseRelease(picture, LEFT, pos=way[-1].toPoint())
+
+
+def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
+    app: Application, settle: Callable[[], None], session: Path
+) -> None:
+    app.studio.rooms.opening.open_path(session)
+    settle()
+    stage = shown_stage(app)
+    assert stage.isVisible()
+    assert app.case.foot is not None
+    assert stage.view.table.text_at(0, "Markers") == "12 / 12"
+    assert stage.view.table.text_at(0, "Remarks") == "Good"
+    QTest.mouseClick(stage.view.go_on, LEFT)
+    assert app.studio.rooms.foot.stage is None
+    app.stage.steps.chosen.emit("foot")
+    again = shown_stage(app)
+    assert again is not stage
+    app.stage.steps.chosen.emit("foot")
+    assert shown_stage(app) is again
+    settle()
+    assert len(app.case.history) == 0  # looking changes nothing
+
+
+def test_a_foot_made_again_keeps_its_design(
+    app: Application, settle: Callable[[], None], session: Path
+) -> None:
+    app.studio.rooms.opening.open_path(session)
+    settle()
+    design, first = app.case.record.design, app.case.foot
+    assert design is not None
+    app.case.apply(design.with_added(Pelott(centre_mm=(0.0, 140.0))), "Place a pelott")
+    stage = shown_stage(app)
+    stage.view.view_switched.emit("right", False)
+    assert stage.view.go_on.text() == "Reconstruct and go on"
+    stage.view.go_on.click()
+    settle()
+    assert app.studio.rooms.foot.stage is None
+    assert app.case.foot is not first
+    assert app.case.record.design is not None
+    assert len(app.case.record.design.corrections) == 1
+    app.studio.run_action("undo", False)
+    assert app.case.foot is first
+
+
+def test_a_click_excludes_and_includes(stage: ReconstructStage) -> None:
+    at = mark(stage, "S3").pixel
+    click(stage, at)
+    choose(stage, "Exclude S3")
+    assert mark(stage, "S3").state == "excluded"
+    assert stage.view.table.text_at(0, "Markers") == "11 / 12"
+    click(stage, at)
+    choose(stage, "Include S3")
+    assert mark(stage, "S3").state == "used"
+    stage.view.undo.click()
+    assert mark(stage, "S3").state == "excluded"
+
+
+def test_keys_go_from_mark_to_mark(stage: ReconstructStage) -> None:
+    picture = stage.view.markers.picture
+    picture.setFocus()
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Space):
+        QTest.keyClick(picture, key)
+    assert [m.id for m in picture._marks if m.state == "excluded"] == ["S2"]
+    QTest.keyClick(picture, Qt.Key.Key_Return)
+    choose(stage, "Include S2")
+    assert mark(stage, "S2").state == "used"
+
+
+def test_a_marker_is_dragged(stage: ReconstructStage) -> None:
+    picture = stage.view.markers.picture
+    start = picture.to_widget(mark(stage, "S6").pixel)
+    drag(stage, start, start + QPointF(8, 0), start + QPointF(16, 4))
+    moved = mark(stage, "S6")
+    assert moved.by_hand
+    expected = picture.to_pixel((start + QPointF(16, 4)).toPoint().toPointF())
+    assert moved.pixel == pytest.approx(expected)
+    assert stage.presenter.edits.of("left").named[0].exact
+
+
+def test_a_spot_is_another_marker_and_a_place_is_one(stage: ReconstructStage) -> None:
+    click(stage, mark(stage, "S2").pixel)
+    choose(stage, "This is", "S9")
+    assert stage.presenter.edits.of("left").named[0].id == "S9"
+    click(stage, (300.0, 200.0))
+    choose(stage, "Add a marker here", "S2")
+    assert mark(stage, "S2").pixel == pytest.approx((300.0, 200.0), abs=2)
+
+
+def test_a_region_is_drawn(stage: ReconstructStage) -> None:
+    picture = stage.view.markers.picture
+    at = picture.to_widget(mark(stage, "S4").pixel)
+    corners = [at + QPointF(*by) for by in ((-12, -12), (12, -12), (12, 12), (-12, 12))]
+    stage.view.markers.ignore.click()
+    drag(stage, *corners)
+    assert "S4" not in [m.id for m in picture._marks]
+    assert not stage.view.markers.ignore.isChecked()
+    stage.view.markers.clear.click()
+    assert mark(stage, "S4").state == "used"
+    stage.view.markers.search.click()
+    stage.view.markers.ignore.click()
+    assert not stage.view.markers.search.isChecked()
+
+
+def test_a_tick_leaves_a_view_out(stage: ReconstructStage) -> None:
+    item = stage.view.table.item(1, 0)
+    assert item is not None
+    item.setCheckState(Qt.CheckState.Unchecked)
+    assert stage.presenter.edits.of("right").off
+    assert stage.view.table.text_at(1, "Remarks") == "Left out by hand"
+    stage.view.table.setCurrentCell(2, 0)
+    assert mark(stage, "A1").state == "used"
+
+
+def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: ReconstructStage) -> None:
+    picture = stage.view.markers.picture
+    fitted = picture._zoom
+    assert fitted > 1
+    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
+    assert picture._zoom == 1
+    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
+    assert picture._zoom == fitted
+    stage.view.markers.menu.close()
+
+
+def test_the_box_is_dragged_by_a_face(stage: ReconstructStage) -> None:
+    scene, before = stage.view.foot.scene, stage.presenter.box
+    assert before is not None
+    handle = next(h for h in scene.handles if h.name == "box-y-min")
+    start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
+    mm = scene.look.mm_per_px
+    QTest.mousePress(scene.surface, LEFT, pos=start)
+    for share in (10, 20):
+        QTest.mouseMove(scene.surface, start - QPoint(0, share))
+        QApplication.processEvents()
+    assert stage.presenter.box == before
+    QTest.mouseRelease(scene.surface, LEFT, pos=start - QPoint(0, 20))
+    after = stage.presenter.box
+    assert after is not None
+    assert after.min_mm[1] == pytest.approx(before.min_mm[1] + 20 * mm, abs=1.5)
+    assert after.max_mm == before.max_mm
+    stage.view.box.reset.click()
+    assert stage.presenter.box == before
+
+
+def test_escape_gives_a_drag_of_the_box_up(stage: ReconstructStage) -> None:
+    scene, before = stage.view.foot.scene, stage.presenter.box
+    handle = next(h for h in scene.handles if h.name == "box-x-max")
+    start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
+    QTest.mousePress(scene.surface, LEFT, pos=start)
+    QTest.mouseMove(scene.surface, start + QPoint(9, 0))
+    QTest.keyClick(scene.surface, Qt.Key.Key_Escape)
+    QTest.mouseRelease(scene.surface, LEFT, pos=start + QPoint(9, 0))
+    assert stage.presenter.box == before
+    assert next(h for h in scene.handles if h.name == "box-x-max") == handle
+
+
+def test_a_number_bounds_the_box(stage: ReconstructStage) -> None:
+    low, _ = stage.view.box._fields[2]
+    low.setValue(10.0)
+    assert stage.presenter.box is not None
+    assert stage.presenter.box.min_mm[2] == 10.0
+    stage.view.box.show_box(Box((0, 0, 0), (1, 1, 1)))
+    assert stage.view.box.box().max_mm == (20.0, 20.0, 20.0)
+
+
+def test_corrections_are_there_when_the_session_is_opened_again(
+    stage: ReconstructStage, session: Path
+) -> None:
+    click(stage, mark(stage, "S3").pixel)
+    choose(stage, "Exclude S3")
+    assert read_session(session).edits.of("left").excluded == ("S3",)
+
+
+def test_a_damaged_session_closes_the_stage(
+    app: Application, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    (tmp_path / "session").mkdir()
+    app.studio.rooms.opening.open_path(tmp_path / "session")
+    settle()
+    assert app.studio.rooms.foot.stage is None
+    (dialog,) = app.studio.rooms.dialogue.dialogs
+    assert "holds no manifest.json" in dialog.text()
+
+
+@pytest.mark.display
+def test_the_views_and_the_box_are_seen(
+    app: Application, settle: Callable[[], None], session: Path
+) -> None:
+    """With real GL: the two sole views have their colours, and the edges of the box are blue."""
+    app.studio.rooms.opening.open_path(session)
+    settle()
+    stage = shown_stage(app)
+    stage.view._look(Preset.PLANTAR)
+    image = stage.view.foot.scene.picture()
+    raw = np.frombuffer(image.constBits(), np.uint8)
+    rows = raw.reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()]
+    red, green, blue = np.moveaxis(rows.reshape(image.height(), -1, 3).astype(int), -1, 0)
+    orange = (red > green + 40) & (green > blue + 40)
+    bluish = (blue > red + 60) & (blue > green + 30)
+    assert orange.sum() > 500
+    assert bluish.sum() > 500
+    edge = stage.view.foot.scene.look.pixels_of(
+        np.array(stage.view.foot.scene.handles[0].position_mm)
+    )
+    x = round(edge[0][0])
+    assert bluish[:, x - 2 : x + 3].any(axis=1).sum() > 100
