@@ -35,6 +35,7 @@ class LiveSensors:
         self._states: dict[str, SensorState] = {}
         self._times: dict[str, deque[float]] = {}
         self._problem: str | None = None
+        self._places: frozenset[tuple[int, int]] = frozenset()
         self.opened: dict[str, OpenSensor] = {}
 
     @property
@@ -42,9 +43,18 @@ class LiveSensors:
         """The sensors now."""
         return Sensors(tuple(self._state(serial) for serial in self._states), self._problem)
 
+    @property
+    def is_time_to_find(self) -> bool:
+        """Whether nothing is in use, or something was plugged in or out since the last time."""
+        try:
+            return not self.opened or self._rig.places() != self._places
+        except SensorError:
+            return True
+
     def find(self) -> None:
         """Take every sensor into use that is there and is not in use yet."""
         try:
+            self._places = self._rig.places()
             found = self._rig.require()
         except SensorError as error:
             self._problem = str(error)

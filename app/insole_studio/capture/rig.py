@@ -59,6 +59,16 @@ class Rig:
         with translating():
             return tuple(_found(info) for info in list_sensors(self._bus))
 
+    def places(self) -> frozenset[tuple[int, int]]:
+        """Tell where something is plugged in, without asking the sensors; changes at each plug.
+
+        Raises
+        ------
+        SensorError
+        """
+        with translating():
+            return self._bus.places()
+
     def require(self) -> tuple[FoundSensor, ...]:
         """List what is plugged in; nothing at all is an error.
 

@@ -87,9 +87,10 @@ class _Service:
             if now >= next_state_s:
                 next_state_s = now + _STATE_PERIOD_S
                 self._send(self._live.summary)
-            if not self._live.opened and now >= next_find_s:
+            if now >= next_find_s:
                 next_find_s = now + _FIND_PERIOD_S
-                self._find()
+                if self._live.is_time_to_find:
+                    self._find()
 
     def close(self) -> None:
         """Switch every emitter off."""

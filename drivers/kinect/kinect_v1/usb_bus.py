@@ -140,6 +140,10 @@ class UsbBus:
         found = usb.core.find(find_all=True, backend=self._backend, idVendor=VENDOR)
         return [UsbFunction(d, self._backend) for d in found if d.idProduct in PRODUCTS]
 
+    def places(self) -> frozenset[tuple[int, int]]:
+        """Give bus and address of each function; a sensor that is plugged in again has new ones."""
+        return frozenset((function.bus, function.address) for function in self.functions())
+
 
 def system_bus() -> UsbBus:
     """Give the real bus of this computer.

@@ -116,6 +116,14 @@ def test_simultaneous_on_one_controller_names_bus_and_remedy(make: Callable[...,
     assert bench.draft.views == ()
 
 
+def test_a_full_controller_is_noticed_before_the_first_frame(bench: Bench) -> None:
+    bench.kinects["C3"].camera.inject(Fault("no bandwidth", "depth", count=9))
+    with pytest.raises(BusFullError, match=r"controller of bus 3 is full.*controller of its own"):
+        bench.capture(PLAN)
+    assert not bench.told
+    assert not any(kinect.camera.emitter_on for kinect in bench.kinects.values())
+
+
 def test_a_sensor_is_moved_by_hand(bench: Bench) -> None:
     asked: list[Step] = []
     plan = make_plan([("left", "A1"), ("right", "A1")], frames=FRAMES)
