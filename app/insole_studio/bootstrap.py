@@ -220,7 +220,11 @@ def build_application(
         ),
         guide=Guide(window, stage, settings, remember),
         capture=CaptureWindow(partial(_make_capture, settings, places, place)),
-        calibrate=StageWindow(partial(CalibrateStage, _sensor_store(places))),
+        calibrate=StageWindow(
+            partial(
+                CalibrateStage, _sensor_store(places), place, places.data_folder / "calibrations"
+            )
+        ),
         compare=StageWindow(lambda: CompareStage(case, is_dark(settings.theme))),
         foot=foot,
     )

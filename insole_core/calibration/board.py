@@ -43,7 +43,9 @@ class Sighting:
 
 
 class Board(Protocol):
-    """What can be looked for in a picture."""
+    """What can be looked for in a picture; a value."""
+
+    def __hash__(self) -> int: ...
 
     @property
     def points_mm(self) -> FloatArray:

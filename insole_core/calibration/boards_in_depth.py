@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 
 from insole_core.calibration.board import Sighting
-from insole_core.calibration.captures import read_depth
+from insole_core.calibration.captures import capture_from_frames, read_depth, read_frames
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.camera import Camera
@@ -41,7 +41,10 @@ class BoardInDepth:
 def read_boards_in_depth(
     folder: Path, sightings: Sequence[Sighting], correction: DisparityCorrection | None = None
 ) -> list[BoardInDepth]:
-    """Read the raw depth beside each colour picture: ``depth_003.png`` beside ``color_003.jpg``.
+    """Read the raw depth beside each colour picture.
+
+    Beside ``color_003.jpg`` that is ``depth_003.png``, or the average of the frames in the folder
+    ``depth_003``.
 
     Raises
     ------
@@ -50,11 +53,16 @@ def read_boards_in_depth(
     """
     boards = []
     for sighting in sightings:
-        number = Path(sighting.name).stem.removeprefix("color")
-        frame = read_depth(folder / f"depth{number}.png")
-        raw = np.where(frame < NO_READING, frame, np.nan)
+        raw = _raw_beside(folder / f"depth{Path(sighting.name).stem.removeprefix('color')}")
         boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
     return boards
+
+
+def _raw_beside(frames: Path) -> FloatArray:
+    if frames.is_dir():
+        return capture_from_frames(frames.name, read_frames(sorted(frames.glob("*.png")))).raw
+    frame = read_depth(frames.with_suffix(".png"))
+    return np.where(frame < NO_READING, frame, np.nan)
 
 
 def board_planes(board2color: FloatArray, depth2color: FloatArray) -> FloatArray:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 
 import cv2
@@ -17,12 +18,13 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
+from insole_studio.texts import tr
 from insole_studio.workbench.calibration_steps import board_pictures
 
 GOOD_PICTURES = 10
 WALL_DISTANCES_MM = (600, 700, 800, 900, 1000)
 _NEAR_MM = 60.0
-_CELLS = (6, 8)
+CELLS = (6, 8)
 _WIDTH_PX = 480
 _GREEN = (60, 200, 60)
 
@@ -56,10 +58,16 @@ class Readiness:
     looks
     missing
         What is still to be captured, in sentences; empty when all is there.
+    cells : (6, 8) int
+        How often each part of the picture was reached.
+    distances_mm
+        Of the walls.
     """
 
     looks: tuple[Look, ...]
     missing: tuple[str, ...]
+    cells: IntArray = field(default_factory=lambda: np.zeros(CELLS, dtype=np.int64))
+    distances_mm: tuple[float, ...] = ()
 
     @property
     def usable(self) -> int:
@@ -76,20 +84,41 @@ def inspect_boards(folder: Path, kind: str, board: Board, progress: Progress = S
         When the folder or a picture cannot be read.
     """
     paths = board_pictures(folder, kind)
-    looks: list[Look] = []
-    sightings: list[Sighting] = []
+    found: list[tuple[Look, Sighting | None]] = []
     for done, path in enumerate(paths):
         progress.step(done / len(paths), f"Looking at {path.name}")
-        grey = read_grey(path)
-        try:
-            sighting = board.find(path.name, grey)
-        except CalibrationError as error:
-            looks.append(Look(path.name, False, str(error), _small(_rgb(grey))))
-            continue
-        sightings.append(sighting)
-        sentence = f"{len(sighting.pixels)} corners"
-        looks.append(Look(path.name, True, sentence, _with_corners(grey, sighting)))
-    return Readiness(tuple(looks), _missing_boards(sightings))
+        found.append(_look_at_file(path, path.stat().st_mtime_ns, board))
+    sightings = [sighting for _, sighting in found if sighting is not None]
+    looks = tuple(look for look, _ in found)
+    return Readiness(looks, _missing_boards(sightings), count_corners(sightings))
+
+
+@lru_cache(maxsize=128)
+def _look_at_file(path: Path, _changed_ns: int, board: Board) -> tuple[Look, Sighting | None]:
+    """Look once: a folder grows while pictures are taken."""
+    return look_at_board(path.name, read_grey(path), board)
+
+
+def look_at_board(
+    name: str, grey: ByteArray, board: Board, picture: ByteArray | None = None
+) -> tuple[Look, Sighting | None]:
+    """Look for the board in one picture.
+
+    Parameters
+    ----------
+    name
+    grey : (height, width) uint8
+    board
+    picture : (height, width, 3) uint8, RGB, optional
+        Shown in place of the grey one.
+    """
+    shown = rgb(grey) if picture is None else picture
+    try:
+        sighting = board.find(name, grey)
+    except CalibrationError as error:
+        return Look(name, False, str(error), small(shown)), None
+    sentence = tr("{count} corners").format(count=len(sighting.pixels))
+    return Look(name, True, sentence, _with_corners(shown, sighting)), sighting
 
 
 def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> Readiness:
@@ -101,59 +130,106 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
         When the folder or an image cannot be read.
     """
     captures = read_captures(folder, progress.part(0, 0.5))
-    rows = plane_rows(sensor.depth_camera)
-    looks: list[Look] = []
-    walls: list[WallFit] = []
+    found: list[tuple[Look, WallFit | None]] = []
     for done, capture in enumerate(captures):
         progress.step(0.5 + 0.5 * done / len(captures), f"Finding the wall in {capture.name}")
-        try:
-            wall = fit_wall(capture, rows, sensor.disparity)
-        except CalibrationError as error:
-            looks.append(Look(capture.name, False, str(error), _depth_picture(capture)))
-            continue
-        walls.append(wall)
-        sentence = f"a wall at {1 / wall.plane[2]:.0f} mm that fills {wall.wall.mean():.0%}"
-        looks.append(Look(capture.name, True, sentence, _depth_picture(capture, wall.wall)))
-    return Readiness(tuple(looks), _missing_walls(walls))
+        found.append(look_at_wall(capture, sensor))
+    walls = [wall for _, wall in found if wall is not None]
+    distances = tuple(wall_distance_mm(wall) for wall in walls)
+    looks = tuple(look for look, _ in found)
+    return Readiness(looks, _missing_walls(walls), wall_cells(walls), distances)
+
+
+def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[Look, WallFit | None]:
+    """Look for the wall in one capture."""
+    try:
+        wall = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
+    except CalibrationError as error:
+        return Look(capture.name, False, str(error), _depth_picture(capture)), None
+    sentence = tr("a wall at {distance:.0f} mm that fills {share:.0%}").format(
+        distance=wall_distance_mm(wall), share=wall.wall.mean()
+    )
+    return Look(capture.name, True, sentence, _depth_picture(capture, wall.wall)), wall
+
+
+def wall_distance_mm(wall: WallFit) -> float:
+    """Give the distance of a wall along the axis of the sensor."""
+    return float(1 / wall.plane[2])
+
+
+def is_near(distance_mm: float, distances_mm: Sequence[float]) -> bool:
+    """Tell whether a wall was captured at about a distance."""
+    return any(abs(distance_mm - one) < _NEAR_MM for one in distances_mm)
 
 
 def _missing_boards(sightings: Sequence[Sighting]) -> tuple[str, ...]:
     missing = []
     if len(sightings) < GOOD_PICTURES:
         missing.append(
-            f"Take {GOOD_PICTURES - len(sightings)} more pictures, the board tilted by 20 to 40° "
-            "to another side each time."
+            tr(
+                "Take {count} more pictures, the board tilted by 20 to 40° to another side each "
+                "time."
+            ).format(count=GOOD_PICTURES - len(sightings))
         )
     if regions := missing_regions(count_corners(sightings)):
-        missing.append(f"Hold the board in these parts of the picture: {', '.join(regions)}.")
+        missing.append(
+            tr("Hold the board in these parts of the picture: {regions}.").format(
+                regions=_listed(regions)
+            )
+        )
     return tuple(missing)
 
 
 def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
-    distances = np.array([1 / wall.plane[2] for wall in walls])
-    far = [mm for mm in WALL_DISTANCES_MM if not (np.abs(distances - mm) < _NEAR_MM).any()]
+    distances = [wall_distance_mm(wall) for wall in walls]
+    far = [str(mm) for mm in WALL_DISTANCES_MM if not is_near(mm, distances)]
     missing = []
     if far:
-        listed = ", ".join(str(mm) for mm in far)
-        missing.append(f"Capture the wall at about these distances: {listed} mm.")
-    if regions := missing_regions(_wall_cells(walls)):
-        missing.append(f"Fill these parts of the picture with the wall: {', '.join(regions)}.")
+        missing.append(
+            tr("Capture the wall at about these distances: {distances} mm.").format(
+                distances=", ".join(far)
+            )
+        )
+    if regions := missing_regions(wall_cells(walls)):
+        missing.append(
+            tr("Fill these parts of the picture with the wall: {regions}.").format(
+                regions=_listed(regions)
+            )
+        )
     return tuple(missing)
 
 
-def _wall_cells(walls: Sequence[WallFit]) -> IntArray:
+def _listed(regions: Sequence[str]) -> str:
+    return ", ".join(_region_texts()[region] for region in regions)
+
+
+def _region_texts() -> dict[str, str]:
+    return {
+        "upper left": tr("upper left"),
+        "upper centre": tr("upper centre"),
+        "upper right": tr("upper right"),
+        "middle left": tr("middle left"),
+        "middle centre": tr("middle centre"),
+        "middle right": tr("middle right"),
+        "lower left": tr("lower left"),
+        "lower centre": tr("lower centre"),
+        "lower right": tr("lower right"),
+    }
+
+
+def wall_cells(walls: Sequence[WallFit]) -> IntArray:
     """Count the walls that fill each of 6 x 8 cells of the image."""
-    counts = np.zeros(_CELLS, dtype=np.int64)
+    counts = np.zeros(CELLS, dtype=np.int64)
     for wall in walls:
-        height, width = (size // cells for size, cells in zip(wall.wall.shape, _CELLS, strict=True))
-        filled = wall.wall.reshape(_CELLS[0], height, _CELLS[1], width).mean(axis=(1, 3))
+        height, width = (size // cells for size, cells in zip(wall.wall.shape, CELLS, strict=True))
+        filled = wall.wall.reshape(CELLS[0], height, CELLS[1], width).mean(axis=(1, 3))
         counts += filled > 0.5
     return counts
 
 
-def _with_corners(grey: ByteArray, sighting: Sighting) -> ByteArray:
-    picture = _small(_rgb(grey))
-    scale = picture.shape[1] / grey.shape[1]
+def _with_corners(shown: ByteArray, sighting: Sighting) -> ByteArray:
+    picture = small(shown)
+    scale = picture.shape[1] / shown.shape[1]
     for u, v in np.round(sighting.pixels * scale).astype(int).tolist():
         cv2.circle(picture, (u, v), 3, _GREEN, 1, cv2.LINE_AA)
     return picture
@@ -164,17 +240,19 @@ def _depth_picture(capture: WallCapture, wall: BoolArray | None = None) -> ByteA
     known: FloatArray = np.nan_to_num(capture.raw, nan=np.nanmax(capture.raw))
     low, high = np.nanpercentile(capture.raw, [2, 98])
     grey = 220 - 160 * np.clip((known - low) / max(high - low, 1), 0, 1)
-    picture = _rgb(np.where(np.isfinite(capture.raw), grey, 20).astype(np.uint8))
+    picture = rgb(np.where(np.isfinite(capture.raw), grey, 20).astype(np.uint8))
     if wall is not None:
         picture[wall] = (0.7 * picture[wall] + 0.3 * np.array(_GREEN)).astype(np.uint8)
-    return _small(picture)
+    return small(picture)
 
 
-def _rgb(grey: ByteArray) -> ByteArray:
+def rgb(grey: ByteArray) -> ByteArray:
+    """Give a grey picture as (height, width, 3)."""
     return np.repeat(grey[..., None], 3, axis=-1)
 
 
-def _small(picture: ByteArray) -> ByteArray:
+def small(picture: ByteArray) -> ByteArray:
+    """Give a picture as wide as it is shown."""
     height, width = picture.shape[:2]
     size = (_WIDTH_PX, round(height * _WIDTH_PX / width))
     return np.ascontiguousarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA))

@@ -19,6 +19,7 @@ from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LookRow, Ste
 from insole_studio.stages.calibrate.steps import STEPS, CalibrationStep
 from insole_studio.texts import tr
 from insole_studio.workbench.calibration_keeping import keep_step, step_date
+from insole_studio.workbench.calibration_pictures import LiveKind
 from insole_studio.workbench.calibration_readiness import Readiness
 from insole_studio.workbench.calibration_steps import StepResult
 from insole_studio.workbench.sensor_store import SensorStore
@@ -93,6 +94,36 @@ class CalibratePresenter:
         panel.show_board(self._board)
         self._open(self._step)
 
+    @property
+    def serial(self) -> str:
+        """Of the sensor that is calibrated; empty while none is chosen."""
+        return self._serial if self._sensor is not None else ""
+
+    @property
+    def sensor(self) -> Sensor | None:
+        """The sensor as it is known so far."""
+        return self._sensor
+
+    @property
+    def step_key(self) -> str:
+        """Of the open step."""
+        return self._step.key
+
+    @property
+    def live_kind(self) -> LiveKind | None:
+        """What the open step needs live pictures of; None where it needs other ones."""
+        return self._step.live
+
+    @property
+    def board(self) -> Board:
+        """The board in use."""
+        return Chequerboard(self._board.columns, self._board.rows, self._board.square_mm)
+
+    @property
+    def readiness(self) -> Readiness | None:
+        """What the folder of the step shows so far."""
+        return self._readiness
+
     def choose_serial(self, serial: str) -> None:
         """Take up a sensor; one that was never calibrated begins with the usual numbers."""
         if serial.strip() == self._serial:
@@ -132,7 +163,7 @@ class CalibratePresenter:
 
         def inspect(progress: Progress) -> Readiness:
             assert sensor is not None
-            return step.inspect(folder, self._make_board(), sensor, progress)
+            return step.inspect(folder, self.board, sensor, progress)
 
         self._start(inspect, self._show_readiness)
 
@@ -148,7 +179,7 @@ class CalibratePresenter:
             return
 
         def work(progress: Progress) -> StepResult:
-            return step.calibrate(folder, self._make_board(), sensor, progress)
+            return step.calibrate(folder, self.board, sensor, progress)
 
         self._start(work, self._show_result)
 
@@ -163,9 +194,6 @@ class CalibratePresenter:
             return keep_step(result, self._store)
 
         self._start(keep, lambda _folder: self._saved(result))
-
-    def _make_board(self) -> Board:
-        return Chequerboard(self._board.columns, self._board.rows, self._board.square_mm)
 
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")

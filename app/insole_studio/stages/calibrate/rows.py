@@ -40,3 +40,12 @@ class Buttons:
     choose: bool = False
     calibrate: bool = False
     save: bool = False
+
+
+@dataclass(frozen=True)
+class LiveRow:
+    """The live picture: whether it runs, what it shows, whether a picture can be taken."""
+
+    running: bool = False
+    sentence: str = ""
+    can_take: bool = False

@@ -1,30 +1,39 @@
-"""The calibrate stage as a window of its own: view and presenter while it is open."""
+"""The calibrate stage as a window of its own: view and presenters while it is open."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QVBoxLayout, QWidget
 
+from insole_studio.capture.client import CaptureService
+from insole_studio.capture.place import Place
 from insole_studio.jobs import Jobs
+from insole_studio.stages.calibrate.live import LivePictures
+from insole_studio.stages.calibrate.live_presenter import LivePresenter
 from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.view import CalibrateView
 from insole_studio.texts import tr
 from insole_studio.workbench.sensor_store import SensorStore
 
 _SIZE = (1180, 680)
+_TICK_MS = 50
 
 
 class CalibrateStage(QWidget):
-    """Leads through the calibration of a sensor with pictures from folders.
+    """Leads through the calibration of a sensor with live pictures, or pictures from folders.
 
     Parameters
     ----------
     store
         Keeps the sensors.
+    place
+        Where the live sensors are.
+    folder
+        Keeps the pictures that are taken of them.
     ask_folder
         Lets the user choose a folder; by default in a dialog.
     """
@@ -32,7 +41,11 @@ class CalibrateStage(QWidget):
     closed = Signal()
 
     def __init__(
-        self, store: SensorStore, ask_folder: Callable[[], Path | None] | None = None
+        self,
+        store: SensorStore,
+        place: Place,
+        folder: Path,
+        ask_folder: Callable[[], Path | None] | None = None,
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Calibrate sensors") + " – Insole Studio")
@@ -45,9 +58,17 @@ class CalibrateStage(QWidget):
         self.presenter = CalibratePresenter(
             self.view, store, self.jobs, ask_folder or self._ask_folder
         )
+        live = LivePictures(lambda: CaptureService(place), place.workplace().system)
+        self.live = LivePresenter(self.view, self.presenter, live, self.jobs, folder)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self.live.tick)
+        self._timer.start()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what runs; nothing that was not saved is kept."""
+        """Switch the sensors off and stop what runs; nothing that was not saved is kept."""
+        self._timer.stop()
+        self.live.close()
         self.jobs.close()
         event.accept()
         self.closed.emit()

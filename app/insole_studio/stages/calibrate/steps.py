@@ -11,6 +11,7 @@ from insole_core.calibration.board import Board
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
 from insole_studio.texts import tr
+from insole_studio.workbench.calibration_pictures import LiveKind
 from insole_studio.workbench.calibration_readiness import Readiness, inspect_boards, inspect_walls
 from insole_studio.workbench.calibration_steps import (
     COLOR,
@@ -40,6 +41,8 @@ class CalibrationStep:
         Whether pictures of a board are needed.
     optional
         Whether a sensor is calibrated without it.
+    live
+        What live pictures of it show; None where sensors give no such pictures.
     """
 
     key: str
@@ -49,6 +52,7 @@ class CalibrationStep:
     calibrate: Callable[[Path, Board, Sensor, Progress], StepResult]
     uses_board: bool = True
     optional: bool = False
+    live: LiveKind | None = "boards"
 
 
 def _inspect_pictures(
@@ -85,6 +89,7 @@ STEPS = (
         lambda folder, _board, sensor, progress: inspect_walls(folder, sensor, progress),
         _distortion,
         uses_board=False,
+        live="walls",
     ),
     CalibrationStep(
         "depth_camera",
@@ -98,13 +103,15 @@ STEPS = (
             folder, board, sensor, progress=progress
         ),
         optional=True,
+        live=None,
     ),
     CalibrationStep(
         "stereo",
         lambda: tr("Depth to colour"),
         lambda: tr(
-            "Take 15 colour pictures of the board together with infrared pictures or the depth of "
-            "the same positions, 600 to 1500 mm away and tilted about both sides."
+            "Take 15 to 40 colour pictures of the board together with infrared pictures or the "
+            "depth of the same positions, 600 to 1000 mm away, in all parts of the picture, tilted "
+            "by up to 50° about both sides."
         ),
         partial(_inspect_pictures, COLOR),
         calibrate_stereo_step,

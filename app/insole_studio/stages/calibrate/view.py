@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QFormLayout,
     QHBoxLayout,
@@ -21,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.arrays import ByteArray
-from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LookRow, StepRow
+from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LiveRow, LookRow, StepRow
 from insole_studio.texts import tr
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
@@ -40,6 +41,9 @@ class CalibrateView(QWidget):
     look_chosen = Signal(int)
     calibrate_requested = Signal()
     save_requested = Signal()
+    live_toggled = Signal(bool)
+    automatic_toggled = Signal(bool)
+    take_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -72,6 +76,16 @@ class CalibrateView(QWidget):
         self.looks = QListWidget()
         self.looks.currentRowChanged.connect(self.look_chosen)
         self._picture = PictureView()
+        self.live = QPushButton(tr("Live picture"))
+        self.live.setCheckable(True)
+        self.live.toggled.connect(self.live_toggled)
+        self.automatic = QCheckBox(tr("Take by itself"))
+        self.automatic.setToolTip(tr("When the board or the wall stands still in a new place"))
+        self.automatic.setChecked(True)
+        self.automatic.toggled.connect(self.automatic_toggled)
+        self.take = _button(tr("Take picture"), self.take_requested)
+        self._live_sentence = QLabel()
+        self._live_sentence.setWordWrap(True)
         self._progress = QProgressBar()
         self._progress.setRange(0, 100)
         self._layout()
@@ -123,6 +137,20 @@ class CalibrateView(QWidget):
         """Show (height, width, 3) uint8, RGB."""
         self._picture.show_picture(picture)
 
+    def show_serial(self, serial: str) -> None:
+        """Show the sensor that is calibrated."""
+        with QSignalBlocker(self.serial):
+            self.serial.setCurrentText(serial)
+
+    def show_live(self, row: LiveRow) -> None:
+        """Show how the live picture is."""
+        with QSignalBlocker(self.live):
+            self.live.setChecked(row.running)
+        self.automatic.setVisible(row.running)
+        self.take.setVisible(row.running)
+        self.take.setEnabled(row.can_take)
+        self._live_sentence.setText(row.sentence)
+
     def show_next(self, sentences: Sequence[str]) -> None:
         """Show what comes next, or what was found."""
         self._next.setText("\n".join(f"• {sentence}" for sentence in sentences))
@@ -152,6 +180,10 @@ class CalibrateView(QWidget):
         """Give what is shown to come next."""
         return self._next.text()
 
+    def live_text(self) -> str:
+        """Give what is said of the live picture."""
+        return self._live_sentence.text()
+
     def error_text(self) -> str:
         """Give the error that is shown."""
         return self._error.text()
@@ -175,6 +207,11 @@ class CalibrateView(QWidget):
         _stack(middle, self._next, self._error)
         middle.addStretch(1)
         _stack(middle, self._progress, self.calibrate, self.save)
+        controls = QHBoxLayout()
+        for widget in (self.live, self.take, self.automatic):
+            controls.addWidget(widget)
+        controls.addWidget(self._live_sentence, 1)
+        right.addLayout(controls)
         right.addWidget(self._picture, 2)
         right.addWidget(self.looks, 1)
         layout = QHBoxLayout(self)

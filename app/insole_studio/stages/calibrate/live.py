@@ -1,0 +1,259 @@
+"""The live picture of the sensor that is calibrated, and taking pictures of it."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Protocol
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.board import Board
+from insole_core.calibration.captures import capture_from_frames
+from insole_core.calibration.coverage import count_corners
+from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Manifest, ReferenceSystem
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.frame_board import Kind, Picture
+from insole_studio.capture.guidance import depth_colors
+from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Told
+from insole_studio.capture.plan import make_plan
+from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.texts import tr
+from insole_studio.workbench.calibration_overlay import draw_distances, draw_missing_cells
+from insole_studio.workbench.calibration_pictures import LiveKind, keep_view
+from insole_studio.workbench.calibration_readiness import (
+    Readiness,
+    look_at_board,
+    look_at_wall,
+    small,
+    wall_distance_mm,
+)
+
+_LOOK_PERIOD_S = 0.4
+_STEADY_SHARE, _NEW_SHARE = 0.004, 0.06
+"""Of the picture's width: the board that moves less stands still, one that moved more is new."""
+_STEADY_MM, _NEW_MM = 4.0, 45.0
+_VIEW, _FRAMES = "calibration", 10
+
+
+class Service(Protocol):
+    """The capture service, as far as it is needed."""
+
+    def send(self, command: Command) -> None: ...  # noqa: D102
+    def news(self) -> list[Event]: ...  # noqa: D102
+    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None: ...  # noqa: D102
+    def close(self) -> None: ...  # noqa: D102
+
+
+@dataclass(frozen=True, eq=False)
+class Glance:
+    """What the newest picture shows.
+
+    Parameters
+    ----------
+    picture : (height, width, 3) uint8, RGB
+        With what was found, and what is still missing, drawn over it.
+    sentence
+    place : (n,) float64
+        Where the board (its corners' pixels, of a picture 1 wide) or the wall (mm) is; None where
+        nothing was found.
+    """
+
+    picture: ByteArray
+    sentence: str
+    place: FloatArray | None = None
+
+
+class LivePictures:
+    """Streams one sensor from the capture service; knows no widget.
+
+    Parameters
+    ----------
+    make_service
+        Takes the sensors into use.
+    system
+        For the manifest of what is captured.
+    """
+
+    def __init__(self, make_service: Callable[[], Service], system: ReferenceSystem) -> None:
+        self._make_service, self._system = make_service, system
+        self._service: Service | None = None
+        self._draft: tempfile.TemporaryDirectory[str] | None = None
+        self._numbers: dict[Kind, int] = {}
+        self._depth: Picture | None = None
+        self._color: Picture | None = None
+        self._looked_s = 0.0
+        self._places: list[FloatArray] = []
+        self._before: FloatArray | None = None
+        self.states: tuple[SensorState, ...] = ()
+        self.problem = ""
+
+    @property
+    def running(self) -> bool:
+        """Whether the sensors are in use."""
+        return self._service is not None
+
+    @property
+    def taking(self) -> bool:
+        """Whether a picture is being taken."""
+        return self._draft is not None
+
+    def start(self) -> None:
+        """Take the sensors into use."""
+        if self._service is None:
+            self._service = self._make_service()
+            self.problem = tr("Looking for sensors…")
+
+    def stop(self) -> None:
+        """Switch the sensors off."""
+        if self._service is not None:
+            self._service.close()
+        self._service, self.states, self.problem = None, (), ""
+        self._numbers, self._depth, self._color = {}, None, None
+        self._end_draft()
+
+    def forget_places(self) -> None:
+        """Begin another step: nothing was taken yet."""
+        self._places, self._before = [], None
+
+    def poll(self, serial: str) -> Path | None:
+        """Take the news and the newest pictures; give the folder of a capture that has ended well.
+
+        The folder is a session that the next `keep` reads.
+        """
+        if self._service is None:
+            return None
+        done = None
+        for event in self._service.news():
+            if isinstance(event, Sensors):
+                self.states = event.states
+                self.problem = event.problem or ""
+            elif isinstance(event, Told):
+                self.problem = event.sentence
+            elif isinstance(event, CaptureStatus) and event.phase.is_end and self._draft:
+                if event.phase is Phase.DONE:
+                    done = Path(self._draft.name) / "session"
+                else:
+                    self.problem = event.sentence
+                    self._end_draft()
+        state = self._state(serial)
+        if state is not None:
+            self._depth = self._newest(state.slot, "depth") or self._depth
+            self._color = self._newest(state.slot, "color") or self._color
+            self.problem = state.problem or self.problem
+        return done
+
+    def glance_task(
+        self, kind: LiveKind, sensor: Sensor, board: Board, known: Readiness | None
+    ) -> Callable[[Progress], Glance] | None:
+        """Give the work of looking at the newest picture, now and then."""
+        now = time.monotonic()
+        newest = self._color if kind == "boards" else self._depth
+        if newest is None or now - self._looked_s < _LOOK_PERIOD_S:
+            return None
+        self._looked_s = now
+        image = newest.image
+        if kind == "boards":
+            return lambda _progress: glance_at_board(image, board, known)
+        return lambda _progress: glance_at_wall(image, sensor, known)
+
+    def is_worth_taking(self, glance: Glance) -> bool:
+        """Whether what is seen stands still, and stands where nothing was taken yet."""
+        place, before = glance.place, self._before
+        self._before = place
+        if place is None or before is None or self.taking:
+            return False
+        steady, new = (_STEADY_MM, _NEW_MM) if len(place) == 1 else (_STEADY_SHARE, _NEW_SHARE)
+        if _apart(place, before) > steady:
+            return False
+        return all(_apart(place, taken) > new for taken in self._places)
+
+    def take(self, serial: str) -> None:
+        """Let the service record what the sensor sees now."""
+        if self._service is None or self._draft is not None:
+            return
+        if self._before is not None:
+            self._places.append(self._before)
+        self._draft = tempfile.TemporaryDirectory(prefix="calibration-")
+        manifest = Manifest(
+            recorded_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            side=Side.LEFT,
+            reference_system=self._system,
+            views=(),
+        )
+        plan = make_plan(((_VIEW, serial),), frames=_FRAMES)
+        folder = Path(self._draft.name) / "session"
+        self._service.send(Start(plan, folder, manifest, plan.views))
+
+    def keep_task(self, taken: Path, folder: Path, kind: LiveKind) -> Callable[[Progress], Path]:
+        """Give the work of adding what was taken to a folder."""
+
+        def keep(progress: Progress) -> Path:
+            progress.step(0.0, tr("Keeping the picture"))
+            (view,) = read_session(taken).views
+            keep_view(view, folder, kind)
+            return folder
+
+        return keep
+
+    def end_taking(self) -> None:
+        """Forget the capture that was kept, or could not be."""
+        self._end_draft()
+
+    def _end_draft(self) -> None:
+        if self._draft is not None:
+            self._draft.cleanup()
+        self._draft = None
+
+    def _state(self, serial: str) -> SensorState | None:
+        return next((state for state in self.states if state.serial == serial), None)
+
+    def _newest(self, slot: int, kind: Kind) -> Picture | None:
+        assert self._service is not None
+        found = self._service.picture(slot, kind, self._numbers.get(kind, 0))
+        if found is not None:
+            self._numbers[kind] = found.number
+        return found
+
+
+def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> Glance:
+    """Look for the board in a colour picture, and draw which parts no board has reached."""
+    grey = np.asarray(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY))
+    look, sighting = look_at_board(tr("The live picture"), grey, board, color)
+    sightings = [sighting] if sighting is not None else []
+    cells = count_corners(sightings) + (known.cells if known is not None else 0)
+    place = sighting.pixels.ravel() / color.shape[1] if sighting is not None else None
+    return Glance(draw_missing_cells(look.picture, cells), look.sentence, place)
+
+
+def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Glance:
+    """Look for the wall in a raw image, and draw the distances that no wall has."""
+    distances = known.distances_mm if known is not None else ()
+    name = tr("The live picture")
+    colored = small(depth_colors(sensor.disparity)[raw])
+    try:
+        look, wall = look_at_wall(capture_from_frames(name, [raw]), sensor)
+    except CalibrationError as error:
+        return Glance(draw_distances(colored, distances, None), str(error))
+    if wall is None:
+        return Glance(draw_distances(colored, distances, None), look.sentence)
+    now_mm = wall_distance_mm(wall)
+    picture = draw_distances(look.picture, distances, now_mm)
+    if known is not None:
+        upper = draw_missing_cells(look.picture, known.cells)
+        picture = draw_distances(upper, distances, now_mm)
+    return Glance(picture, look.sentence, np.array([now_mm]))
+
+
+def _apart(a: FloatArray, b: FloatArray) -> float:
+    return float(np.abs(a - b).mean()) if a.shape == b.shape else float("inf")

@@ -1,0 +1,103 @@
+"""A technician calibrates a sensor with live pictures; recorded ones play as the sensor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytestqt.qtbot import QtBot
+from simulated_board import COLOR_CAMERA, board_poses, chequer_print, photograph
+from simulated_device import CAMERA, DISPARITY, SimulatedDevice, wall
+from simulated_folders import BOARD
+
+from insole_core.calibration.reference_file import load_reference_system
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid
+from insole_core.recording.session import Manifest, Session, View
+from insole_core.recording.writer import write_session
+from insole_core.resources import resource_path
+from insole_core.sensing.sensor import Sensor
+from insole_studio.capture.place import Place
+from insole_studio.capture.workplace import DEFAULT_SYSTEM
+from insole_studio.stages.calibrate.rows import BoardSize
+from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.workbench.sensor_store import SensorStore
+
+PATIENCE_MS = 40_000
+WALL_MM = 700.0
+
+
+@pytest.fixture(scope="session")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One sensor that sees a board in colour and a wall in depth."""
+    texture = chequer_print(BOARD.columns, BOARD.rows, 60)
+    (placed,) = board_poses(2, 1, BOARD.points_mm.mean(0), 600)
+    placed[:3, 3] -= placed[:3, :2] @ np.full(2, 1.5 * BOARD.square_mm)
+    grey = photograph(texture, 2.0, placed, COLOR_CAMERA)
+    color = np.repeat(grey[..., None], 3, axis=-1)
+    depth = list(SimulatedDevice(np.zeros((480, 640))).frames(wall(WALL_MM, 3, -2), 4))
+    sensor = Sensor(
+        "kinect-v1", "SIM1", CAMERA, COLOR_CAMERA, rigid(np.eye(3), np.array([-25.0, 0, 0])),
+        DISPARITY, faces=("sole",),
+    )  # fmt: skip
+    view = View("left", sensor, len(depth), 1, lambda index: depth[index], lambda _index: color)
+    manifest = Manifest(
+        "2026-01-01T00:00:00+00:00",
+        Side.LEFT,
+        load_reference_system(resource_path(DEFAULT_SYSTEM)),
+        ("left",),
+    )
+    path = tmp_path_factory.mktemp("recording") / "session"
+    write_session(Session(manifest, (view,), "simulated"), path)
+    return path
+
+
+@pytest.fixture
+def stage(qtbot: QtBot, tmp_path: Path, recording: Path) -> Iterator[CalibrateStage]:
+    store = SensorStore(tmp_path / "sensors")
+    built = CalibrateStage(store, Place(store, recording), tmp_path / "pictures")
+    built.show()
+    built.view.show_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    built.presenter.edit_board(built.view.board())
+    yield built
+    built.close()
+    built.deleteLater()
+
+
+def test_a_board_that_stands_still_is_taken_once(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
+    assert stage.view.serial_line.text() == "SIM1"
+    assert stage.view.looks.item(0).text() == "✓  color_000.png: 54 corners"
+    assert "Take 9 more pictures" in stage.view.next_text()
+    qtbot.waitUntil(lambda: stage.view.live_text() == "54 corners", timeout=PATIENCE_MS)
+    (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
+    assert {path.name for path in (day / "camera").iterdir()} == {
+        "color_000.png", "depth_000.png", "depth_000",
+    }  # fmt: skip
+    assert len(list((day / "camera" / "depth_000").glob("*.png"))) == 10
+    stage.view.take.click()  # by hand as often as one likes
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 2, timeout=PATIENCE_MS)
+    stage.view.live.click()
+    assert stage.view.live_text() == ""
+    assert not stage.view.take.isVisible()
+
+
+def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_path: Path) -> None:
+    stage.view.automatic.setChecked(False)
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1", timeout=PATIENCE_MS)
+    stage.view.steps.setCurrentRow(1)
+    qtbot.waitUntil(lambda: "a wall at 700 mm" in stage.view.live_text(), timeout=PATIENCE_MS)
+    assert stage.view.looks.count() == 0
+    stage.view.take.click()
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
+    text = stage.view.next_text()
+    assert "Capture the wall at about these distances: 600, 800, 900, 1000 mm." in text
+    stage.view.steps.setCurrentRow(2)
+    qtbot.waitUntil(lambda: "no infrared picture" in stage.view.live_text(), timeout=PATIENCE_MS)
+    assert not stage.view.take.isEnabled()
