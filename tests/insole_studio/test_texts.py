@@ -17,6 +17,7 @@ from insole_studio.texts import load_language, tr
 SWEDISH = resource_path("translations/sv")
 DESIGN_PARTS = (
     "shell",
+    "stages/calibrate",
     "stages/capture",
     "stages/compare",
     "stages/design",

@@ -208,7 +208,7 @@ class CalibratePresenter:
         self._panel.show_error("")
         self._panel.show_steps([self._row(one) for one in STEPS])
         first = tr("Give the serial number of the sensor, as it stands on its label.")
-        then = tr("Choose the folder with these images.")
+        then = tr("Start the live picture, or choose the folder with these images.")
         self._panel.show_next([then if self._sensor is not None else first])
 
     def _row(self, step: CalibrationStep) -> StepRow:

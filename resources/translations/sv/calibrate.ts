@@ -1,0 +1,223 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>studio</name>
+        <message>
+            <source>Calibrate</source>
+            <translation>Kalibrera</translation>
+        </message>
+        <message>
+            <source>Calibrate sensors</source>
+            <translation>Kalibrera sensorer</translation>
+        </message>
+        <message>
+            <source>Capture the wall at about these distances: {distances} mm.</source>
+            <translation>Ta väggen på ungefär dessa avstånd: {distances} mm.</translation>
+        </message>
+        <message>
+            <source>Choose folder…</source>
+            <translation>Välj mapp…</translation>
+        </message>
+        <message>
+            <source>Colour camera</source>
+            <translation>Färgkamera</translation>
+        </message>
+        <message>
+            <source>Cover the emitter, light the board well, and take 15 infrared pictures of it. Where the sensor gives no infrared pictures this step is left out.</source>
+            <translation>Täck projektorn, belys brädet väl och ta 15 infraröda bilder av det. Där sensorn inte ger infraröda bilder utelämnas steget.</translation>
+        </message>
+        <message>
+            <source>Depth camera (infrared)</source>
+            <translation>Djupkamera (infraröd)</translation>
+        </message>
+        <message>
+            <source>Depth to colour</source>
+            <translation>Djup till färg</translation>
+        </message>
+        <message>
+            <source>Distortion of the depth</source>
+            <translation>Djupets förvrängning</translation>
+        </message>
+        <message>
+            <source>Fill these parts of the picture with the wall: {regions}.</source>
+            <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
+        </message>
+        <message>
+            <source>Folder with the images</source>
+            <translation>Mapp med bilderna</translation>
+        </message>
+        <message>
+            <source>Give the serial number of the sensor, as it stands on its label.</source>
+            <translation>Ange sensorns serienummer, som det står på dess etikett.</translation>
+        </message>
+        <message>
+            <source>Hold the board in these parts of the picture: {regions}.</source>
+            <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>Inner corners</source>
+            <translation>Inre hörn</translation>
+        </message>
+        <message>
+            <source>Keeping the picture</source>
+            <translation>Sparar bilden</translation>
+        </message>
+        <message>
+            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of several distances from 600 to 1000 mm.</source>
+            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av flera avstånd från 600 till 1000 mm.</translation>
+        </message>
+        <message>
+            <source>Live picture</source>
+            <translation>Direktbild</translation>
+        </message>
+        <message>
+            <source>Looking for sensors…</source>
+            <translation>Söker efter sensorer…</translation>
+        </message>
+        <message>
+            <source>Next: {step}.</source>
+            <translation>Härnäst: {step}.</translation>
+        </message>
+        <message>
+            <source>Nothing is missing: calibrate.</source>
+            <translation>Ingenting saknas: kalibrera.</translation>
+        </message>
+        <message>
+            <source>Print the chequerboard at 100 %, glue it to something stiff, and take 15 colour pictures of it: tilted by 20 to 40° to all sides, in all parts of the picture.</source>
+            <translation>Skriv ut schackbrädet i 100 %, limma det på något styvt och ta 15 färgbilder av det: lutat 20 till 40° åt alla håll, i alla delar av bilden.</translation>
+        </message>
+        <message>
+            <source>Save it, if this is what you expect.</source>
+            <translation>Spara det, om det är vad du väntar dig.</translation>
+        </message>
+        <message>
+            <source>Save to the device</source>
+            <translation>Spara för sensorn</translation>
+        </message>
+        <message>
+            <source>Sensor</source>
+            <translation>Sensor</translation>
+        </message>
+        <message>
+            <source>Sensors give no infrared picture here; choose a folder with such pictures.</source>
+            <translation>Sensorerna ger ingen infraröd bild här; välj en mapp med sådana bilder.</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>Serienummer</translation>
+        </message>
+        <message>
+            <source>Side of a square</source>
+            <translation>En rutas sida</translation>
+        </message>
+        <message>
+            <source>Start the live picture, or choose the folder with these images.</source>
+            <translation>Starta direktbilden, eller välj mappen med dessa bilder.</translation>
+        </message>
+        <message>
+            <source>Take 15 to 40 colour pictures of the board together with infrared pictures or the depth of the same positions, 600 to 1000 mm away, in all parts of the picture, tilted by up to 50° about both sides.</source>
+            <translation>Ta 15 till 40 färgbilder av brädet tillsammans med infraröda bilder eller djupet i samma lägen, 600 till 1000 mm bort, i alla delar av bilden, lutat upp till 50° kring båda sidorna.</translation>
+        </message>
+        <message>
+            <source>Take by itself</source>
+            <translation>Ta av sig själv</translation>
+        </message>
+        <message>
+            <source>Take picture</source>
+            <translation>Ta bild</translation>
+        </message>
+        <message>
+            <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
+            <translation>Ta {count} bilder till, med brädet lutat 20 till 40° åt ett nytt håll varje gång.</translation>
+        </message>
+        <message>
+            <source>Taking the picture: hold still.</source>
+            <translation>Bilden tas: håll stilla.</translation>
+        </message>
+        <message>
+            <source>The live picture</source>
+            <translation>Direktbilden</translation>
+        </message>
+        <message>
+            <source>The sensor is calibrated.</source>
+            <translation>Sensorn är kalibrerad.</translation>
+        </message>
+        <message>
+            <source>Waiting for the first picture.</source>
+            <translation>Väntar på den första bilden.</translation>
+        </message>
+        <message>
+            <source>When the board or the wall stands still in a new place</source>
+            <translation>När brädet eller väggen står stilla på ett nytt ställe</translation>
+        </message>
+        <message>
+            <source>Writing the calibration and its reports</source>
+            <translation>Skriver kalibreringen och dess rapporter</translation>
+        </message>
+        <message>
+            <source>a wall at {distance:.0f} mm that fills {share:.0%}</source>
+            <translation>en vägg på {distance:.0f} mm som fyller {share:.0%}</translation>
+        </message>
+        <message>
+            <source>done on {day}</source>
+            <translation>gjort {day}</translation>
+        </message>
+        <message>
+            <source>lower centre</source>
+            <translation>nere i mitten</translation>
+        </message>
+        <message>
+            <source>lower left</source>
+            <translation>nere till vänster</translation>
+        </message>
+        <message>
+            <source>lower right</source>
+            <translation>nere till höger</translation>
+        </message>
+        <message>
+            <source>middle centre</source>
+            <translation>mitten</translation>
+        </message>
+        <message>
+            <source>middle left</source>
+            <translation>mitten till vänster</translation>
+        </message>
+        <message>
+            <source>middle right</source>
+            <translation>mitten till höger</translation>
+        </message>
+        <message>
+            <source>optional</source>
+            <translation>valfri</translation>
+        </message>
+        <message>
+            <source>to do</source>
+            <translation>att göra</translation>
+        </message>
+        <message>
+            <source>upper centre</source>
+            <translation>uppe i mitten</translation>
+        </message>
+        <message>
+            <source>upper left</source>
+            <translation>uppe till vänster</translation>
+        </message>
+        <message>
+            <source>upper right</source>
+            <translation>uppe till höger</translation>
+        </message>
+        <message>
+            <source>{count} corners</source>
+            <translation>{count} hörn</translation>
+        </message>
+        <message>
+            <source>{step} is saved for sensor {serial}.</source>
+            <translation>{step} är sparad för sensor {serial}.</translation>
+        </message>
+        <message>
+            <source>{usable} of {count} can be used.</source>
+            <translation>{usable} av {count} kan användas.</translation>
+        </message>
+    </context>
+</TS>
