@@ -50,6 +50,7 @@ from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import Studio
 from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.shell.variants import Variants
+from insole_studio.shell.vigilance import Vigilance
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.compare.stage import CompareStage
@@ -175,7 +176,7 @@ def build_application(
     dialogue, recent = Dialogue(window), Recent(settings, window)
     saving = Saving(case, jobs, dialogue, recent)
     place = Place(_sensor_store(places), emulate)
-    notices = Notices(stage.notices, window)
+    notices, feet = Notices(stage.notices, window), Feet(case)
     foot = FootWindow(partial(_make_foot_stage, settings, jobs, dialogue))
     rooms = Rooms(
         window=window,
@@ -197,7 +198,7 @@ def build_application(
         editing=Editing(case, hand),
         prescribing=Prescribing(case, hand, pads, dialogue),
         measuring=Measuring(case, dialogue),
-        feet=Feet(case),
+        feet=feet,
         variants=Variants(case, dialogue),
         comparing=Comparing(case, stage, counterpart),
         repeating=Repeating(
@@ -206,9 +207,13 @@ def build_application(
             dialogue=dialogue,
             notices=notices,
             recent=recent,
+            feet=feet,
             parent=window,
         ),
         authorship=Authorship(case, settings, dialogue, remember),
+        vigilance=Vigilance(
+            case=case, jobs=jobs, dialogue=dialogue, notices=notices, parent=window
+        ),
         notices=notices,
         appearance=Appearance(
             frame=window,

@@ -20,8 +20,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
-from insole_studio.bootstrap import Application
+from insole_studio.bootstrap import Application, Places
 from insole_studio.shell.questions import SameSide
+from insole_studio.workbench.autosave import Recovered
 from insole_studio.workbench.counterpart import foot_difference, insole_difference
 
 LEFT_BUTTON = Qt.MouseButton.LeftButton
@@ -58,6 +59,10 @@ def add_pad(app: Application, x_mm: float = 8.0) -> Pelott:
 
 def notices(app: Application) -> list[str]:
     return [notice.key for notice in app.studio.rooms.notices.notices]
+
+
+def opened_notices(app: Application, key: str) -> list[str]:
+    return [notice.text for notice in app.studio.rooms.notices.notices if notice.key == key]
 
 
 def take_notice(app: Application) -> None:
@@ -366,6 +371,73 @@ def test_nothing_to_compare_with_is_said(opened: Application) -> None:
     assert ["one foot only" in s or "one variant only" in s for s in sentences] == [True] * 3
     assert opened.window.actions_by_key["beside_nothing"].isChecked()
     assert opened.window.actions_by_key["map_none"].isChecked()
+
+
+def test_the_other_foot_is_there_at_once_the_second_time(
+    two_feet: Application, settle: Settle
+) -> None:
+    click_side(two_feet, Side.LEFT)
+    settle()
+    left = two_feet.surface.mesh
+    assert left is not None
+    click_side(two_feet, Side.RIGHT)
+    assert two_feet.surface.is_current  # without waiting
+    assert not two_feet.jobs.is_running("insole")
+    click_side(two_feet, Side.LEFT)
+    assert two_feet.surface.mesh is not None
+    assert two_feet.surface.mesh.vertices == pytest.approx(left.vertices)
+
+
+def test_a_foot_without_design_is_offered_that_of_the_other(two_feet: Application) -> None:
+    click_side(two_feet, Side.LEFT)
+    add_pad(two_feet)
+    click_side(two_feet, Side.RIGHT)
+    assert notices(two_feet) == ["mirror"]
+    take_notice(two_feet)
+    assert two_feet.case.side is Side.RIGHT
+    (pad,) = design(two_feet).corrections
+    assert isinstance(pad, Pelott)
+    assert pad.centre_mm == pytest.approx((-8.0, 150.0), abs=0.1)
+    assert notices(two_feet) == []
+
+
+def test_feet_of_unlike_sizes_are_noticed(opened: Application, make_foot: MakeFoot) -> None:
+    right = make_foot(Side.RIGHT)
+    longer = replace(right, length_mm=right.length_mm + 25)
+    foot = FootRecord.begun(longer, Source("mesh", "/nowhere.ply", "0" * 64))
+    opened.case.apply(foot, "Add the right foot")
+    (notice,) = opened.studio.rooms.notices.notices
+    assert "250 mm long and the right one 275 mm" in notice.text
+    opened.case.undo()
+    assert notices(opened) == []
+
+
+def test_a_scan_that_is_gone_is_noticed_when_the_case_is_opened(
+    two_feet: Application, settle: Settle, tmp_path: Path
+) -> None:
+    two_feet.studio.rooms.saving.save_to(tmp_path / "both.insole")
+    settle()
+    two_feet.studio.rooms.opening.open_path(tmp_path / "both.insole")
+    settle()
+    (notice,) = opened_notices(two_feet, "sources")
+    assert notice.count("not there any more") == 2
+    assert two_feet.surface.mesh is not None
+    dismiss = two_feet.stage.notices.findChildren(QToolButton)[-1]
+    QTest.mouseClick(dismiss, LEFT_BUTTON)
+    assert opened_notices(two_feet, "sources") == []
+
+
+def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: Places) -> None:
+    act(two_feet, "variant_duplicate")
+    two_feet.autosave.write_now()
+    (copy,) = places.autosave_folder.glob("*.insole")
+    record = read_case(copy)
+    assert [foot.side for foot in record.feet] == [Side.LEFT, Side.RIGHT]
+    assert record.feet[1].chosen == "B"
+    crashed = Recovered(record, None, (copy,))
+    two_feet.studio.rooms.opening.offer_recovered(crashed)
+    assert two_feet.case.record.feet[1].chosen == "B"
+    assert two_feet.case.has_unsaved_changes
 
 
 def test_the_author_is_stamped_and_remembered(opened: Application) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from pyvista import Color
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -49,23 +50,26 @@ class Companion:
         for number in range(self._named):
             self._plotter.remove_actor(f"name-{number}", render=False)
         self._named = len(names)
-        dots = self._plotter.render_window.GetDPI()
         for number, name in enumerate(names):
-            self._plotter.add_point_labels(
-                np.array([name.place_mm], dtype=float),
-                [f" {name.text} "],
-                name=f"name-{number}",
-                font_size=round(NAME_PX * self._ratio * 72 / dots),
-                bold=True,
-                text_color="white",
-                shape="rounded_rect",
-                shape_color=name.color,
-                shape_opacity=1.0,
-                margin=round(4 * self._ratio),
-                show_points=False,
-                always_visible=True,
-                reset_camera=False,
-                render=False,
-                justification_horizontal="center",
-                justification_vertical="center",
-            )
+            self._write(f"name-{number}", name)
+
+    def _write(self, key: str, name: Name) -> None:
+        actor = self._plotter.add_point_labels(
+            np.array([name.place_mm], dtype=float),
+            [f" {name.text} "],
+            name=key,
+            font_size=round(NAME_PX * self._ratio * 72 / self._plotter.render_window.GetDPI()),
+            bold=True,
+            text_color="white",
+            shape=None,
+            show_points=False,
+            always_visible=True,
+            reset_camera=False,
+            render=False,
+            justification_horizontal="center",
+            justification_vertical="center",
+        )
+        # The ground belongs to the text: the renderer's own shapes stand beside a centred one.
+        style = actor.mapper.GetInputAlgorithm().GetTextProperty()
+        style.SetBackgroundColor(*Color(name.color).float_rgb)
+        style.SetBackgroundOpacity(1.0)

@@ -8,11 +8,13 @@ from PySide6.QtCore import QObject
 
 from insole_core.cases.record import FootRecord
 from insole_core.errors import InsoleError
+from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.template import Template
 from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.feet import Feet
 from insole_studio.shell.notices import Notices
 from insole_studio.shell.recent import Recent
 from insole_studio.texts import tr
@@ -22,7 +24,7 @@ from insole_studio.workbench.earlier_designs import find_last_design, identity
 from insole_studio.workbench.fitting import fitted, prescribed_at
 
 CHANNEL = "earlier"
-NOTICE = "repeat"
+NOTICE, MIRROR = "repeat", "mirror"
 
 
 class Repeating(QObject):
@@ -36,6 +38,7 @@ class Repeating(QObject):
         dialogue: Dialogue,
         notices: Notices,
         recent: Recent,
+        feet: Feet,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -44,6 +47,8 @@ class Repeating(QObject):
         self._dialogue = dialogue
         self._notices = notices
         self._recent = recent
+        self._feet = feet
+        self._mirror_offered: Foot | None = None
         self._found: dict[tuple[object, Side], Template | None] = {}
         self._offered: tuple[FootRecord, Template] | None = None
         case.opened.connect(self._found.clear)
@@ -67,6 +72,7 @@ class Repeating(QObject):
         template = self.last_design
         if template is None:
             self._withdraw()
+            self._offer_mirror(foot)
             self._search(foot.side)
         elif self._offered is None or self._offered != (foot, template):
             self._offered = foot, template
@@ -89,9 +95,33 @@ class Repeating(QObject):
             return
         self._case.apply(design, tr("Repeat the last design"))
 
+    def _offer_mirror(self, foot: FootRecord) -> None:
+        """Offer the prescription of the other foot, once a foot that has none."""
+        other = self._case.record.other
+        if other is None or not other.design.corrections or foot.foot is self._mirror_offered:
+            return
+        self._mirror_offered = foot.foot
+        text = {
+            Side.LEFT: tr("The right foot has a prescription."),
+            Side.RIGHT: tr("The left foot has a prescription."),
+        }
+        self._notices.put(MIRROR, text[foot.side], tr("Prescribe it here, mirrored"), self._mirror)
+
+    def _mirror(self) -> None:
+        self._feet.take_other()
+        self._feet.copy_prescription()
+
     def _withdraw(self) -> None:
         self._offered = None
         self._notices.drop(NOTICE)
+        if self._case.foot is not self._mirror_offered or self._has_corrections:
+            self._mirror_offered = None
+            self._notices.drop(MIRROR)
+
+    @property
+    def _has_corrections(self) -> bool:
+        foot = self._case.record.current
+        return foot is not None and bool(foot.design.corrections)
 
     def _search(self, side: Side) -> None:
         patient = self._case.record.patient

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -24,7 +25,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 
 CHANNEL = "counterpart"
-_SOLE_PITCH_MM = 1.0
+_SOLE_PITCH_MM, _SOLE_TO_MM, _SEEN_MM = 1.0, 30.0, 1.5
 
 
 class Beside(StrEnum):
@@ -69,7 +70,7 @@ class Counterpart(QObject):
         self._jobs = jobs
         self._against = ""
         self._last_chosen: tuple[Side, str] | None = None
-        self._soles: tuple[Foot, HeightField] | None = None
+        self._soles: WeakKeyDictionary[Foot, HeightField] = WeakKeyDictionary()
         self.kind = Beside.NOTHING
         self.built: Built | None = None
         """None while it is being built, and where there is nothing to build."""
@@ -108,6 +109,12 @@ class Counterpart(QObject):
         """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
 
+    def sole_of(self, foot: Foot) -> HeightField:
+        """Give the heights of a foot as seen from below; kept, as they take a while."""
+        if foot not in self._soles:
+            self._soles[foot] = sole_heights(foot)
+        return self._soles[foot]
+
     def _refresh(self) -> None:
         self._note_chosen()
         wanted = self._wanted()
@@ -145,7 +152,7 @@ class Counterpart(QObject):
         def build(progress: Progress) -> Built:
             insole = build_insole(foot, design, progress.part(0.0, 0.7))
             progress.step(0.7, "Trimming the insole")
-            return Built(foot, design, insole.contact, insole_solid(insole), self._sole_of(foot))
+            return Built(foot, design, insole.contact, insole_solid(insole), self.sole_of(foot))
 
         def take(built: Built) -> None:
             self.built = built
@@ -158,16 +165,12 @@ class Counterpart(QObject):
 
         self._jobs.start(CHANNEL, build, take, fail)
 
-    def _sole_of(self, foot: Foot) -> HeightField:
-        if self._soles is None or self._soles[0] is not foot:
-            self._soles = foot, sole_heights(foot)
-        return self._soles[1]
-
 
 def sole_heights(foot: Foot) -> HeightField:
     """Give the heights of a foot as seen from below."""
     grid = grid_over(foot.mesh, _SOLE_PITCH_MM)
     heights = height_map(foot.mesh, grid, from_above=False)
+    heights[heights > _SOLE_TO_MM] = np.nan  # flanks and ankle, seen past the sole
     return HeightField(*grid.first_mm, grid.pitch_mm, heights)
 
 
@@ -194,5 +197,7 @@ def foot_difference(foot: Foot, counterpart: Counterpart) -> FloatArray | None:
         return None
     vertices = foot.mesh.vertices
     over = vertices[:, 2] - counterpart.heights_mm(built.sole, vertices[:, :2])
-    is_sole = foot.mesh.vertex_normals[:, 2] < -STEEPEST
+    # What lies behind something else is not seen from below.
+    behind = vertices[:, 2] - counterpart.sole_of(foot).height_at(vertices[:, :2])
+    is_sole = (foot.mesh.vertex_normals[:, 2] < -STEEPEST) & (behind < _SEEN_MM)
     return np.where(is_sole, over, np.nan)

@@ -31,6 +31,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.workbench.case import Case
 
 CHANNEL = "insole"
+KEPT_GROUNDS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +118,7 @@ class InsoleSurface(QObject):
         self._case = case
         self._jobs = jobs
         self._ground: Ground | None = None
+        self._kept: list[Ground] = []
         self._shown_design: InsoleDesign | None = None
         self._standing: tuple[tuple[object, ...], TriangleMesh] | None = None
         self.contact: HeightField | None = None
@@ -126,6 +128,7 @@ class InsoleSurface(QObject):
         self.moved: IntArray | None = None
         """The vertices that the last change moved; None when the mesh is another one."""
         self.problem = ""
+        case.opened.connect(self._kept.clear)
         case.foot_changed.connect(self._forget)
         case.changed.connect(self._refresh)
         case.preview_changed.connect(self._refresh)
@@ -219,11 +222,20 @@ class InsoleSurface(QObject):
         if self._has_ground(foot, design):
             if design != self._shown_design:
                 self._move_pads(design)
+        elif (kept := self._kept_ground(foot, design)) is not None:
+            self._jobs.cancel(CHANNEL)
+            self._ground = kept
+            self._show_all(design)
         elif not self._jobs.is_running(CHANNEL):
             self._build_ground(foot, design)
 
     def _has_ground(self, foot: Foot, design: InsoleDesign) -> bool:
         return self._ground is not None and self._ground.key == _ground_key(foot, design)
+
+    def _kept_ground(self, foot: Foot, design: InsoleDesign) -> Ground | None:
+        """Find what was built lately: the other foot, another variant, a step of undo."""
+        key = _ground_key(foot, design)
+        return next((ground for ground in self._kept if ground.key == key), None)
 
     def _build_ground(self, foot: Foot, design: InsoleDesign) -> None:
         def build(progress: Progress) -> Ground:
@@ -235,6 +247,8 @@ class InsoleSurface(QObject):
 
         def take(ground: Ground) -> None:
             self._ground = ground
+            self._kept.insert(0, ground)
+            del self._kept[KEPT_GROUNDS:]
             self._show_all(design)  # on the way, if need be: the picture follows the hand
             self._refresh()
 

@@ -156,6 +156,10 @@
             <translation>Ordinera den även för andra foten, speglad</translation>
         </message>
         <message>
+            <source>Prescribe it here, mirrored</source>
+            <translation>Ordinera den här, speglad</translation>
+        </message>
+        <message>
             <source>Prescribe the same for the other foot, mirrored and fitted by its landmarks</source>
             <translation>Ordinera samma för andra foten, speglat och anpassat efter dess landmärken</translation>
         </message>
@@ -224,12 +228,20 @@
             <translation>Skillnaden i procent av bådas medelvärde</translation>
         </message>
         <message>
+            <source>The left foot has a prescription.</source>
+            <translation>Vänster fot har en ordination.</translation>
+        </message>
+        <message>
             <source>The name that stands in every correction</source>
             <translation>Namnet som står i varje korrigering</translation>
         </message>
         <message>
             <source>The other foot</source>
             <translation>Andra foten</translation>
+        </message>
+        <message>
+            <source>The right foot has a prescription.</source>
+            <translation>Höger fot har en ordination.</translation>
         </message>
         <message>
             <source>The template was made for a left foot; it is mirrored for this right one.</source>

@@ -17,7 +17,9 @@ from insole_studio.workbench.counterpart import Beside, Counterpart
 
 GAP_MM = 64.0
 """Between the two: the words of their inner sides stand there."""
-NAME_OVER_MM = 34.0
+NAME_OVER_MM = 38.0
+NAME_ROOM_MM = NAME_OVER_MM + 4.0
+"""How much higher the picture is for the names."""
 AT_HAND, OTHER = "#1668b8", "#5f666d"
 
 

@@ -41,6 +41,9 @@ class MeasureGrid(QWidget):
             self._add(row, measure)
 
     def _add_heads(self) -> None:
+        unit = QLabel("mm")
+        unit.setObjectName("quiet")
+        self._grid.addWidget(unit, 0, 0)
         difference = QLabel(tr("L − R"))
         difference.setToolTip(tr("Left minus right"))
         percent = QLabel("%")
@@ -51,7 +54,8 @@ class MeasureGrid(QWidget):
 
     def _add(self, row: int, measure: Measure) -> None:
         both = len(measure.values) == _BOTH
-        name = QLabel(f"{measure.name}, {measure.unit}" if both and measure.unit else measure.name)
+        is_angle = both and measure.unit == "°"
+        name = QLabel(f"{measure.name} (°)" if is_angle else measure.name)
         name.setWordWrap(True)
         name.setToolTip(measure.tip)
         self._grid.addWidget(name, row, 0)

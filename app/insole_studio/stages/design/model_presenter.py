@@ -18,7 +18,13 @@ from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
-from insole_studio.stages.design.beside import is_right, names_over, pair_text, placed_beside
+from insole_studio.stages.design.beside import (
+    NAME_ROOM_MM,
+    is_right,
+    names_over,
+    pair_text,
+    placed_beside,
+)
 from insole_studio.stages.design.maps import MapKind, color_by, color_foot, numbers_text
 from insole_studio.stages.design.model_panel import ModelPanel
 from insole_studio.texts import tr
@@ -93,7 +99,8 @@ class ModelPresenter:
         if bounds is None or companion is None:
             return bounds
         both = np.stack([bounds, companion.bounds_mm])
-        return np.stack([both[:, 0].min(axis=0), both[:, 1].max(axis=0)])
+        low, high = both[:, 0].min(axis=0), both[:, 1].max(axis=0)
+        return np.stack([low, high + np.array([0.0, NAME_ROOM_MM, 0.0])])
 
     @property
     def companion(self) -> TriangleMesh | None:

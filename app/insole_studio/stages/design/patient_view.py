@@ -85,7 +85,7 @@ class PatientView(QScrollArea):
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
         """Show which feet there are, and which is at hand."""
         self.sides.show_feet(at_hand, present)
-        self._no_side.setVisible(at_hand is None)
+        self._form.setRowVisible(self._no_side, at_hand is None)
 
     def show_variants(self, names: Sequence[str], chosen: str) -> None:
         """Show the variants of the foot at hand."""
@@ -128,21 +128,19 @@ class PatientView(QScrollArea):
         self.warning_chosen.emit(int(number))
 
     def _content(self) -> QWidget:
-        form = QFormLayout()
+        self._form = form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setVerticalSpacing(8)
         form.addRow(tr("Name"), self._fields["name"])
         form.addRow(tr("Born"), self._fields["born"])
-        side = QVBoxLayout()
-        side.addWidget(self.sides)
-        side.addWidget(self._no_side)
-        form.addRow(tr("Side"), side)
+        form.addRow(tr("Side"), self._no_side)
         form.addRow(tr("Visit"), self._fields["visit"])
         form.addRow(tr("Notes"), self._notes)
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(8, 8, 8, 8)
         layout.setSpacing(8)
+        layout.addWidget(self.sides)
         layout.addLayout(form)
         layout.addWidget(_heading(tr("Corrections")))
         layout.addWidget(self.variants)

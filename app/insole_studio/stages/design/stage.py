@@ -105,7 +105,7 @@ class DesignStage(QObject):
             self._connect(view, presenter)
         self._fit_when_shown = False
         self._counterpart = counterpart
-        self._shown_beside = False
+        self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
         case.opened.connect(self._fit_later)
@@ -200,15 +200,11 @@ class DesignStage(QObject):
             self.look(Preset.PLANTAR)
 
     def _fit_counterpart(self) -> None:
-        """Make room when something comes to stand beside, or goes; not when it only changes."""
-        if self._counterpart.kind is Beside.NOTHING:
-            is_beside = False
-        elif self._counterpart.built is not None:
-            is_beside = True
-        else:
-            return
-        if is_beside != self._shown_beside:
-            self._shown_beside = is_beside
+        """Make room when something else comes to stand beside; not when it only changes."""
+        kind = self._counterpart.kind
+        is_there = kind is Beside.NOTHING or self._counterpart.built is not None
+        if is_there and kind is not self._shown_beside:
+            self._shown_beside = kind
             self.fit()
 
     def _announce_cameras(self) -> None:

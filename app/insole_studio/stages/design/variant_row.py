@@ -48,7 +48,7 @@ class VariantRow(QWidget):
     def renew_icons(self) -> None:
         """Draw the icons in the colours of the palette."""
         for button in (self._duplicate, self._name, self._delete):
-            button.setIcon(icon(button.property("icon")))
+            button.setIcon(icon(button.property("icon_name")))
 
     def _button(self, action: str, icon_name: str, tip: str) -> QToolButton:
         button = QToolButton()
@@ -57,7 +57,7 @@ class VariantRow(QWidget):
         button.setToolTip(tip)
         button.setAccessibleName(tip)
         button.setProperty("action", action)
-        button.setProperty("icon", icon_name)
+        button.setProperty("icon_name", icon_name)
         button.clicked.connect(self._request)
         return button
 

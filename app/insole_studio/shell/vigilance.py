@@ -1,0 +1,73 @@
+"""Says, without asking, what is odd about the scans of a case."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from insole_core.cases.record import CaseRecord
+from insole_core.cases.scan import change_of_source
+from insole_core.foot.measure_table import unlike_sizes
+from insole_core.progress import Progress
+from insole_studio.jobs import Jobs
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.notices import Notices
+from insole_studio.workbench.case import Case
+
+CHANNEL = "sources"
+SOURCES, SIZES = "sources", "sizes"
+
+
+class Vigilance(QObject):
+    """Looks at the scans when a case is opened, and at the sizes of its feet."""
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        jobs: Jobs,
+        dialogue: Dialogue,
+        notices: Notices,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._jobs = jobs
+        self._dialogue = dialogue
+        self._notices = notices
+        self._sizes = ""
+        case.opened.connect(self._look_at_sources)
+        case.opened.connect(self._look_at_sizes)
+        case.changed.connect(self._look_at_sizes)
+
+    def _look_at_sources(self) -> None:
+        self._notices.drop(SOURCES)
+        record = self._case.record
+        if self._case.path is None or not record.feet:
+            self._jobs.cancel(CHANNEL)
+            return
+
+        def look(_progress: Progress) -> str:
+            return changes_of(record)
+
+        def tell(sentences: str) -> None:
+            if sentences:
+                self._notices.put(SOURCES, sentences)
+
+        self._jobs.start(CHANNEL, look, tell, self._dialogue.show_error)
+
+    def _look_at_sizes(self) -> None:
+        feet = self._case.record.feet
+        sentence = unlike_sizes(feet[0].foot, feet[1].foot) if len(feet) == 2 else ""
+        if sentence == self._sizes:
+            return
+        self._sizes = sentence
+        if sentence:
+            self._notices.put(SIZES, sentence)
+        else:
+            self._notices.drop(SIZES)
+
+
+def changes_of(record: CaseRecord) -> str:
+    """Say in a sentence a foot what has become of its scan; empty where nothing has."""
+    sentences = (change_of_source(foot.source) for foot in record.feet)
+    return " ".join(sentence for sentence in sentences if sentence)
