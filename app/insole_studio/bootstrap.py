@@ -12,13 +12,11 @@ from pathlib import Path
 from types import TracebackType
 
 import platformdirs
-from PySide6.QtCore import QEventLoop, QTimer
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from insole_core.errors import OutputError, UsageError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
 from insole_core.insole.rules import load_rules
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.solids.shop import read_shop
@@ -57,7 +55,7 @@ from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.stages.reconstruct.stage import ReconstructStage
-from insole_studio.texts import load_language, tr
+from insole_studio.texts import load_language
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import pad_text
 from insole_studio.tools.free_hand import FreeHandTool
@@ -364,7 +362,7 @@ def run_application(
     int
         The exit code.
     """
-    qt = _qt_application()
+    qt = qt_application()
     qt.setQuitOnLastWindowClosed(False)  # the studio says when: saving may take a moment
     app = build_application(qt, places or Places.of_user(), emulate)
     sys.excepthook = _show_unexpected(app.studio)
@@ -384,93 +382,8 @@ def run_application(
         app.close()
 
 
-class ScriptedStudio:
-    """The real window, led by a program: for the demonstration, screenshots and journeys.
-
-    Use it as a context; inside, every call returns when its work is done.
-    """
-
-    def __init__(
-        self, places: Places, size: tuple[int, int] = DEFAULT_SIZE, dark: bool = False
-    ) -> None:
-        self._qt = _qt_application()
-        self.app = build_application(self._qt, places)
-        self.app.studio.rooms.appearance.set_dark(dark)
-        self.app.window.resize(*size)
-        self.app.window.arrange()
-
-    def __enter__(self) -> ScriptedStudio:
-        self.app.window.show()
-        self.settle()
-        return self
-
-    def __exit__(
-        self,
-        _kind: type[BaseException] | None,
-        _error: BaseException | None,
-        _trace: TracebackType | None,
-    ) -> None:
-        self.app.autosave.forget()
-        self.app.close()
-        self._qt.processEvents()
-
-    def open(self, path: Path, side: Side | None = None) -> None:
-        """Open a case, a session, or a mesh with its side."""
-        self.app.studio.rooms.opening.open_path(path, side)
-        self.settle()
-
-    def place_pelott(self, x_mm: float, y_mm: float, height_mm: float = 6.0) -> None:
-        """Put a pelott under a place of the insole frame and select it."""
-        case = self.app.case
-        design = case.record.design
-        if design is None:
-            raise RuntimeError("a pelott needs an open foot")
-        pad = Pelott(centre_mm=(x_mm, y_mm), height_mm=height_mm)
-        self.app.studio.rooms.editing.take_tool("pelott")
-        case.apply(design.with_added(pad), tr("Place a pelott"))
-        case.select(pad.id)
-        self.settle()
-
-    def export(self, path: Path) -> None:
-        """Write the STL file."""
-        self.app.studio.rooms.exporting.export_to(path)
-        self.settle()
-
-    def save(self, path: Path) -> None:
-        """Write the case file."""
-        self.app.studio.rooms.saving.save_to(path)
-        self.settle()
-
-    def screenshot(self, path: Path) -> None:
-        """Write a picture of the whole window as PNG."""
-        self.settle()
-        if not grab_window(self.app).save(str(path)):
-            raise OutputError(f"{path} cannot be written; choose another place.")
-
-    def settle(self) -> None:
-        """Wait until all work is done and shown."""
-        self._qt.processEvents()
-        while self.app.jobs.is_running():
-            loop = QEventLoop()
-            self.app.jobs.ended.connect(loop.quit)
-            loop.exec()
-        self._qt.processEvents()
-
-
-def grab_window(app: Application) -> QImage:
-    """Give a picture of the window with its 3-D views, which Qt alone cannot see."""
-    image = app.window.grab().toImage()
-    painter = QPainter(image)
-    for view in (app.stage.insole.scene, app.stage.foot.scene):
-        if view.isVisible():
-            picture = view.picture()
-            picture.setDevicePixelRatio(image.devicePixelRatio())
-            painter.drawImage(view.mapTo(app.window, view.rect().topLeft()), picture)
-    painter.end()
-    return image
-
-
-def _qt_application() -> QApplication:
+def qt_application() -> QApplication:
+    """Give the running application of Qt, or begin it."""
     running = QApplication.instance()
     if isinstance(running, QApplication):
         return running

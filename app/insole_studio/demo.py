@@ -70,7 +70,8 @@ def _virtual() -> int:
 
 
 def _scripted() -> int:
-    from insole_studio.bootstrap import Places, ScriptedStudio
+    from insole_studio.bootstrap import Places
+    from insole_studio.scripted import ScriptedStudio
 
     places = Places(OUTPUT / "settings.json", OUTPUT / "autosave")
     with ScriptedStudio(places) as studio:

@@ -11,8 +11,9 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case
 from insole_core.cases.record import CaseRecord, Patient
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Places, ScriptedStudio, run_application
+from insole_studio.bootstrap import Places, run_application
 from insole_studio.jobs import Jobs
+from insole_studio.scripted import ScriptedStudio
 from insole_studio.settings import load_settings
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.workbench.autosave import Autosave

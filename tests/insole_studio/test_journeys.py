@@ -12,9 +12,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from insole_core.insole.design import Pelott
-from insole_studio.bootstrap import Application, grab_window
+from insole_studio.bootstrap import Application
 from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView
+from insole_studio.scripted import grab_window
 
 LEFT = Qt.MouseButton.LeftButton
 MIDDLE = Qt.MouseButton.MiddleButton

@@ -18,8 +18,9 @@ from PySide6.QtWidgets import QApplication
 
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott, Posting
-from insole_studio.bootstrap import Places, ScriptedStudio
+from insole_studio.bootstrap import Places
 from insole_studio.scene.view import SceneView
+from insole_studio.scripted import ScriptedStudio
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.landmarks import metatarsal_line
