@@ -187,10 +187,24 @@ def read_grey(path: Path) -> ByteArray:
     ------
     InputError
     """
-    grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-    if grey is None:
+    return _read(path, cv2.IMREAD_GRAYSCALE)
+
+
+def read_color(path: Path) -> ByteArray:
+    """Read a picture as (height, width, 3) uint8, RGB.
+
+    Raises
+    ------
+    InputError
+    """
+    return _read(path, cv2.IMREAD_COLOR_RGB)
+
+
+def _read(path: Path, flags: int) -> ByteArray:
+    picture = cv2.imread(str(path), flags)
+    if picture is None:
         raise InputError(f"{path} is no readable picture; restore it or take it out of the folder.")
-    return np.asarray(grey)
+    return np.asarray(picture)
 
 
 def shifted(sighting: Sighting, shift_px: tuple[float, float]) -> Sighting:

@@ -53,12 +53,19 @@ def read_boards_in_depth(
     """
     boards = []
     for sighting in sightings:
-        raw = _raw_beside(folder / f"depth{Path(sighting.name).stem.removeprefix('color')}")
+        raw = read_depth_beside(folder, sighting.name)
         boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
     return boards
 
 
-def _raw_beside(frames: Path) -> FloatArray:
+def read_depth_beside(folder: Path, picture: str) -> FloatArray:
+    """Read the raw depth (480, 640), NaN = no reading, beside a colour picture of that name.
+
+    Raises
+    ------
+    InputError
+    """
+    frames = folder / f"depth{Path(picture).stem.removeprefix('color')}"
     if frames.is_dir():
         return capture_from_frames(frames.name, read_frames(sorted(frames.glob("*.png")))).raw
     frame = read_depth(frames.with_suffix(".png"))

@@ -23,24 +23,28 @@ class ObjectPoints:
     ----------
     names
     true_mm : (n, 3) float64, mm, the object's own axes
-    pixels : (n, 2) float64, px
+    pixels : (n, 2) float64, px, optional
+        None where they are coloured spots that are found by themselves.
     in_color
         Whether they are marked in the colour image rather than in the depth image.
     """
 
     names: list[str]
     true_mm: FloatArray
-    pixels: FloatArray
+    pixels: FloatArray | None
     in_color: bool
 
     def measured_mm(self, sensor: Sensor, depth_mm: FloatArray) -> FloatArray:
         """(n, 3) float64, mm, in the frame of the camera they are marked in; NaN where unseen."""
+        assert self.pixels is not None
         measure = points_at_color if self.in_color else points_at_depth
         return measure(sensor, depth_mm, self.pixels)
 
 
 def load_object_points(path: Path) -> ObjectPoints:
     """Read ``{"points": [{"name", "true_mm": [x, y, z], "depth_px" or "color_px": [u, v]}]}``.
+
+    Without pixels the points are coloured spots.
 
     Raises
     ------
@@ -49,10 +53,11 @@ def load_object_points(path: Path) -> ObjectPoints:
     """
     items = _points(path)
     key = "color_px" if items[0].has("color_px") else "depth_px"
+    marked = any(item.has("color_px") or item.has("depth_px") for item in items)
     return ObjectPoints(
         [item.text("name") for item in items],
         np.array([item.numbers("true_mm", 3) for item in items]),
-        np.array([item.numbers(key, 2) for item in items]),
+        np.array([item.numbers(key, 2) for item in items]) if marked else None,
         key == "color_px",
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import cv2
@@ -13,6 +14,8 @@ from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
 
 from insole_core.calibration.wall_plane import plane_rows
 from insole_core.geometry.arrays import FloatArray
+from insole_core.recording.reader import read_session
+from insole_core.recording.sensor_folder import write_sensor
 from insole_studio.cli import run
 from insole_studio.workbench.sensor_store import SensorStore
 
@@ -144,6 +147,44 @@ def test_marked_points_of_an_object(perfect, tmp_path: Path) -> None:
     points[1]["depth_px"] = [900, 240]
     marked.write_text(json.dumps({"points": points}))
     assert run(words) == 1
+
+
+@pytest.fixture(scope="session")
+def spotted(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The blue markers round a foot as the known object, seen by a sensor from two sides."""
+    folder = tmp_path_factory.mktemp("spotted")
+    small = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
+    session = read_session(small)
+    for number, view in enumerate(session.views[:2]):
+        color = np.ascontiguousarray(view.read_color(0)[..., ::-1])
+        cv2.imwrite(str(folder / f"color_{number:03d}.png"), color)
+        cv2.imwrite(str(folder / f"depth_{number:03d}.png"), view.read_depth(0))
+    write_sensor(session.views[0].sensor, folder)
+    sole = session.manifest.reference_system.facing(session.views[0].sensor.faces)
+    points = [{"name": m.id, "true_mm": list(m.position_mm)} for m in sole]
+    (folder / "points.json").write_text(json.dumps({"points": points}))
+    return folder
+
+
+def test_coloured_spots_of_an_object(spotted: Path, tmp_path: Path, capsys) -> None:
+    report = tmp_path / "o.json"
+    words = ["evaluate", "object", str(spotted), "--sensor", str(spotted)]
+    words += ["--points", str(spotted / "points.json")]
+    assert run([*words, "--report", str(report)]) == 0
+    found = numbers(report)
+    assert 0.1 < found["mean_abs_mm"]["value"] < 1.5
+    assert "mean_relative" in found
+    assert run([*words, "--paint", "red"]) == 1
+    assert "No picture of" in capsys.readouterr().err.strip().splitlines()[-1]
+
+
+def test_spots_of_another_paint(spotted: Path, tmp_path: Path) -> None:
+    for path in spotted.iterdir():
+        shutil.copy(path, tmp_path)
+    for path in tmp_path.glob("color_*.png"):
+        cv2.imwrite(str(path), np.ascontiguousarray(cv2.imread(str(path))[..., ::-1]))
+    words = ["evaluate", "object", str(tmp_path), "--sensor", str(tmp_path), "--paint", "red"]
+    assert run([*words, "--points", str(tmp_path / "points.json")]) == 0
 
 
 def spheres(centers: list[list[float]], radius_mm: float, depth_error_mm: float = 0) -> FloatArray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,8 @@ from insole_studio.commands.report_arguments import check_reports, conclude
 from insole_studio.commands.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
-    from insole_core.evaluation.distances import ObjectEvaluation
+    from insole_core.evaluation.distances import DistanceError, ObjectEvaluation
+    from insole_core.evaluation.marked_points import ObjectPoints
     from insole_core.sensing.sensor import Sensor
 
 NAME = "object"
@@ -24,14 +26,18 @@ HELP = "distances between points of a known object against their true values (th
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments."""
     add_evaluation_arguments(
-        parser, "color_000 … and depth_000.png … of a board, whose corners are found; or, with "
-        "--points, the raw depth images of the object",
+        parser, "color_000 … and depth_000.png … of a board or of an object with coloured "
+        "spots, which are found; or, with marked --points, the raw depth images of the object",
     )  # fmt: skip
     add_board_arguments(parser, required=False)
     parser.add_argument(
         "--points", type=Path, metavar="points.json",
-        help="the true positions of the points, and where they are marked in the image",
+        help="the true positions of the points, and where they are marked in the image; without "
+        "marks they are coloured spots",
     )  # fmt: skip
+    parser.add_argument(
+        "--paint", choices=["blue", "red", "green"], default="blue", help="of the spots"
+    )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -81,8 +87,48 @@ def _measure_points(
     from insole_studio.workbench.calibration_steps import depth_images
 
     points = load_object_points(arguments.points)
+    if points.pixels is None:
+        return _measure_spots(arguments, sensor, points, progress)
     progress.step(0.1, "Reading the depth images")
     paths = depth_images(arguments.folder)
     raw = capture_from_frames(arguments.folder.name, read_frames(paths)).raw
     measured = points.measured_mm(sensor, sensor.depth_mm(raw))
     return evaluate_object(points.names, points.true_mm, measured)
+
+
+def _measure_spots(
+    arguments: argparse.Namespace, sensor: Sensor, points: ObjectPoints, progress: Progress
+) -> ObjectEvaluation:
+    """Find the spots in every position of the object; a position without them is left out."""
+    from insole_core.calibration.board import read_color
+    from insole_core.calibration.boards_in_depth import read_depth_beside
+    from insole_core.errors import CalibrationError
+    from insole_core.evaluation.distances import evaluate_object, summarise
+    from insole_core.evaluation.object_spots import measure_spots
+    from insole_studio.workbench.calibration_steps import COLOR, board_pictures
+
+    distances: list[DistanceError] = []
+    pictures = board_pictures(arguments.folder, COLOR)
+    for done, path in enumerate(pictures):
+        progress.step(done / len(pictures), f"Finding the spots in {path.name}")
+        depth_mm = sensor.depth_mm(read_depth_beside(arguments.folder, path.name))
+        try:
+            measured = measure_spots(
+                sensor,
+                depth_mm,
+                read_color(path),
+                points.names,
+                points.true_mm,
+                paint=arguments.paint,
+            )
+        except CalibrationError as error:
+            print(f"Warning: {path.name} is left out: {error}.", file=sys.stderr)
+            continue
+        names = [f"{path.stem}:{name}" for name in points.names]
+        distances += evaluate_object(names, points.true_mm, measured).distances
+    if not distances:
+        raise CalibrationError(
+            f"No picture of {arguments.folder} shows the {arguments.paint} spots of the object; "
+            "show it whole and well lit, and check its list of points and their --paint."
+        )
+    return summarise(distances)
