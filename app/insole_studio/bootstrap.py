@@ -288,6 +288,7 @@ def _make_foot_stage(settings: Settings, jobs: Jobs, dialogue: Dialogue) -> Reco
         remember=remember,
         ask=partial(_ask_to_open, dialogue),
         dark=is_dark(settings.theme),
+        touch=settings.touch,
     )
 
 

@@ -28,6 +28,10 @@
             <translation>Vid foten, mm</translation>
         </message>
         <message>
+            <source>Blue spot</source>
+            <translation>Blå fläck</translation>
+        </message>
+        <message>
             <source>Change the volume</source>
             <translation>Ändra volymen</translation>
         </message>

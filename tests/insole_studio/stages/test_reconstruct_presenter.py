@@ -107,7 +107,9 @@ class Bench:
         self.settle()
 
     def poses(self) -> dict[str, Any]:
-        return {name: r.sensor2reference for name, r in self.presenter._results.items()}
+        work = self.presenter._work
+        assert work is not None
+        return {name: result.sensor2reference for name, result in work.results.items()}
 
 
 @pytest.fixture
@@ -123,7 +125,7 @@ def bench(qapp: QApplication, qtbot: QtBot, tmp_path: Path, small_session: Path)
 def opened(bench: Bench) -> Bench:
     """A session that is read and placed; its foot is not made."""
     bench.presenter.open(bench.session, hand_over=False)
-    bench.until(lambda: bench.presenter._opened is not None)
+    bench.until(lambda: bench.presenter._work is not None)
     bench.panel.cancel_requested.emit()
     return bench
 

@@ -72,7 +72,7 @@ class MarkerPanel(QWidget):
             if is_out or (mark is not None and mark.by_hand):
                 text = tr("Search for {id}").format(id=marker)
                 self._add(text, partial(self.marker_released.emit, marker))
-        if mark is not None:
+        if mark is not None and not mark.by_hand:
             self._add(tr("This is no marker"), partial(self.spot_ignored.emit, pixel))
         self.menu.addSeparator()
         names = self.menu.addMenu(tr("This is") if mark is not None else tr("Add a marker here"))

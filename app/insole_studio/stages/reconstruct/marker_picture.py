@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.hand_edits import Pixel, Region
 from insole_studio.stages.reconstruct.rows import Mark
+from insole_studio.texts import tr
 
 ENLARGED = 100
 """Residuals are drawn so many times as long as they are."""
@@ -171,10 +172,11 @@ class MarkerPicture(QWidget):
         place = event.position()
         if self._pressed is None:
             if not self._drawing:
-                over = self._mark_at(place) is not None
+                over = self._mark_at(place)
                 self.setCursor(
                     Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
                 )
+                self.setToolTip("" if over is None else _numbers(over))
         elif self._panning:
             moved = (place - self._pressed) / self._scale()
             self._middle, self._pressed = self._middle - moved, place
@@ -304,7 +306,10 @@ class MarkerPicture(QWidget):
         if mark.projected is not None:
             self._draw_residual(painter, place, self.to_widget(mark.projected), mark)
         if mark.id:
-            self._draw_text(painter, place + QPointF(radius + 4, -radius + 2), mark.id, color)
+            # Of what is chosen, and of what does not count, the numbers are always there.
+            detailed = mark.id == self._selected or mark.state == "unused"
+            text = _numbers(mark) if detailed else mark.id
+            self._draw_text(painter, place + QPointF(radius + 4, -radius + 2), text, color)
 
     def _draw_residual(
         self, painter: QPainter, place: QPointF, projected: QPointF, mark: Mark
@@ -325,3 +330,13 @@ class MarkerPicture(QWidget):
             painter.drawText(place + shift, text)
         painter.setPen(color)
         painter.drawText(place, text)
+
+
+def _numbers(mark: Mark) -> str:
+    """Give the marker with how far it lies from where it should."""
+    parts = [mark.id or tr("Blue spot")]
+    if mark.residual_px is not None:
+        parts.append(f"{mark.residual_px:.1f} px")
+    if mark.residual_mm is not None:
+        parts.append(f"{mark.residual_mm:.1f} mm")
+    return "  ".join(parts)

@@ -18,7 +18,16 @@ def marks_of(measured: MeasuredView, result: ViewResult, edits: ViewEdits) -> tu
     Where no pose was found, what the hand has pointed at is all that is known.
     """
     marks = [
-        Mark(fix.id, fix.pixel, fix.projected, _state(fix), fix.by_hand) for fix in result.fixes
+        Mark(
+            fix.id,
+            fix.pixel,
+            fix.projected,
+            _state(fix),
+            fix.by_hand,
+            fix.reprojection_px,
+            fix.residual_mm,
+        )
+        for fix in result.fixes
     ]
     known = {mark.id for mark in marks}
     marks += [

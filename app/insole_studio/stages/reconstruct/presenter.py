@@ -10,59 +10,44 @@ from typing import Any, Protocol
 import numpy as np
 
 from insole_core.cases.scan import ScannedFoot
-from insole_core.errors import InsoleError, OutputError
+from insole_core.errors import InsoleError
 from insole_core.foot.placing import SideMismatchError
-from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_core.reconstruct import RegistrationLimits, ViewResult
+from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.view_mesh import view_mesh
-from insole_core.recording.hand_edits import HandEdits, NamedSpot, Pixel, Region, ViewEdits
-from insole_core.recording.hand_edits_file import write_edits
+from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.session import Box
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.stages.reconstruct.maps import color_foot
-from insole_studio.stages.reconstruct.marks import marks_of
+from insole_studio.stages.reconstruct.marker_presenter import ImagePanel, MarkerPresenter
 from insole_studio.stages.reconstruct.rows import (
     VIEW_COLORS,
     Buttons,
     FootMap,
     Limits,
-    Mark,
     ViewRow,
     view_row,
 )
 from insole_studio.texts import tr
-from insole_studio.workbench.history import History
+from insole_studio.workbench.correcting import Correcting
 from insole_studio.workbench.reconstructing import (
     MadeFoot,
-    MeasuredSession,
     make_foot,
     measure_session,
 )
 
 READING, MAKING = "read-session", "reconstruct"
 """The channels of the jobs."""
-_SPOT_SHARE = 14 / 1280
-"""Half the width of what is ignored round a blue spot that is no marker."""
 
 
-class ReconstructPanel(Protocol):
+class ReconstructPanel(ImagePanel, Protocol):
     """What the stage shows, and the intents it emits."""
 
     view_chosen: Any
     view_switched: Any
-    marker_toggled: Any
-    marker_named: Any
-    marker_released: Any
-    marker_moved: Any
-    marker_dropped: Any
-    spot_ignored: Any
-    region_ignored: Any
-    region_searched: Any
-    regions_cleared: Any
     box_edited: Any
     box_reset: Any
     map_chosen: Any
@@ -75,10 +60,6 @@ class ReconstructPanel(Protocol):
 
     def show_session(self, name: str, side: Side) -> None: ...  # noqa: D102
     def show_views(self, rows: Sequence[ViewRow], selected: str) -> None: ...  # noqa: D102
-    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
-    def show_markers(  # noqa: D102
-        self, marks: Sequence[Mark], ids: Sequence[str], edits: ViewEdits
-    ) -> None: ...
     def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None: ...  # noqa: D102
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None: ...  # noqa: D102
     def show_box(self, box: Box) -> None: ...  # noqa: D102
@@ -129,11 +110,10 @@ class ReconstructPresenter:
         self._ask = ask
         self._finished = finished
         self._unreadable = unreadable
-        self._opened: MeasuredSession | None = None
-        self._results: dict[str, ViewResult] = {}
+        self._work: Correcting | None = None
+        self._markers = MarkerPresenter(panel)
         self._meshes: dict[str, TriangleMesh] = {}
-        self._history: History[HandEdits] = History()
-        self._selected = ""
+        self._mesh_box: Box | None = None
         self._map = FootMap.VIEWS
         self._made: MadeFoot | None = None
         self._handed: MadeFoot | None = None
@@ -148,91 +128,36 @@ class ReconstructPresenter:
 
     def open(self, path: Path, hand_over: bool) -> None:
         """Read a session and make its foot; hand it over then, or leave that to the user."""
-        self._opened = self._made = self._handed = None
+        self._work = self._made = self._handed = None
+        self._markers.take(None)
         self._hands_over, self._leaves = hand_over, False
-        self._history.clear()
         self._trouble = ""
 
-        def read(progress: Progress) -> tuple[MeasuredSession, dict[str, ViewResult]]:
-            opened = measure_session(path, progress.part(0.0, 0.9))
-            progress.step(0.9, "Finding the markers")
-            return opened, self._placed(opened)
+        def read(progress: Progress) -> Correcting:
+            opened = measure_session(path, progress.part(0.0, 0.8))
+            return Correcting(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
 
         self._jobs.start(READING, read, self._take_session, self._unreadable)
 
     @property
     def box(self) -> Box | None:
         """The volume of interest; None before there is a session."""
-        return None if self._opened is None else self._opened.box
+        return None if self._work is None else self._work.box
 
     @property
     def edits(self) -> HandEdits:
         """What was corrected by hand."""
-        return HandEdits() if self._opened is None else self._opened.edits
+        return NO_EDITS if self._work is None else self._work.edits
 
     def choose_view(self, name: str) -> None:
         """Show another view's image."""
-        if self._opened is None or name == self._selected:
-            return
-        self._selected = name
-        if name in self._opened.measured:
-            self._panel.show_picture(self._opened.measured[name].color)
-        self._show_markers()
+        self._markers.choose_view(name)
 
     def switch_view(self, name: str, on: bool) -> None:
         """Use a view, or leave it out."""
         edits = replace(self.edits.of(name), off=not on)
         text = tr("Use the view {name}") if on else tr("Leave out the view {name}")
         self._apply(self.edits.with_view(name, edits), text.format(name=name))
-
-    def toggle_marker(self, marker: str) -> None:
-        """Exclude a marker, or include it again."""
-        edits = self._view_edits
-        if marker in edits.excluded:
-            self._edit(edits.with_included(marker), tr("Include {id}").format(id=marker))
-        else:
-            self._edit(edits.with_excluded(marker), tr("Exclude {id}").format(id=marker))
-
-    def name_marker(self, marker: str, pixel: Pixel, exact: bool) -> None:
-        """Say which marker a spot is, or that a marker is at a place."""
-        edits = self._view_edits.with_named(NamedSpot(marker, pixel, exact))
-        self._edit(edits, tr("Point at {id}").format(id=marker))
-
-    def release_marker(self, marker: str) -> None:
-        """Leave a marker to the automatic search."""
-        edits = self._view_edits.without_name(marker).with_included(marker)
-        self._edit(edits, tr("Search for {id}").format(id=marker))
-
-    def move_marker(self, marker: str, pixel: Pixel) -> None:
-        """Show where a marker would be, while the hand moves it."""
-        if self._opened is not None:
-            edits = self._view_edits.with_named(NamedSpot(marker, pixel, exact=True))
-            shown = self._opened.with_edits(self.edits.with_view(self._selected, edits))
-            self._results[self._selected] = shown.placed(self._selected, self._limits)
-            self._show_views()
-            self._show_markers()
-
-    def ignore_spot(self, pixel: Pixel) -> None:
-        """Say that a blue spot is no marker."""
-        if self._opened is not None:
-            half = _SPOT_SHARE * self._opened.measured[self._selected].color.shape[1]
-            u, v = pixel
-            corners = ((-half, -half), (half, -half), (half, half), (-half, half))
-            region = tuple((u + du, v + dv) for du, dv in corners)
-            self._edit(self._view_edits.with_ignored(region), tr("Ignore a blue spot"))
-
-    def ignore_region(self, region: Region) -> None:
-        """Say that a region shows no marker."""
-        self._edit(self._view_edits.with_ignored(region), tr("Ignore a region"))
-
-    def search_region(self, region: Region) -> None:
-        """Search in a region only."""
-        self._edit(replace(self._view_edits, searched=region), tr("Search in a region"))
-
-    def clear_regions(self) -> None:
-        """Search the whole image again."""
-        edits = replace(self._view_edits, searched=None, ignored=())
-        self._edit(edits, tr("Search the whole image"))
 
     def edit_box(self, box: Box) -> None:
         """Take another volume of interest."""
@@ -252,7 +177,8 @@ class ReconstructPresenter:
             displacement_mm=limits.displacement_mm,
         )
         self._remember(self._limits)
-        self._place_all()
+        if self._work is not None:
+            self._work.set_limits(self._limits)
 
     def choose_map(self, kind: FootMap) -> None:
         """Colour the foot otherwise."""
@@ -261,17 +187,19 @@ class ReconstructPresenter:
 
     def undo(self) -> None:
         """Take the last correction back."""
-        self._step_to(self._history.undo())
+        if self._work is not None:
+            self._work.undo()
 
     def redo(self) -> None:
         """Do the last undone correction again."""
-        self._step_to(self._history.redo())
+        if self._work is not None:
+            self._work.redo()
 
     def make(self, force: bool = False) -> None:
         """Make the foot with the corrections of now."""
-        opened, limits = self._opened, self._limits
-        if opened is None:
+        if self._work is None:
             return
+        opened, limits = self._work.opened, self._limits
         self._trouble = ""
 
         def task(progress: Progress) -> MadeFoot:
@@ -313,25 +241,12 @@ class ReconstructPresenter:
             self._panel.show_progress(news.fraction, news.text)
 
     @property
-    def _view_edits(self) -> ViewEdits:
-        return self.edits.of(self._selected)
-
-    @property
     def _is_stale(self) -> bool:
         return self._made is None or self._made.edits != self.edits
 
     def _connect(self, panel: ReconstructPanel) -> None:
         panel.view_chosen.connect(self.choose_view)
         panel.view_switched.connect(self.switch_view)
-        panel.marker_toggled.connect(self.toggle_marker)
-        panel.marker_named.connect(self.name_marker)
-        panel.marker_released.connect(self.release_marker)
-        panel.marker_moved.connect(self.move_marker)
-        panel.marker_dropped.connect(lambda marker, at: self.name_marker(marker, at, exact=True))
-        panel.spot_ignored.connect(self.ignore_spot)
-        panel.region_ignored.connect(self.ignore_region)
-        panel.region_searched.connect(self.search_region)
-        panel.regions_cleared.connect(self.clear_regions)
         panel.box_edited.connect(self.edit_box)
         panel.box_reset.connect(self.reset_box)
         panel.map_chosen.connect(self.choose_map)
@@ -342,18 +257,31 @@ class ReconstructPresenter:
         panel.cancel_requested.connect(self.cancel)
         panel.go_on_requested.connect(self.go_on)
 
-    def _take_session(self, read: tuple[MeasuredSession, dict[str, ViewResult]]) -> None:
-        self._opened, self._results = read
-        session = self._opened.session
-        self._panel.show_session(self._opened.path.stem, session.manifest.side)
-        self._panel.show_box(self._opened.box)
-        self._selected = ""
-        troubled = (name for name, result in self._results.items() if not result.used)
-        self._show_views()
-        self.choose_view(next(troubled, session.views[0].name))
-        self._show_views()
-        self._show_foot()
+    def _take_session(self, work: Correcting) -> None:
+        self._work = work
+        session = work.opened.session
+        self._panel.show_session(work.opened.path.stem, session.manifest.side)
+        self._panel.show_box(work.box)
+        self._markers.take(work)
+        self._take_change(frozenset(work.names))
         self.make()
+
+    def _take_change(self, moved: frozenset[str]) -> None:
+        """Show the views, some of which may stand elsewhere now."""
+        if self._work is None:
+            return
+        if self._work.box != self._mesh_box:
+            self._mesh_box = self._work.box
+            self._panel.show_box(self._mesh_box)
+            moved = frozenset(self._work.names)
+        for name in moved:
+            self._meshes.pop(name, None)
+        self._trouble = self._work.trouble
+        self._show_views()
+        self._markers.show()
+        self._show_foot()
+        self._show_sentences()
+        self._show_buttons()
 
     def _take_preview(self, made: MadeFoot) -> None:
         if self._jobs.is_running(MAKING) and made.edits == self.edits:
@@ -389,66 +317,17 @@ class ReconstructPresenter:
         self._handed = made
         self._hand_over(made.scan)
 
-    def _edit(self, edits: ViewEdits, sentence: str) -> None:
-        self._apply(self.edits.with_view(self._selected, edits), sentence)
-
     def _apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
-        if self._opened is not None and edits != self.edits:
-            self._history.push(self.edits, edits, sentence, merge_key)
-            self._set(edits)
-
-    def _step_to(self, edits: HandEdits | None) -> None:
-        if edits is not None:
-            self._set(edits)
-
-    def _set(self, edits: HandEdits) -> None:
-        """Take corrections: keep them, and place the views that they bear on anew."""
-        assert self._opened is not None
-        before, self._opened = self._opened, self._opened.with_edits(edits)
-        self._trouble = ""
-        try:
-            write_edits(edits, self._opened.path)
-        except OutputError as error:
-            self._trouble = str(error)
-        for view in self._opened.session.views:
-            moved = edits.of(view.name) != before.edits.of(view.name)
-            if moved or view.name == self._selected:
-                self._results[view.name] = self._opened.placed(view.name, self._limits)
-                self._meshes.pop(view.name, None)
-        if self._opened.box != before.box:
-            self._meshes.clear()
-            self._panel.show_box(self._opened.box)
-        self._show_views()
-        self._show_markers()
-        self._show_foot()
-        self._show_sentences()
-        self._show_buttons()
-
-    def _place_all(self) -> None:
-        if self._opened is not None:
-            self._results = self._placed(self._opened)
-            self._show_views()
-            self._show_markers()
-            self._show_sentences()
-
-    def _placed(self, opened: MeasuredSession) -> dict[str, ViewResult]:
-        return {view.name: opened.placed(view.name, self._limits) for view in opened.session.views}
+        if self._work is not None:
+            self._work.apply(edits, sentence, merge_key)
 
     def _show_views(self) -> None:
-        rows = [
-            view_row(number, result, self.edits.of(name))
-            for number, (name, result) in enumerate(self._results.items())
-        ]
-        self._panel.show_views(rows, self._selected)
-
-    def _show_markers(self) -> None:
-        if self._opened is None or self._selected not in self._opened.measured:
-            return
-        measured = self._opened.measured[self._selected]
-        system = self._opened.session.manifest.reference_system
-        ids = [marker.id for marker in system.facing(measured.view.sensor.faces)]
-        marks = marks_of(measured, self._results[self._selected], self._view_edits)
-        self._panel.show_markers(marks, ids, self._view_edits)
+        if self._work is not None:
+            rows = [
+                view_row(number, self._work.results[name], self.edits.of(name))
+                for number, name in enumerate(self._work.names)
+            ]
+            self._panel.show_views(rows, self._markers.selected)
 
     def _show_foot(self) -> None:
         possible = self._possible_maps()
@@ -469,15 +348,15 @@ class ReconstructPresenter:
 
     def _show_view_meshes(self) -> None:
         """Show every placed view in its own colour."""
-        if self._opened is None:
+        if self._work is None:
             return
-        for number, (name, result) in enumerate(self._results.items()):
-            if name not in self._meshes and result.sensor2reference is not None:
+        results, measured = self._work.results, self._work.opened.measured
+        for number, name in enumerate(self._work.names):
+            pose = results[name].sensor2reference
+            if name not in self._meshes and pose is not None:
                 color = VIEW_COLORS[number % len(VIEW_COLORS)]
-                self._meshes[name] = view_mesh(
-                    self._opened.measured[name], result.sensor2reference, self._opened.box, color
-                )
-        shown = [mesh for name, mesh in self._meshes.items() if self._results[name].used]
+                self._meshes[name] = view_mesh(measured[name], pose, self._work.box, color)
+        shown = [mesh for name, mesh in self._meshes.items() if results[name].used]
         if shown:
             self._panel.show_foot(_together(shown), None)
 
@@ -489,13 +368,14 @@ class ReconstructPresenter:
 
     def _show_buttons(self) -> None:
         busy = self._jobs.is_running(MAKING) or self._jobs.is_running(READING)
+        history = self._work.history if self._work is not None else None
         self._panel.show_buttons(
             Buttons(
-                make=self._opened is not None and not busy,
+                make=self._work is not None and not busy,
                 cancel=busy,
                 go_on=self._made is not None and not (busy and self._is_stale),
-                undo=self._history.undo_sentence,
-                redo=self._history.redo_sentence,
+                undo=history.undo_sentence if history is not None else "",
+                redo=history.redo_sentence if history is not None else "",
                 is_stale=self._made is not None and self._is_stale,
             )
         )

@@ -10,8 +10,8 @@ from insole_core.reconstruct import ViewResult
 from insole_core.recording.hand_edits import Pixel, ViewEdits
 
 VIEW_COLORS = (
-    (0, 114, 178), (230, 159, 0), (0, 158, 115), (204, 121, 167),
-    (86, 180, 233), (213, 94, 0), (148, 120, 200), (150, 140, 60),
+    (230, 159, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233),
+    (213, 94, 0), (240, 228, 66), (0, 114, 178), (148, 120, 200),
 )  # fmt: skip
 """One a view, told apart by colour-blind eyes as well (Okabe & Ito)."""
 
@@ -75,6 +75,8 @@ class Mark:
         Where the pose puts the marker.
     state
     by_hand
+    residual_px, residual_mm
+        How far it lies from where it should, in the image and in space.
     """
 
     id: str
@@ -82,6 +84,8 @@ class Mark:
     projected: Pixel | None = None
     state: MarkState = "used"
     by_hand: bool = False
+    residual_px: float | None = None
+    residual_mm: float | None = None
 
 
 @dataclass(frozen=True)

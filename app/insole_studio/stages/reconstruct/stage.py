@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -17,6 +17,8 @@ from insole_studio.texts import tr
 from insole_studio.tools.box import BoxHand
 
 _SIZE = (1280, 720)
+_DARK = 128
+"""Below this lightness of its windows a theme is dark."""
 
 
 class ReconstructStage(QWidget):
@@ -32,7 +34,7 @@ class ReconstructStage(QWidget):
         Is told other limits.
     ask
         Whether to go on although a sentence speaks against it.
-    dark
+    dark, touch
     """
 
     foot_made = Signal(object)
@@ -49,14 +51,16 @@ class ReconstructStage(QWidget):
         remember: Callable[[RegistrationLimits], None],
         ask: Callable[[str], bool],
         dark: bool,
+        touch: bool = False,
     ) -> None:
         super().__init__()
+        self._is_open = False
         self.setWindowTitle(tr("Foot") + " – Insole Studio")
         self.resize(*_SIZE)
         self._jobs = jobs
-        self._is_open = True
         self.path: Path | None = None
         self.view = ReconstructView(dark)
+        self.view.set_touch(touch)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
@@ -73,11 +77,18 @@ class ReconstructStage(QWidget):
         box = BoxHand(lambda: self.presenter.box, self.view.show_box, self.presenter.edit_box)
         self.view.foot.scene.sink = box
         jobs.progressed.connect(self.presenter.progressed)
+        self._is_open = True
 
     def open_session(self, path: Path, hand_over: bool) -> None:
         """Reconstruct a session; hand its foot over then, or when the user says so."""
         self.path = path
         self.presenter.open(path, hand_over)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Let the scene follow the theme."""
+        if event.type() == QEvent.Type.PaletteChange and self._is_open:
+            self.view.set_dark(self.palette().window().color().lightness() < _DARK)
+        super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop what runs."""

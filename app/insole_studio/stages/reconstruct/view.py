@@ -26,6 +26,7 @@ from insole_core.recording.hand_edits import ViewEdits
 from insole_core.recording.session import Box
 from insole_studio.scene.camera import Preset, Subject
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.stages.design.model_view import ModelView
 from insole_studio.stages.reconstruct.box_fields import BoxFields
 from insole_studio.stages.reconstruct.marker_panel import MarkerPanel
@@ -92,6 +93,7 @@ class ReconstructView(QWidget):
         self._work = QLabel()
         self._work.setObjectName("quiet")
         self._fitted = False
+        self._bounds: FloatArray | None = None
         self._layout()
         self._connect()
 
@@ -177,6 +179,19 @@ class ReconstructView(QWidget):
         """Give what is said."""
         return self._sentences.text()
 
+    def set_dark(self, dark: bool) -> None:
+        """Change the scheme of the scene."""
+        self.foot.scene.painter.set_dark(dark)
+        if self._bounds is not None:
+            low, high = self._bounds.tolist()
+            self.show_box(Box((low[0], low[1], low[2]), (high[0], high[1], high[2])))
+        for button, name in ((self.undo, "undo"), (self.redo, "redo")):
+            button.setIcon(icon(name))
+
+    def set_touch(self, touch: bool) -> None:
+        """Let handles be met by a finger, or by a mouse."""
+        self.foot.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+
     def close_scene(self) -> None:
         """Free the renderer."""
         self.foot.scene.close_scene()
@@ -214,9 +229,8 @@ class ReconstructView(QWidget):
         self.limits_edited.emit(Limits(*(field.value() for field in self.limits)))
 
     def _look(self, preset: Preset) -> None:
-        bounds: FloatArray | None = getattr(self, "_bounds", None)
-        if bounds is not None:
-            self.foot.scene.set_camera(self.foot.scene.aim_at(preset, bounds))
+        if self._bounds is not None:
+            self.foot.scene.set_camera(self.foot.scene.aim_at(preset, self._bounds))
             self.foot.show_scale()
 
     def _layout(self) -> None:
@@ -266,6 +280,7 @@ class ReconstructView(QWidget):
         column.setSpacing(0)
         row = QHBoxLayout()
         row.setContentsMargins(8, 4, 8, 0)
+        row.setSpacing(8)
         row.addWidget(QLabel(tr("Colours")))
         row.addWidget(self.maps)
         row.addStretch(1)

@@ -1,0 +1,103 @@
+"""What the hand corrects in a session, with its undo, and where that puts the sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from insole_core.errors import OutputError
+from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct import RegistrationLimits, ViewResult
+from insole_core.recording.hand_edits import HandEdits, ViewEdits
+from insole_core.recording.hand_edits_file import write_edits
+from insole_core.recording.session import Box
+from insole_studio.workbench.history import History
+from insole_studio.workbench.reconstructing import MeasuredSession
+
+
+class Correcting:
+    """The corrections of one session. They are kept beside it at every step.
+
+    Parameters
+    ----------
+    opened
+    limits
+        When the pose of a view is refused.
+    changed
+        Is told the names of the views that may stand elsewhere now.
+    """
+
+    def __init__(
+        self,
+        opened: MeasuredSession,
+        limits: RegistrationLimits,
+        changed: Callable[[frozenset[str]], None],
+        progress: Progress = SILENT,
+    ) -> None:
+        self.opened = opened
+        self.limits = limits
+        self.history: History[HandEdits] = History()
+        self.trouble = ""
+        """Why the corrections could not be kept; empty when they are."""
+        self.results: dict[str, ViewResult] = {}
+        self._changed = changed
+        for number, name in enumerate(self.names):
+            progress.step(number / len(self.names), f"Finding the markers of the view {name}")
+            self.results[name] = opened.placed(name, limits)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The views, in the session's order."""
+        return tuple(view.name for view in self.opened.session.views)
+
+    @property
+    def edits(self) -> HandEdits:
+        """What was corrected."""
+        return self.opened.edits
+
+    @property
+    def box(self) -> Box:
+        """The volume of interest."""
+        return self.opened.box
+
+    def apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
+        """Make other corrections one step of undo; steps of the same key that follow are one."""
+        if edits != self.edits:
+            self.history.push(self.edits, edits, sentence, merge_key)
+            self._set(edits)
+
+    def preview(self, view: str, edits: ViewEdits) -> None:
+        """Show where a correction would put a view, without making it."""
+        shown = self.opened.with_edits(self.edits.with_view(view, edits))
+        self.results[view] = shown.placed(view, self.limits)
+        self._changed(frozenset([view]))
+
+    def undo(self) -> None:
+        """Take the last correction back."""
+        self._step_to(self.history.undo())
+
+    def redo(self) -> None:
+        """Do the last undone correction again."""
+        self._step_to(self.history.redo())
+
+    def set_limits(self, limits: RegistrationLimits) -> None:
+        """Refuse poses from other limits on."""
+        self.limits = limits
+        self._place(frozenset(self.names))
+
+    def _step_to(self, edits: HandEdits | None) -> None:
+        if edits is not None:
+            self._set(edits)
+
+    def _set(self, edits: HandEdits) -> None:
+        before, self.opened = self.opened, self.opened.with_edits(edits)
+        self.trouble = ""
+        try:
+            write_edits(edits, self.opened.path)
+        except OutputError as error:
+            self.trouble = str(error)
+        self._place(frozenset(n for n in self.names if edits.of(n) != before.edits.of(n)))
+
+    def _place(self, names: frozenset[str]) -> None:
+        for name in names:
+            self.results[name] = self.opened.placed(name, self.limits)
+        self._changed(names)
