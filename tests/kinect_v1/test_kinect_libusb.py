@@ -75,6 +75,27 @@ def test_every_frame_of_three_sensors_is_what_was_sent(
             assert numbers == [i % FRAMES for i in range(WANTED)]
 
 
+def test_a_device_that_is_unlike_ours_in_all_that_is_open(
+    tmp_path: Path, footage: Footage, images: Images
+) -> None:
+    """Other descriptors, language, pauses, numbers, unknown bytes, and late replies."""
+    odd = [
+        describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1, flaw="odd")
+        for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
+    ]
+    request = {"serials": SERIALS, "frames": 2, "depth": "depth-11", "video": "bayer-1280x1024"}
+    with emulated_usbfs(tmp_path, *odd) as usbfs:
+        found = run_driver(usbfs, "stream", request, tmp_path)
+    for i, serial in enumerate(SERIALS):
+        assert found[serial]["calibration"]["constant_shift"] == make_calibration(i).constant_shift
+        assert found[serial]["discarded"] == {"depth": 0, "video": 0}
+        for kind, mode in (("depth", "depth-11"), ("video", "bayer-1280x1024")):
+            delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
+            first, second = (find(image, images[serial][mode]) for image in delivered)
+            assert first >= 0
+            assert second == (first + 1) % FRAMES
+
+
 def test_models_and_calibration_of_each_sensor(three: list[dict[str, Any]], tmp_path: Path) -> None:
     with emulated_usbfs(tmp_path, *three) as usbfs:
         found = run_driver(usbfs, "stream", {"serials": SERIALS, "frames": 0}, tmp_path)
