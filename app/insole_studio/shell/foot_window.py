@@ -16,6 +16,7 @@ class FootWindow(StageWindow[ReconstructStage]):
     foot_made = Signal(object)
     """A `ScannedFoot` that is to be put onto the bench."""
     unreadable = Signal(object)
+    closed = Signal()
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
         """Show the stage with a session; one that it shows already stays as it is."""
@@ -30,3 +31,4 @@ class FootWindow(StageWindow[ReconstructStage]):
         """Hand on what is made."""
         stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
+        stage.closed.connect(self.closed)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from insole_core.errors import InsoleError
 from insole_studio.settings import Settings
@@ -83,6 +83,7 @@ class Studio(QObject):
         rooms.stage.steps.chosen.connect(self._go_to_step)
         rooms.capture.captured.connect(rooms.opening.open_path)
         rooms.foot.foot_made.connect(rooms.opening.take_scan)
+        rooms.foot.closed.connect(rooms.capture.hand_on, Qt.ConnectionType.QueuedConnection)
         rooms.foot.unreadable.connect(rooms.dialogue.show_error)
 
     def _go_to_step(self, key: str) -> None:

@@ -6,10 +6,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.stages.capture.stage import CaptureStage
 
 PATIENCE_MS = 60_000
@@ -63,6 +65,31 @@ def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
     assert first.isVisible()
     emulating.studio.run_action("capture", False)
     assert emulating.studio.rooms.capture.stage is first
+
+
+class KeptStage(QWidget):
+    """Stands in for the stage."""
+
+    kept = Signal(object)
+    closed = Signal()
+
+
+def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(qtbot: QtBot) -> None:
+    stage = KeptStage()
+    qtbot.addWidget(stage)
+    window = CaptureWindow(lambda: stage)  # type: ignore[arg-type, return-value]
+    opened: list[Path] = []
+    window.captured.connect(opened.append)
+    window.open()
+    for foot in ("left", "right"):
+        stage.kept.emit(Path(foot))
+    assert opened == []
+    stage.closed.emit()
+    assert opened == [Path("left")]
+    window.hand_on()
+    assert opened == [Path("left"), Path("right")]
+    window.hand_on()
+    assert len(opened) == 2
 
 
 def test_a_session_that_cannot_be_emulated_is_told(

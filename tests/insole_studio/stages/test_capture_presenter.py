@@ -101,7 +101,8 @@ class Bench:
     ) -> None:
         self.panel, self.service = NotedPanel(), NotedService()
         self.remembered: list[Sequence[tuple[str, str]]] = []
-        self.captured: list[Path] = []
+        self.kept: list[Path] = []
+        self.finished: list[bool] = []
         self.folder = folder
         self.workplace = recorded_workplace(NothingStored(), read_session(session))
         self.presenter = CapturePresenter(
@@ -114,7 +115,8 @@ class Bench:
             options=CaptureOptions(),
             left=left,
             remember=self.remembered.append,
-            captured=self.captured.append,
+            kept=self.kept.append,
+            finished=lambda: self.finished.append(True),
         )
 
     def tell(self, *events: Event) -> None:
@@ -262,9 +264,10 @@ def test_a_session_is_kept_and_handed_over(bench: Bench, qtbot: QtBot) -> None:
     write_draft(bench)
     bench.finish("left", "right")
     bench.panel.use_requested.emit()  # type: ignore[attr-defined]
-    qtbot.waitUntil(lambda: bool(bench.captured))
-    assert bench.captured[0].parent == bench.folder / "sessions"
-    assert read_session(bench.captured[0]).manifest.views == ("left", "right")
+    qtbot.waitUntil(lambda: bool(bench.finished))
+    (kept,) = bench.kept
+    assert kept.parent == bench.folder / "sessions"
+    assert read_session(kept).manifest.views == ("left", "right")
     assert not list((bench.folder / "captures").iterdir())
     assert bench.panel.capture.button == "Capture"
 
@@ -276,8 +279,8 @@ def test_the_other_foot_follows(bench: Bench, qtbot: QtBot) -> None:
     bench.finish("left", "right")
     bench.panel.other_foot_requested.emit()  # type: ignore[attr-defined]
     qtbot.waitUntil(lambda: bench.panel.options.side is Side.RIGHT)
-    assert bench.captured == []
-    (kept,) = (bench.folder / "sessions").iterdir()
+    assert bench.finished == []
+    (kept,) = bench.kept
     assert read_session(kept).manifest.side is Side.LEFT
     bench.presenter.capture()
     assert bench.started().manifest.side is Side.RIGHT

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,10 +12,13 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
+from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
+from insole_core.recording.writer import write_session
 from insole_studio.capture.place import Place
+from insole_studio.stages.capture.rows import CaptureOptions
 from insole_studio.stages.capture.sensor_card import MIME, SensorCard
-from insole_studio.stages.capture.stage import CaptureStage
+from insole_studio.stages.capture.stage import CaptureStage, first_options
 from insole_studio.workbench.sensor_store import SensorStore
 
 PATIENCE_MS = 30_000
@@ -61,11 +65,43 @@ def test_from_sensors_to_a_session(stage: CaptureStage, qtbot: QtBot) -> None:
         b for b in cards(stage)[1].findChildren(QToolButton) if b.text() == "Capture again"
     )
     assert again.isEnabled()
-    with qtbot.waitSignal(stage.captured, timeout=PATIENCE_MS) as signal:
+    kept: list[Path] = []
+    stage.kept.connect(kept.append)
+    with qtbot.waitSignal(stage.closed, timeout=PATIENCE_MS):
         button(stage, "Use this scan").click()
-    session = read_session(signal.args[0])
+    session = read_session(kept[0])
     assert session.manifest.views == ("left", "right", "top")
     assert all(view.depth_count == 10 for view in session.views)
+
+
+def test_emulated_sensors_are_captured_as_they_were_recorded(
+    tmp_path: Path, small_session: Path
+) -> None:
+    recorded = read_session(small_session)
+    views = tuple(
+        replace(view, name=name, sensor=replace(view.sensor, serial=serial))
+        for view, name, serial in zip(
+            recorded.views, ("left", "left_2", "right"), ("A", "A", "A"), strict=True
+        )
+    )
+    manifest = replace(recorded.manifest, side=Side.RIGHT, views=("left", "left_2", "right"))
+    write_session(replace(recorded, manifest=manifest, views=views), tmp_path / "moved")
+    store = SensorStore(tmp_path / "sensors")
+    assert first_options(Place(store, tmp_path / "moved")) == CaptureOptions(
+        Side.RIGHT, mode="moved", views=("left", "right")
+    )
+    assert first_options(Place(store)) == CaptureOptions()
+
+
+def test_a_second_window_is_not_offered_what_the_first_has_begun(
+    stage: CaptureStage, tmp_path: Path, small_session: Path
+) -> None:
+    place = Place(SensorStore(tmp_path / "sensors"), small_session)
+    second = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=print)
+    assert stage._lock.isLocked()
+    assert not second._lock.isLocked()
+    second.end()
+    second.deleteLater()
 
 
 def test_a_card_is_dropped_on_another(

@@ -101,8 +101,10 @@ class CapturePresenter:
         What an unfinished capture has left, if anything.
     remember
         Is told a new assignment.
-    captured
-        Is given the path of a session to be opened.
+    kept
+        Is given the path of each session, to be opened in the end.
+    finished
+        Is called when nothing more is to be captured.
     """
 
     def __init__(
@@ -117,7 +119,8 @@ class CapturePresenter:
         options: CaptureOptions,
         left: LeftDraft | None,
         remember: Callable[[Sequence[tuple[str, str]]], None],
-        captured: Callable[[Path], None],
+        kept: Callable[[Path], None],
+        finished: Callable[[], object],
     ) -> None:
         self._panel = panel
         self._service = service
@@ -126,7 +129,8 @@ class CapturePresenter:
         self._assignment = Assignment(assignment)
         self._folder = folder
         self._remember = remember
-        self._captured = captured
+        self._kept = kept
+        self._finish = finished
         self._sensors = Sensors(())
         self._watches: dict[str, SensorWatch] = {}
         self._status: CaptureStatus | None = None
@@ -222,12 +226,12 @@ class CapturePresenter:
 
     def use(self) -> None:
         """Put the session where sessions are kept, and hand it over."""
-        self._publish(self._captured)
+        self._publish(self._finish)
 
     def turn_to_other_foot(self) -> None:
         """Keep the session of this foot, and begin with the other."""
         other = Side.RIGHT if self.options.side is Side.LEFT else Side.LEFT
-        self._publish(lambda _path: self._turn_to(other))
+        self._publish(lambda: self._turn_to(other))
 
     def name_view(self, serial: str, view: str) -> None:
         """Give a sensor a view; the one that had it gets this one's."""
@@ -323,7 +327,7 @@ class CapturePresenter:
             extra=self._request.as_extra(),
         )
 
-    def _publish(self, then: Callable[[Path], None]) -> None:
+    def _publish(self, then: Callable[[], object]) -> None:
         if self._draft is None or not self._finished or self.is_capturing:
             return
         draft, order = self._draft, self._order
@@ -338,7 +342,8 @@ class CapturePresenter:
         def written(done: Path) -> None:
             self._forget_draft()
             self._show()
-            then(done)
+            self._kept(done)
+            then()
 
         self._jobs.start(_PUBLISHING, write, written, self._told)
 

@@ -44,8 +44,8 @@ class CaptureStage(QWidget):
         When the reference system or the emulated session cannot be read.
     """
 
-    captured = Signal(object)
-    """The path of a session that is to be opened."""
+    kept = Signal(object)
+    """The path of a session that is to be opened once this window is closed."""
     closed = Signal()
 
     def __init__(
@@ -77,7 +77,8 @@ class CaptureStage(QWidget):
             options=first_options(place),
             left=newest_left_draft(folder / "captures") if self._lock.isLocked() else None,
             remember=remember,
-            captured=self._hand_over,
+            kept=self.kept.emit,
+            finished=self.close,
         )
         self._timer = QTimer(self)
         self._timer.setInterval(_TICK_MS)
@@ -96,10 +97,6 @@ class CaptureStage(QWidget):
         self.end()
         event.accept()
         self.closed.emit()
-
-    def _hand_over(self, path: Path) -> None:
-        self.captured.emit(path)
-        self.close()
 
 
 def first_options(place: Place) -> CaptureOptions:
