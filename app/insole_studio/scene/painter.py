@@ -206,7 +206,7 @@ class Painter:
     def show_label(self, place_mm: FloatArray | None, text: str) -> None:
         """Write a measure at a place; None for none."""
         places = [] if place_mm is None else [place_mm]
-        self._show_texts("label", places, [f"  {text}"] * len(places), 13)
+        self._show_texts("label", places, [f"  {text}  "] * len(places), 13, boxed=True)
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
         """Write the anatomical words around what lies in the box (2, 3)."""
@@ -304,6 +304,7 @@ class Painter:
         words: list[str],
         size: int,
         centred: bool = False,
+        boxed: bool = False,
     ) -> None:
         self._plotter.remove_actor(name, render=False)
         if not words:
@@ -314,7 +315,10 @@ class Painter:
             name=name,
             font_size=round(size * self._ratio * 72 / self._plotter.render_window.GetDPI()),
             text_color=self.scheme.text,
-            shape=None,
+            shape="rounded_rect" if boxed else None,
+            shape_color=self.scheme.bottom,
+            shape_opacity=0.8,
+            margin=2,
             show_points=False,
             always_visible=True,
             reset_camera=False,

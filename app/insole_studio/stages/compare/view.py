@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.scene.camera import Preset, Subject
+from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.stages.compare.point_picker import PointPicker
@@ -60,6 +60,8 @@ class CompareView(QWidget):
         self.sources["a"].edited.connect(self._choose_a)
         self.sources["b"].edited.connect(self._choose_b)
         self.result = ModelView(Subject.INSOLE, "", dark)
+        for model in (*self.models.values(), self.result):
+            model.preset_requested.connect(model.look_from)
         self.map_picture = PictureView()
         self.alignment = Choice(
             [
@@ -103,8 +105,7 @@ class CompareView(QWidget):
             return
         model.scene.subject = Subject.INSOLE if from_above else Subject.FOOT
         model.show_mesh(mesh)
-        model.scene.set_camera(model.scene.aim_at(Preset.PLANTAR, mesh.bounds_mm))
-        model.show_scale()
+        model.look_at_whole(mesh.bounds_mm)
 
     def show_points(self, which: str, points: Sequence[MarkedPoint]) -> None:
         """Show the places that were picked."""
@@ -114,8 +115,7 @@ class CompareView(QWidget):
         """Show the difference in colours on the first surface."""
         self.result.scene.subject = Subject.INSOLE if from_above else Subject.FOOT
         self.result.show_mesh(mesh, coloring)
-        self.result.scene.set_camera(self.result.scene.aim_at(Preset.PLANTAR, mesh.bounds_mm))
-        self.result.show_scale()
+        self.result.look_at_whole(mesh.bounds_mm)
 
     def show_picture(self, picture: ByteArray) -> None:
         """Show the maps, (height, width, 3) uint8, RGB."""
@@ -127,6 +127,7 @@ class CompareView(QWidget):
             item = self._figures.takeAt(0)
             widget = None if item is None else item.widget()
             if widget is not None:
+                widget.hide()  # it goes only when the event loop comes round
                 widget.deleteLater()
         for number, row in enumerate(rows):
             heading = not row.first or row.first == "A"

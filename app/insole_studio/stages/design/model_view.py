@@ -42,6 +42,7 @@ class ModelView(QWidget):
         super().__init__(parent)
         self.scene = SceneView(subject, dark)
         self.scene.camera_changed.connect(self.show_scale)
+        self._bounds: FloatArray | None = None
         self._badge = SideBadge()
         self._warning = QLabel()
         self._warning.setObjectName("warning")
@@ -195,6 +196,17 @@ class ModelView(QWidget):
         """Say what is wrong, above the view; empty hides it."""
         self._warning.setText(text[:1].upper() + text[1:])
         self._warning.setVisible(bool(text))
+
+    def look_at_whole(self, bounds_mm: FloatArray, preset: Preset = Preset.PLANTAR) -> None:
+        """Show all that lies in the box (2, 3), from a named direction."""
+        self._bounds = bounds_mm
+        self.scene.set_camera(self.scene.aim_at(preset, bounds_mm))
+        self.show_scale()
+
+    def look_from(self, preset: Preset) -> None:
+        """Look from another direction at what was shown as a whole."""
+        if self._bounds is not None:
+            self.look_at_whole(self._bounds, preset)
 
     def _header(self) -> QHBoxLayout:
         self._presets = QWidget()

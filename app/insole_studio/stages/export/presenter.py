@@ -61,7 +61,7 @@ class ExportPanel(Protocol):
         self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
     ) -> None: ...
     def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None: ...  # noqa: D102
-    def show_block(self, edges: Sequence[FloatArray]) -> None: ...  # noqa: D102
+    def show_block(self, edges: Sequence[FloatArray], again: bool) -> None: ...  # noqa: D102
     def look_at(self, place_mm: FloatArray, text: str) -> None: ...  # noqa: D102
     def forget_label(self) -> None: ...  # noqa: D102
     def show_summary(self, text: str) -> None: ...  # noqa: D102
@@ -128,6 +128,7 @@ class ExportPresenter:
         jobs.ended.connect(self._show_buttons)
         case.changed.connect(self.remake)
         case.foot_changed.connect(self.remake)
+        panel.show_piece(None, None, None, False)
         panel.show_notes([])
         panel.show_error("")
         self._load_rules()
@@ -191,7 +192,7 @@ class ExportPresenter:
             solid, side = (None, None) if piece is None else (piece.solid, piece.side)
             turned = side is not None and self._choice.kind == "positive"
             words = side.other if side is not None and turned else side
-            self._panel.show_block([])
+            self._panel.show_block([], True)
             self._panel.show_piece(solid, side, words, again)
         self._show_spots()
         self._show_checks()
@@ -289,7 +290,7 @@ class ExportPresenter:
             self._panel.show_piece(None, None, None, again)
             return
         self._panel.show_piece(merged([part.mesh for part in parts]), None, None, again)
-        self._panel.show_block(_edges(block))
+        self._panel.show_block(_edges(block), again)
 
     def _show_spots(self) -> None:
         findings = self._findings if self._shown != _NEST else {}

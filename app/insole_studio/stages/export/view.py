@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import Camera, Preset, Subject
+from insole_studio.scene.camera import Subject
 from insole_studio.stages.design.model_view import ModelView
 from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
@@ -51,7 +52,7 @@ class ExportView(QWidget):
         self.form.edited.connect(self.choice_edited)
         self.form.cutter.edited.connect(self.cutter_edited)
         self.model = ModelView(Subject.INSOLE, "", dark)
-        self.model.preset_requested.connect(self.look)
+        self.model.preset_requested.connect(self.model.look_from)
         self.model.scene.camera_changed.connect(self._place_words)
         self.check_list = CheckList()
         self.check_list.rule_edited.connect(self.rule_edited)
@@ -130,7 +131,7 @@ class ExportView(QWidget):
         self._bounds, self._side = mesh.bounds_mm, words
         self.model.show_mesh(mesh)
         if not again:
-            self.look(Preset.PLANTAR)
+            self.model.look_at_whole(mesh.bounds_mm)
         self._place_words()
 
     def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
@@ -138,8 +139,11 @@ class ExportView(QWidget):
         self.model.scene.painter.show_spots(spots_mm, chosen_mm)
         self.model.scene.request_render()
 
-    def show_block(self, edges: Sequence[FloatArray]) -> None:
-        """Draw the edges of a block."""
+    def show_block(self, edges: Sequence[FloatArray], again: bool) -> None:
+        """Draw the edges of a block, and show it as a whole, unless it is shown anew."""
+        if edges and not again:
+            corners = np.concatenate(edges)
+            self.model.look_at_whole(np.stack([corners.min(axis=0), corners.max(axis=0)]))
         painter = self.model.scene.painter
         painter.show_lines("block", edges, painter.scheme.accent, 2.0)
         self.model.scene.request_render()
@@ -153,14 +157,6 @@ class ExportView(QWidget):
     def forget_label(self) -> None:
         """Take the number away again."""
         self.model.scene.painter.show_label(None, "")
-
-    def look(self, preset: Preset) -> None:
-        """Look from a named direction at the whole."""
-        if self._bounds is not None:
-            scene = self.model.scene
-            camera: Camera = scene.aim_at(preset, self._bounds)
-            scene.set_camera(camera)
-            self.model.show_scale()
 
     def show_summary(self, text: str) -> None:
         """Say what the piece is."""
