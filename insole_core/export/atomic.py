@@ -81,11 +81,17 @@ def _umask() -> int:
     return mask
 
 
+def _not_allowed(path: Path) -> str:
+    if path.is_file() and os.access(path.parent, os.W_OK):  # as on Windows while it is open
+        return "another program has it open; close it there, or choose another name"
+    return "you may not write there; choose another place or ask for permission"
+
+
 def describe(path: Path, error: OSError) -> str:
     """Say in one sentence why a place cannot be written."""
     reasons: list[tuple[type[OSError], str]] = [
         (FileNotFoundError, "its folder does not exist; create the folder or choose another place"),
-        (PermissionError, "you may not write there; choose another place or ask for permission"),
+        (PermissionError, _not_allowed(path)),
         (IsADirectoryError, "a folder of that name is there; choose another name"),
         (NotADirectoryError, "a file is there where a folder is needed; choose another name"),
     ]

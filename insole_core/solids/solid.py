@@ -154,7 +154,7 @@ def _distance(
     reach = max(band_mm(wall_mm, options.draft_deg), options.chamfer_mm)
     reach += 2 * insole.contact.step_mm
     distance = outline_distance(polygon, insole.contact, reach)
-    if not (distance.inside_mm[1:-1, 1:-1] > 0).any():
+    if not ((distance.inside_mm > 0) & insole.measured)[1:-1, 1:-1].any():
         raise DesignError(
             "The outline lies beside the foot, which leaves no insole; draw it round the foot."
         )

@@ -303,6 +303,7 @@ class Painter:
         places: Sequence[Any],
         words: list[str],
         size: int,
+        *,
         centred: bool = False,
         boxed: bool = False,
     ) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.picked_points import find_dots, read_picked_points
@@ -214,3 +215,13 @@ def test_report_picture_and_surface(plain, padded, tmp_path: Path):
     top = np.linalg.norm(surface.vertices[:, :2] - PAD.centre_mm, axis=1).argmin()
     red, _, blue = surface.colors[top].astype(int)
     assert red > blue + 50
+
+
+def test_millions_of_triangles(plain):
+    """A scan of a million triangles against an insole: the same figures as of the coarse one."""
+    fine = plain
+    while len(fine.triangles) < 1_000_000:
+        vertices, triangles = trimesh.remesh.subdivide(fine.vertices, fine.triangles)
+        fine = TriangleMesh(np.asarray(vertices), np.asarray(triangles, np.int32))
+    result = compare_surfaces(plain, fine.transformed(NEAR))
+    assert result.statistics["max"] < 0.05

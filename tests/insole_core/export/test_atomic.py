@@ -66,6 +66,25 @@ def test_places_that_cannot_be_written(tmp_path: Path) -> None:
             pytest.fail("nothing may be computed for a place that cannot be written")
 
 
+@pytest.mark.parametrize(
+    ("exists", "sentence"), [(True, "another program has it open"), (False, "you may not write")]
+)
+def test_place_that_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, exists: bool, sentence: str
+) -> None:
+    target = tmp_path / "insole.stl"
+    if exists:
+        target.write_text("old")
+
+    def refuse(_self: Path, _target: Path) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "replace", refuse)
+    with pytest.raises(OutputError, match=sentence), replacing_file(target) as beside:
+        beside.write_text("new")
+    assert [p.read_text() for p in tmp_path.iterdir()] == ["old"] * exists
+
+
 def write_to_full_disk(target: Path) -> None:
     with replacing_file(target), Path("/dev/full").open("wb") as full:
         full.write(b"x" * 100_000)
