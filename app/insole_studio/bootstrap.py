@@ -152,7 +152,7 @@ def build_application(
     case = Case()
     surface = InsoleSurface(case, jobs)
     counterpart = Counterpart(case, jobs)
-    section, pads = Section(), load_pads()
+    section, pads, rules = Section(), load_pads(), load_rules()
     hand = Hand(case, make_tools(section))
     stage = DesignStage(
         case=case,
@@ -161,7 +161,7 @@ def build_application(
         counterpart=counterpart,
         hand=hand,
         pads=pads,
-        rules=load_rules(),
+        rules=rules,
         dark=dark,
     )
     status = StatusBar(jobs)
@@ -194,7 +194,7 @@ def build_application(
             case, jobs, dialogue, partial(_make_export, settings, places, case), window
         ),
         editing=Editing(case, hand),
-        prescribing=Prescribing(case, hand, pads, dialogue),
+        prescribing=Prescribing(case, hand, pads, rules.pelott_usual_behind_heads_mm, dialogue),
         measuring=Measuring(case, dialogue),
         feet=feet,
         variants=Variants(case, dialogue),

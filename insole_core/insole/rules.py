@@ -16,6 +16,7 @@ from insole_core.insole.design import HeelCup, HeelLift, HeelSkive, InsoleDesign
 from insole_core.insole.outline_curve import inside_curve
 from insole_core.insole.pads import pad_outline
 from insole_core.insole.posting import posting_angles
+from insole_core.insole.pronation import PronationStep
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -27,7 +28,7 @@ _STEP_MM = 2.0
 
 @dataclass(frozen=True, kw_only=True)
 class Rules:
-    """Limits of the warnings; lengths in mm, angles in degrees, sources in FIELD.md."""
+    """Limits of the warnings, and what a pronation suggests; lengths in mm, angles in degrees."""
 
     post_unusual_deg: float
     skive_least_cup_mm: float
@@ -40,6 +41,7 @@ class Rules:
     pelott_usual_behind_heads_mm: float
     least_on_foot_share: float
     greatest_overlap_share: float
+    pronation: tuple[PronationStep, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -74,7 +76,14 @@ def load_rules(path: Path | None = None) -> Rules:
     content.choice("format", ["insole-rules"])
     content.integer("version", 1, 1)
     rules = content.object("rules")
-    return Rules(**{f.name: rules.number(f.name, 0, 1000) for f in fields(Rules)})
+    limits = [f.name for f in fields(Rules) if f.name != "pronation"]
+    return Rules(
+        **{name: rules.number(name, 0, 1000) for name in limits},
+        pronation=tuple(
+            PronationStep(step.number("from_deg", 0, 90), step.number("post_deg", 0, 15))
+            for step in (content.objects("pronation") if content.has("pronation") else ())
+        ),
+    )
 
 
 def design_warnings(

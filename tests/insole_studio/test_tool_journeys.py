@@ -353,9 +353,20 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     assert (tmp_path / "measures.csv").read_text() == copied
 
 
-def test_a_pad_of_the_library_is_taken_and_placed(opened: Application, foot: SceneView) -> None:
+def test_a_pad_of_the_library_lies_at_its_place_at_once(
+    opened: Application, foot: SceneView
+) -> None:
     opened.window.pad_chosen.emit(4)
-    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 130.0))
     pad = last(opened)
     assert isinstance(pad, Pelott)
     assert (pad.shape, pad.length_mm, pad.width_mm, pad.height_mm) == ("drop", 22, 18, 4)
+    found = clearance(opened.case.record, pad)
+    assert found is not None
+    assert found.distance_mm == pytest.approx(USUAL_MM, abs=0.1)
+    start = pixel(foot, *pad.centre_mm)
+    drag(foot, [start, start + QPoint(0, 20), start + QPoint(0, 40)])
+    moved = last(opened)
+    assert isinstance(moved, Pelott)
+    assert moved.id == pad.id
+    assert moved.centre_mm[1] < pad.centre_mm[1] - 10
+    assert len(opened.case.history) == 2

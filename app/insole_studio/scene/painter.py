@@ -203,10 +203,10 @@ class Painter:
         self._show_dots("spots", list(spots_mm), 4.0, self.scheme.mark)
         self._show_dots("spots-chosen", list(chosen_mm), 6.0, self.scheme.alarm)
 
-    def show_label(self, place_mm: FloatArray | None, text: str) -> None:
+    def show_label(self, place_mm: FloatArray | None, text: str, name: str = "label") -> None:
         """Write a measure at a place; None for none."""
         places = [] if place_mm is None else [place_mm]
-        self._show_texts("label", places, [f"  {text}  "] * len(places), 13, boxed=True)
+        self._show_texts(name, places, [f"  {text}  "] * len(places), 13, boxed=True)
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
         """Write the anatomical words around what lies in the box (2, 3)."""

@@ -11,7 +11,9 @@ from insole_core.cases.record import FootRecord
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.side import Side
+from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import Correction, InsoleDesign
+from insole_core.insole.pad_places import placed_pad
 from insole_core.insole.template import (
     make_template,
     read_template,
@@ -33,11 +35,17 @@ class Prescribing:
     """The actions of the Prescribe menu."""
 
     def __init__(
-        self, case: Case, hand: Hand, pads: Sequence[LibraryPad], dialogue: Dialogue
+        self,
+        case: Case,
+        hand: Hand,
+        pads: Sequence[LibraryPad],
+        behind_heads_mm: float,
+        dialogue: Dialogue,
     ) -> None:
         self._case = case
         self._hand = hand
         self._pads = pads
+        self._behind_heads_mm = behind_heads_mm
         self._dialogue = dialogue
 
     def prescribe(self, correction: Correction) -> None:
@@ -50,12 +58,19 @@ class Prescribing:
         self._case.select(new.id)
 
     def take_pad(self, number: int) -> None:
-        """Take the pad tool with a pad of the library."""
-        tool = self._hand.tools["pelott"]
+        """Put a pad of the library where it usually lies, and take the tool that moves it."""
+        tool, pad = self._hand.tools["pelott"], self._pads[number]
+        design, side = self._case.record.design, self._case.side
         assert isinstance(tool, PelottTool)
-        tool.template = self._pads[number].template
-        self._case.select(None)
+        tool.template = pad.template
         self._hand.take("pelott")
+        if design is None or side is None:
+            return
+        landmarks = landmarks_of(self._case.record)
+        laid = placed_pad(pad.template, pad.place, side, landmarks, self._behind_heads_mm)
+        new = self._case.stamped(replace(laid, id=CorrectionBase().id))
+        self._case.apply(design.with_added(new), tr("Place: {name}").format(name=name_of(new)))
+        self._case.select(new.id)
 
     def ask_save_template(self) -> None:
         """Let the user choose where the template goes."""

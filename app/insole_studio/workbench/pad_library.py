@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from insole_core.insole.design import Pelott
 from insole_core.insole.limits import CORRECTION_RANGES, PELOTT_SHAPES
+from insole_core.insole.pad_places import PLACES
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -24,11 +25,14 @@ class LibraryPad:
         Its size within the group: "S", "M", "L".
     template
         The pad, without a place.
+    place
+        Where it usually lies: one of `pad_places.PLACES`.
     """
 
     kind: str
     size: str
     template: Pelott
+    place: str
 
 
 def load_pads() -> tuple[LibraryPad, ...]:
@@ -58,4 +62,5 @@ def _pad(pad: JsonObject) -> LibraryPad:
         width_mm=width,
         height_mm=height,
     )
-    return LibraryPad(pad.text("kind"), pad.text("size"), template)
+    place = pad.choice("place", list(PLACES))
+    return LibraryPad(pad.text("kind"), pad.text("size"), template, place)

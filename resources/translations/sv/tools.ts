@@ -4,12 +4,24 @@
     <context>
         <name>studio</name>
         <message>
+            <source>Achilles axis {angle}° {kind} to the sole</source>
+            <translation>Akillesaxeln {angle}° {kind} mot fotsulan</translation>
+        </message>
+        <message>
             <source>Add a point here</source>
             <translation>Lägg till en punkt här</translation>
         </message>
         <message>
             <source>Add a point to the outline</source>
             <translation>Lägg till en punkt på konturen</translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation>Rikta</translation>
+        </message>
+        <message>
+            <source>Align the foot by the landmarks</source>
+            <translation>Rikta foten efter landmärkena</translation>
         </message>
         <message>
             <source>An outline needs at least {count} points; this one stays</source>
@@ -40,8 +52,20 @@
             <translation>Dra för att ändra inläggets kontur; dubbelklick tar bort punkten</translation>
         </message>
         <message>
+            <source>Foot against its landmarks</source>
+            <translation>Foten mot sina landmärken</translation>
+        </message>
+        <message>
             <source>Free-hand</source>
             <translation>Frihand</translation>
+        </message>
+        <message>
+            <source>Level the sole and lay the foot axis along the insole by the landmarks</source>
+            <translation>Lägg sulan plant och fotaxeln längs inlägget efter landmärkena</translation>
+        </message>
+        <message>
+            <source>Medial edge up</source>
+            <translation>Medial kant upp</translation>
         </message>
         <message>
             <source>Move a point of the outline</source>
@@ -52,8 +76,28 @@
             <translation>Kontur</translation>
         </message>
         <message>
+            <source>Pelott here</source>
+            <translation>Pelott här</translation>
+        </message>
+        <message>
+            <source>Pen mark at x {x} mm, y {y} mm</source>
+            <translation>Pennmärke vid x {x} mm, y {y} mm</translation>
+        </message>
+        <message>
             <source>Plane</source>
             <translation>Plan</translation>
+        </message>
+        <message>
+            <source>Post the rearfoot as the rule of the clinic suggests for this axis</source>
+            <translation>Kila bakfoten så som klinikens regel föreslår för den här axeln</translation>
+        </message>
+        <message>
+            <source>Pronation / supination (&gt; 0 raises the medial edge)</source>
+            <translation>Pronation / supination (&gt; 0 höjer medialkanten)</translation>
+        </message>
+        <message>
+            <source>Propose {angle}° medial</source>
+            <translation>Föreslå {angle}° medialt</translation>
         </message>
         <message>
             <source>Remove a point of the outline</source>
@@ -68,8 +112,44 @@
             <translation>Storlek</translation>
         </message>
         <message>
+            <source>Take the proposed posting</source>
+            <translation>Ta den föreslagna kilningen</translation>
+        </message>
+        <message>
             <source>There the outline would cross itself; the last good place is kept</source>
             <translation>Där skulle konturen korsa sig själv; den sista giltiga platsen behålls</translation>
+        </message>
+        <message>
+            <source>Toe end up</source>
+            <translation>Tåändan upp</translation>
+        </message>
+        <message>
+            <source>Toes medially</source>
+            <translation>Tår medialt</translation>
+        </message>
+        <message>
+            <source>Turn the foot</source>
+            <translation>Vrid foten</translation>
+        </message>
+        <message>
+            <source>Use a pen mark as: {name}</source>
+            <translation>Använd ett pennmärke som: {name}</translation>
+        </message>
+        <message>
+            <source>Use as {name}</source>
+            <translation>Använd som {name}</translation>
+        </message>
+        <message>
+            <source>valgus</source>
+            <translation>valgus</translation>
+        </message>
+        <message>
+            <source>varus</source>
+            <translation>varus</translation>
+        </message>
+        <message>
+            <source>{angle}° {kind}</source>
+            <translation>{angle}° {kind}</translation>
         </message>
     </context>
 </TS>

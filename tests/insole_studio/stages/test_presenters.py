@@ -230,7 +230,7 @@ class TestPatient:
 class TestParameters:
     @pytest.fixture
     def presenter(self, view: Any, case: Case, hand: Hand) -> ParametersPresenter:
-        return ParametersPresenter(view, case, hand, load_pads())
+        return ParametersPresenter(view, case, hand, load_pads(), load_rules())
 
     def test_numbers_of_the_selected_pelott(
         self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
@@ -370,7 +370,7 @@ class TestModels:
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        ParametersPresenter(view, case, hand, ())
+        ParametersPresenter(view, case, hand, (), load_rules())
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         flat = surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0)

@@ -12,6 +12,7 @@ from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.companion import Name
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.stages.design.rear_lines import RearLines
 
 
 class ModelPanel(Protocol):
@@ -36,6 +37,7 @@ class ModelPanel(Protocol):
     def show_guide(  # noqa: D102
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None: ...
+    def show_axes(self, axes: RearLines | None) -> None: ...  # noqa: D102
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
     ) -> None: ...

@@ -27,6 +27,7 @@ from insole_studio.stages.design.beside import (
 )
 from insole_studio.stages.design.maps import MapKind, color_by, color_foot, numbers_text
 from insole_studio.stages.design.model_panel import ModelPanel
+from insole_studio.stages.design.rear_lines import RearLines, rear_lines
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import confidence, point_text, shown_points
@@ -42,6 +43,7 @@ from insole_studio.workbench.section import Section, section_line
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 CONTOUR_MM = 1.0
+_AXES_OF = ("posting", "key_point")
 _NOTHING = (object(),) * 6
 
 
@@ -155,6 +157,7 @@ class ModelPresenter:
         self.panel.show_handles(self._hand.tool.handles(self._case, self))
         self.panel.show_key_points(self._points() if self.subject is Subject.FOOT else ())
         self._show_guide()
+        self.panel.show_axes(self._axes())
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
         self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
@@ -217,6 +220,14 @@ class ModelPresenter:
         way = self._on_surface(np.stack([found.front, found.nearest]))
         lines = self._on_surface(found.line), way
         self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
+
+    def _axes(self) -> RearLines | None:
+        """What pronation is read from, on the foot while a tool is in hand that is about it."""
+        tool = self._hand.tool.key
+        if self.subject is not Subject.FOOT or tool not in _AXES_OF:
+            return None
+        found = rear_lines(self._case.shown)
+        return found if found is None or tool == "posting" else found.axes_alone()
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane

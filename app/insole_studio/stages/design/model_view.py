@@ -23,6 +23,7 @@ from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.companion import Name
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view import SceneView
+from insole_studio.stages.design.rear_lines import RearLines
 from insole_studio.texts import tr
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
@@ -132,6 +133,14 @@ class ModelView(QWidget):
             right, front = self.scene.look.right, lines[-1][0]
             place = front + max(float(((beside - front) @ right).max()), 0.0) * right
         self.scene.painter.show_label(place, text)
+        self.scene.request_render()
+
+    def show_axes(self, axes: RearLines | None) -> None:
+        """Draw the lines seen from behind, and their angle."""
+        lines = () if axes is None else axes.lines
+        self.scene.painter.show_lines("axes", lines, self.scene.painter.scheme.accent, 2.5)
+        place, text = (None, "") if axes is None or not axes.text else (axes.place, axes.text)
+        self.scene.painter.show_label(place, text, "axes-angle")
         self.scene.request_render()
 
     def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:

@@ -14,7 +14,9 @@ from insole_core.insole.design import (
     Posting,
 )
 from insole_core.insole.limits import Range
+from insole_core.insole.rules import Rules
 from insole_studio.stages.design.correction_fields import field_specs, with_value
+from insole_studio.stages.design.foot_offers import FootOffers
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
 from insole_studio.texts import tr
 from insole_studio.tools.brush import BrushTool
@@ -45,12 +47,18 @@ class ParametersPresenter:
     """Shows the values of the selected correction and of the insole, and takes new ones."""
 
     def __init__(
-        self, panel: ParametersPanel, case: Case, hand: Hand, pads: Sequence[LibraryPad]
+        self,
+        panel: ParametersPanel,
+        case: Case,
+        hand: Hand,
+        pads: Sequence[LibraryPad],
+        rules: Rules,
     ) -> None:
         self._panel = panel
         self._case = case
         self._hand = hand
         self._pads = pads
+        self._foot_offers = FootOffers(case, rules)
         panel.field_edited.connect(self.edit)
         panel.offer_chosen.connect(self.choose)
         case.opened.connect(self.show)
@@ -81,6 +89,8 @@ class ParametersPresenter:
     def choose(self, key: str) -> None:
         """Do what a button offers."""
         kind, name = key.split(".", 1)
+        if self._foot_offers.choose(kind, name):
+            return
         if kind == "size":
             self._take_size(self._pads[int(name)].template)
         elif kind == "remove":
@@ -88,11 +98,11 @@ class ParametersPresenter:
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
         tool, selected = self._hand.tool, self._selected(design)
-        if tool.key in ("outline", "plane"):
-            shown = self._case.shown.annotations.plane
-            return [_plane_group(shown)] if tool.key == "plane" else []
+        own = _TOOL_GROUPS.get(tool.key)
+        if own is not None:
+            return own(self)
         if tool.key == "posting" and not (selected and selected.type != Posting.type):
-            return [_posting_group(posting_of(design) or Posting())]
+            return [self._posting_group(posting_of(design) or Posting())]
         if selected is not None:
             return [self._correction_group(selected)]
         if isinstance(tool, PelottTool):
@@ -108,10 +118,20 @@ class ParametersPresenter:
 
     def _correction_group(self, correction: Correction) -> FieldGroup:
         if isinstance(correction, Posting):
-            return _posting_group(correction)
+            return self._posting_group(correction)
         fields = field_specs(correction, "correction")
         offers = self._size_offers(correction)
         return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
+
+    def _posting_group(self, posting: Posting) -> FieldGroup:
+        """The angles, and what the measured axis suggests."""
+        note = self._foot_offers.posting_note()
+        offers = self._foot_offers.posting_offers()
+        title = tr("Pronation / supination (> 0 raises the medial edge)")
+        return FieldGroup(title, field_specs(posting, "posting"), offers, note)
+
+    def _plane_groups(self) -> list[FieldGroup]:
+        return [_plane_group(self._case.shown.annotations.plane)]
 
     def _template_group(self, template: Pelott) -> FieldGroup:
         specs = field_specs(template, "template")
@@ -213,11 +233,6 @@ def _sized(pad: Pelott, size: Pelott) -> Pelott:
     return replace(pad, length_mm=size.length_mm, width_mm=size.width_mm, height_mm=size.height_mm)
 
 
-def _posting_group(posting: Posting) -> FieldGroup:
-    note = tr("> 0 raises the medial edge, < 0 the lateral edge")
-    return FieldGroup(tr("Pronation / supination"), field_specs(posting, "posting"), note=note)
-
-
 def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
     if plane is None:
         return FieldGroup(tr("Reference plane"), note=tr("Click on the foot to place it."))
@@ -243,6 +258,12 @@ def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
     return FieldSpec(key, label, unit, value, allowed.least, allowed.greatest, step=0.5)
 
 
+_TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
+    "outline": lambda _presenter: [],
+    "plane": ParametersPresenter._plane_groups,
+    "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
+}
+"""Of the tools that show their own values, whatever is selected."""
 _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "correction": ParametersPresenter._edit_correction,
     "template": ParametersPresenter._edit_template,
@@ -251,4 +272,5 @@ _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "layers": ParametersPresenter._edit_layers,
     "outline": ParametersPresenter._edit_outline,
     "plane": ParametersPresenter._edit_plane,
+    "pose": lambda presenter, name, value: presenter._foot_offers.turn(name, value),
 }

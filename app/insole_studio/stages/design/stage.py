@@ -99,7 +99,7 @@ class DesignStage(QObject):
             rules=rules,
             look_at=self.look_at,
         )
-        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, pads)
+        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, pads, rules)
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)

@@ -1,0 +1,53 @@
+"""The lines seen from behind: Achilles axis, bisection of the calcaneus, and the sole's level."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.cases.record import CaseRecord
+from insole_core.geometry.arrays import FloatArray
+from insole_studio.texts import tr
+from insole_studio.workbench.landmarks import landmarks_of
+
+LEVEL_HALF_MM = 60.0
+BEYOND = 0.25
+"""Share of its length that an axis is drawn farther at both ends."""
+
+
+@dataclass(frozen=True, eq=False)
+class RearLines:
+    """Lines (2, 3) each, mm, insole frame, and the angle to be written at a place."""
+
+    lines: tuple[FloatArray, ...]
+    place: FloatArray
+    text: str
+
+    def axes_alone(self) -> RearLines:
+        """Leave out the sole's level and the angle."""
+        return RearLines(self.lines[:-1], self.place, "")
+
+
+def rear_lines(record: CaseRecord) -> RearLines | None:
+    """Give the lines of the foot at hand; None where the leg was not scanned."""
+    landmarks = landmarks_of(record)
+    if record.foot is None or "achilles_lower" not in landmarks:
+        return None
+    lines = [
+        _axis(landmarks[f"{name}_lower"].point, landmarks[f"{name}_upper"].point)
+        for name in ("achilles", "calcaneus")
+        if f"{name}_upper" in landmarks
+    ]
+    x, y, _ = landmarks["achilles_lower"].point
+    level = np.array([[x - LEVEL_HALF_MM, y, 0.0], [x + LEVEL_HALF_MM, y, 0.0]])
+    way = lines[0][1] - lines[0][0]
+    lean = float(np.degrees(np.arctan2(record.foot.side.medial_sign * way[0], way[2])))
+    kind = tr("valgus") if lean > 0 else tr("varus")
+    text = tr("{angle}° {kind}").format(angle=f"{abs(lean):.1f}", kind=kind)
+    return RearLines((*lines, level), lines[0][1], text)
+
+
+def _axis(lower: FloatArray, upper: FloatArray) -> FloatArray:
+    more = BEYOND * (upper - lower)
+    return np.stack([lower - more, upper + more])

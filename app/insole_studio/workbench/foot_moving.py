@@ -1,0 +1,59 @@
+"""A foot that lies anew takes with it what was marked and prescribed on it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.record import Annotations, FootRecord, KeyPoint, Variant
+from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.insole.design import Correction, InsoleDesign, Pelott, Place
+from insole_core.insole.mirroring import with_places
+
+
+def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:
+    """Put the same foot in another pose in the place of the one there is."""
+    step = foot.source2insole @ inverse(record.foot.source2insole)
+    variants = (Variant(v.name, _moved_design(v.design, step)) for v in record.variants)
+    return replace(
+        record,
+        foot=foot,
+        variants=tuple(variants),
+        annotations=_moved_annotations(record.annotations, step),
+    )
+
+
+def _moved_annotations(annotations: Annotations, step: FloatArray) -> Annotations:
+    points = tuple(KeyPoint(p.name, _point(step, p.position_mm)) for p in annotations.key_points)
+    plane = annotations.plane
+    if plane is not None:
+        plane = replace(plane, origin_mm=_point(step, plane.origin_mm))
+    return Annotations(points, plane)
+
+
+def _moved_design(design: InsoleDesign, step: FloatArray) -> InsoleDesign:
+    def move(place: Place) -> Place:
+        x, y, _ = _point(step, (*place, 0.0))
+        return x, y
+
+    return replace(
+        design,
+        corrections=tuple(_moved(c, move, step) for c in design.corrections),
+        outline=with_places(design.outline, move),
+    )
+
+
+def _moved(correction: Correction, move: object, step: FloatArray) -> Correction:
+    moved = with_places(correction, move)
+    if not isinstance(moved, Pelott):
+        return moved
+    yaw_deg = float(np.degrees(np.arctan2(step[1, 0], step[0, 0])))
+    return replace(moved, turn_deg=round((moved.turn_deg + yaw_deg + 180) % 360 - 180, 2))
+
+
+def _point(step: FloatArray, place: tuple[float, ...]) -> tuple[float, float, float]:
+    x, y, z = (round(float(v), 2) for v in transform(step, np.array([place]))[0])
+    return x, y, z
