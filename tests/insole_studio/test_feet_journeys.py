@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
@@ -143,7 +143,8 @@ def test_the_prescription_is_copied_mirrored(two_feet: Application, settle: Sett
     click_side(two_feet, Side.LEFT)
     pad = add_pad(two_feet)
     act(two_feet, "add_posting")
-    act(two_feet, "copy_to_other")
+    held = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+    press(two_feet, Qt.Key.Key_X, *held)
     settle()
     assert two_feet.case.side is Side.RIGHT
     mirrored, posting = design(two_feet).corrections
@@ -306,6 +307,19 @@ def test_both_feet_stand_side_by_side(two_feet: Application, settle: Settle) -> 
     assert foot.companion is not None
     assert foot.mesh is not None
     assert foot.companion.bounds_mm[0, 0] > foot.mesh.bounds_mm[1, 0] + 30
+
+
+def test_a_double_click_takes_the_foot_that_stands_beside(
+    two_feet: Application, settle: Settle
+) -> None:
+    act(two_feet, "beside_foot")
+    settle()
+    companion = two_feet.stage.foot_presenter.companion
+    assert companion is not None
+    scene = two_feet.stage.foot.scene
+    x, y = scene.look.pixels_of(companion.bounds_mm.mean(axis=0))[0]
+    QTest.mouseDClick(scene.surface, LEFT_BUTTON, pos=QPoint(round(x), round(y)))
+    assert two_feet.case.side is Side.LEFT
 
 
 def test_the_feet_are_compared_mirrored(two_feet: Application, settle: Settle) -> None:

@@ -11,6 +11,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_core.insole.outline_curve import closed_curve
@@ -39,6 +40,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import Beside, Counterpart
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.section import Section, section_line
+from insole_studio.workbench.variants import choose_variant
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
@@ -121,6 +123,13 @@ class ModelPresenter:
         else:
             self.panel.show_names(names_over(foot, self._counterpart, self.mesh, companion))
 
+    def _take_companion(self) -> None:
+        side = self._case.side
+        if self._counterpart.kind is Beside.VARIANT:
+            choose_variant(self._case, self._counterpart.variant)
+        elif side is not None:
+            self._case.take_foot(side.other)
+
     def _beside(self) -> TriangleMesh | None:
         """What is to stand beside the subject, in its own place."""
         raise NotImplementedError
@@ -179,8 +188,16 @@ class ModelPresenter:
         return self._hand.cancel()
 
     def double_click(self, event: PointerEvent) -> bool:
-        """Let the tool act on a double click."""
-        return self._hand.double_click(event, self)
+        """Let the tool act on a double click; on what stands beside, take that to hand."""
+        if self._hand.double_click(event, self):
+            return True
+        companion = self.companion
+        if event.surface_mm is not None or companion is None:
+            return False
+        if SurfacePicker(companion).pick(*event.look.ray_at(*event.pixel)) is None:
+            return False
+        self._take_companion()
+        return True
 
     def offers(self, event: PointerEvent) -> Sequence[MenuOffer]:
         """Give what can be done where the pointer is."""

@@ -25,7 +25,7 @@ class VariantRow(QWidget):
         )
         self.names.setAccessibleName(tr("Variant"))
         self.names.setToolTip(tr("The variant that is shown, checked and made"))
-        self.names.textActivated.connect(self.chosen)
+        self.names.activated.connect(self._choose)
         self._duplicate = self._button("variant_duplicate", "copy", tr("Duplicate as a variant"))
         self._name = self._button("variant_name", "name", tr("Name the variant…"))
         self._delete = self._button("variant_delete", "remove", tr("Delete the variant"))
@@ -40,8 +40,9 @@ class VariantRow(QWidget):
         """Show the names of all, and which is chosen."""
         with QSignalBlocker(self.names):
             self.names.clear()
-            self.names.addItems(list(names))
-            self.names.setCurrentText(chosen)
+            for name in names:
+                self.names.addItem(tr("Variant {name}").format(name=name), name)
+            self.names.setCurrentIndex(self.names.findData(chosen))
         self.setEnabled(bool(names))
         self._delete.setEnabled(len(names) > 1)
 
@@ -60,6 +61,9 @@ class VariantRow(QWidget):
         button.setProperty("icon_name", icon_name)
         button.clicked.connect(self._request)
         return button
+
+    def _choose(self, place: int) -> None:
+        self.chosen.emit(self.names.itemData(place))
 
     def _request(self) -> None:
         self.action_requested.emit(self.sender().property("action"))
