@@ -14,7 +14,12 @@ from insole_core.reconstruct.blobs import Blobs, find_blobs, sharpened
 from insole_core.reconstruct.coloring import mean_color
 from insole_core.reconstruct.marker_fix import Registration
 from insole_core.reconstruct.naming import with_places
-from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits
+from insole_core.reconstruct.picture import picture_fault
+from insole_core.reconstruct.pose_quality import (
+    DEFAULT_LIMITS,
+    PoseRefusedError,
+    RegistrationLimits,
+)
 from insole_core.reconstruct.registration import (
     register,
     register_in_image,
@@ -62,6 +67,11 @@ class MeasuredView:
         return sharpened(self.color, found) if self.precise else found
 
     @cached_property
+    def picture_fault(self) -> str:
+        """What is wrong with the colour picture; mostly empty."""
+        return picture_fault(self.color, self.blobs)
+
+    @cached_property
     def sightings(self) -> Sightings:
         """The blobs that have a place in space."""
         return locate_blobs(self.blobs, self.points, self.view.sensor)
@@ -79,6 +89,19 @@ class MeasuredView:
         ReconstructionError
             With the reason, as the end of a sentence.
         """
+        try:
+            return self._registered(system, limits, edits)
+        except ReconstructionError as error:
+            if not self.picture_fault:
+                raise
+            reason = f"{self.picture_fault} ({error})"
+            if isinstance(error, PoseRefusedError):
+                raise PoseRefusedError(reason, error.registration) from error
+            raise ReconstructionError(reason) from error
+
+    def _registered(
+        self, system: ReferenceSystem, limits: RegistrationLimits, edits: ViewEdits
+    ) -> Registration:
         sensor = self.view.sensor
         sightings = with_places(self.sightings, self.points, sensor, edits)
         if not self.precise:
@@ -108,12 +131,13 @@ def measure_view(view: View) -> MeasuredView:
     return MeasuredView(view, raw, points, mean_color(view), len(average.moved), note, precise=True)
 
 
-def used_result(measured: MeasuredView, registration: Registration) -> ViewResult:
-    """Say what a view that is part of the foot rests on."""
+def used_result(measured: MeasuredView, registration: Registration, note: str = "") -> ViewResult:
+    """Say what a view that is part of the foot rests on, and what is to be known of it."""
+    notes = (measured.motion_note, measured.picture_fault, note)
     return replace(
         placed_result(measured.view.name, registration),
         used=True,
-        reason=measured.motion_note,
+        reason="; ".join(filter(None, notes)),
         frames=measured.view.depth_count,
         left_out=measured.left_out,
     )

@@ -13,6 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.coloring import color_points
+from insole_core.reconstruct.coverage import coverage_of
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
 from insole_core.reconstruct.fusion.reading import read_volume
 from insole_core.reconstruct.fusion.surface import fuse
@@ -25,7 +26,7 @@ from insole_core.reconstruct.measured_view import (
 from insole_core.reconstruct.midline import cut_at_midline
 from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits
 from insole_core.reconstruct.preview import coarse_foot
-from insole_core.reconstruct.remarks import warnings_of
+from insole_core.reconstruct.remarks import misfits, warnings_of
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,
@@ -95,6 +96,10 @@ class _Way(Protocol[_Part]):
         """Give the part of a placed view that shows the foot."""
         ...
 
+    def note(self, part: _Part) -> str:
+        """Say what is to be known of the part, as the end of a sentence; mostly nothing."""
+        ...
+
     def join(self, parts: list[_Part], progress: Progress) -> Surface:
         """Make one surface of all views."""
         ...
@@ -117,6 +122,9 @@ class _Thesis:
         return without_small_pieces(
             Sheet(placed, triangles, colors, sensor2reference, sensor.depth_camera)
         )
+
+    def note(self, part: Sheet) -> str:
+        return ""
 
     def join(self, parts: list[Sheet], progress: Progress) -> Surface:
         progress.step(0.0, "Cutting the views where they overlap")
@@ -145,6 +153,13 @@ class _Fused:
             color=measured.color,
         )
         return prepare(reading)
+
+    def note(self, part: PreparedView) -> str:
+        edges = " and ".join(part.reading.cut_edges)
+        return edges and (
+            f"the foot is cut off at the {edges} edge of the depth picture; turn the sensor or "
+            "move it back"
+        )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
         if self.on_preview is not None:
@@ -186,12 +201,14 @@ class _Chain(Generic[_Part]):
         with self.clock.measuring("surface"):
             surface = self.way.join(parts, progress.part(0.5, 1.0))
         progress.step(1.0, "The foot is ready")
+        coverage = coverage_of(surface.mesh)
         return Reconstruction(
             surface.mesh,
             tuple(results),
-            warnings_of(self.session, results),
+            (*warnings_of(self.session, results, coverage), *misfits(results, surface)),
             self.clock.seconds,
             surface.deviation_mm,
+            coverage,
         )
 
     def _place(self, view: View) -> tuple[_Part, ViewResult]:
@@ -208,7 +225,7 @@ class _Chain(Generic[_Part]):
             part = self.way.cut_out(
                 measured, registration.sensor2reference, volume_of_interest(self.session)
             )
-        return part, used_result(measured, registration)
+        return part, used_result(measured, registration, self.way.note(part))
 
 
 def _check_any_used(session: Session, results: list[ViewResult]) -> None:

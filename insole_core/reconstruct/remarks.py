@@ -9,13 +9,16 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
-from insole_core.reconstruct.result import ViewResult
+from insole_core.reconstruct.coverage import coverage_warnings
+from insole_core.reconstruct.result import Surface, ViewResult
 from insole_core.recording.session import Session, View
 from insole_core.sensing.frames import MOVED_RAW, RawAverage
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
 _UNCERTAIN_MM = 1.5
+_MISFIT_MM = 2.0
+"""Views of a foot that kept still fit each other within 1 mm."""
 _STRAYED_PX = 4.0
 """Far beyond what noise does: 3 mm at 750 mm."""
 
@@ -54,17 +57,38 @@ def _motion_mm(view: View, average: RawAverage, depth_mm: FloatArray) -> float:
     return average.motion_raw / abs(float(far_raw - near_raw))
 
 
-def warnings_of(session: Session, results: list[ViewResult]) -> tuple[str, ...]:
+def warnings_of(
+    session: Session, results: list[ViewResult], coverage: dict[str, float]
+) -> tuple[str, ...]:
     """Give the sentences that a user should read before trusting the foot."""
+    unseen = _unseen_sides(session, results)
     return (
         *(f"The view {r.name} is left out: {r.reason}." for r in results if not r.used),
         *(f"In the view {r.name} {r.reason}." for r in results if r.used and r.reason),
         *_uncertain_poses(results),
         *_strayed_markers(results),
         *_hand_corrections(session, results),
-        *_unseen_sides(session, results),
+        *unseen,
+        *coverage_warnings(coverage, absence_is_told=bool(unseen)),
         *_same_places(session, results),
     )
+
+
+def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
+    """Name the two used views that fit each other worst, when they do not fit."""
+    shifts_mm = surface.view_shifts_mm
+    if shifts_mm is None or len(shifts_mm) < 2:
+        return []
+    names = [result.name for result in results if result.used]
+    apart_mm = np.linalg.norm(shifts_mm[:, None] - shifts_mm, axis=2)
+    first, second = np.unravel_index(int(apart_mm.argmax()), apart_mm.shape)
+    if apart_mm[first, second] < _MISFIT_MM:
+        return []
+    return [
+        f"The views {names[first]} and {names[second]} do not fit each other by "
+        f"{apart_mm[first, second]:.0f} mm; see whether the foot or the reference system was moved "
+        "between them."
+    ]
 
 
 def _uncertain_poses(results: list[ViewResult]) -> list[str]:

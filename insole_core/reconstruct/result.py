@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -105,10 +105,13 @@ class Surface:
     mesh
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal, where it is known.
+    view_shifts_mm : (views, 3) float64, reference frame, optional
+        By how much each used view would fit better elsewhere.
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray | None = None
+    view_shifts_mm: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,6 +129,8 @@ class Reconstruction:
         Time of every step, by name.
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal; not for the thesis's chain.
+    coverage
+        Share of every region of the foot that has a surface, 0 to 1.
     """
 
     mesh: TriangleMesh
@@ -133,6 +138,7 @@ class Reconstruction:
     warnings: tuple[str, ...]
     seconds: dict[str, float]
     deviation_mm: FloatArray | None = None
+    coverage: dict[str, float] = field(default_factory=dict)
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:
@@ -142,6 +148,7 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
         "vertices": len(reconstruction.mesh.vertices),
         "triangles": len(reconstruction.mesh.triangles),
         "seconds": {"total": total_seconds, **reconstruction.seconds},
+        "coverage": reconstruction.coverage,
         "warnings": list(reconstruction.warnings),
     }
 

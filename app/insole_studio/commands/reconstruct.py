@@ -7,6 +7,7 @@ import json
 import sys
 import time
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     # Imported here, so that a wrong call answers at once.
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
+    from insole_core.foot.side_check import side_doubt
     from insole_core.reconstruct import RegistrationLimits, reconstruct, report_json
     from insole_core.recording.reader import read_session
 
@@ -56,6 +58,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         result = reconstruct(session, arguments.method, progress.part(0.1, 0.9), limits)
         progress.step(0.9, "Writing the foot")
         write_ply(result.mesh, foot_file)
+        doubt = side_doubt(result.mesh, session.manifest.side)
+        result = replace(result, warnings=(*result.warnings, *filter(None, [doubt])))
         for warning in result.warnings:
             print(f"Warning: {warning}", file=sys.stderr)
         if report:

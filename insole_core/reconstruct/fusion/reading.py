@@ -15,6 +15,9 @@ from insole_core.recording.session import Box
 from insole_core.sensing.sensor import Sensor
 
 _MARGIN_PX = 6
+_EDGE_PX = 10
+"""The sensor's window and its blind columns keep readings so far from the edge of the picture."""
+_LEAST_CUT_PX = 15
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +65,21 @@ class Reading:
     @cached_property
     def _tree(self) -> cKDTree:
         return cKDTree(self.surface_points)
+
+    @property
+    def cut_edges(self) -> tuple[str, ...]:
+        """The edges of the depth picture at which what was measured is cut off."""
+        camera = self.sensor.depth_camera
+        v, u = np.nonzero(self.known) + np.array(self.corner)[::-1, None]
+        far = {
+            "left": u,
+            "right": camera.width - 1 - u,
+            "upper": v,
+            "lower": camera.height - 1 - v,
+        }
+        return tuple(
+            edge for edge, away_px in far.items() if (away_px < _EDGE_PX).sum() >= _LEAST_CUT_PX
+        )
 
     def distance_mm(self, points: FloatArray, farthest_mm: float) -> FloatArray:
         """Distance (n,) of places (n, 3) from what was measured; inf beyond `farthest_mm`."""

@@ -15,6 +15,10 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
 from insole_core.reconstruct.fusion.reading import Reading
 
+_SHIFT_ROUNDS = (16, 8, 4, 2)
+_SHIFT_PRIOR = 1e-2
+"""Inverse variance, 1/mm²: keeps a view of next to nothing from being shifted."""
+
 
 @dataclass(frozen=True)
 class RefinementLimits:
@@ -56,11 +60,14 @@ class RefinedSurface:
         Standard deviation of the vertices along their normals.
     view_offsets_raw : (views, 3) float64
         Offset and tilts that each view was found to have.
+    view_shifts_mm : (views, 3) float64, reference frame
+        By how much each view would fit better elsewhere; 0 where no other view measured the same.
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray
     view_offsets_raw: FloatArray
+    view_shifts_mm: FloatArray
 
 
 def refine(
@@ -94,7 +101,30 @@ def refine(
         TriangleMesh(mesh.vertices + moved[:, None] * normals, mesh.triangles),
         system.deviation_mm(solver, weights),
         views.reshape(-1, 3),
+        np.array([_shift_mm(part, displacement, normals, limits.robust) for part in seen]),
     )
+
+
+def _shift_mm(
+    part: Observations, displacement: FloatArray, normals: FloatArray, robust: float
+) -> FloatArray:
+    """Shift (3,) of the whole surface that one view would like best, robust least squares."""
+    left = np.asarray(part.residuals - part.design @ displacement)
+    response = np.asarray(part.design @ normals)
+    shift = np.zeros(3)
+    # First nearly all readings count: a view that was moved as a whole has no other outliers.
+    for wider in _SHIFT_ROUNDS:
+        weights = _robust(left - response @ shift, part.information, wider * robust)
+        normal = response.T @ (weights[:, None] * response) + _SHIFT_PRIOR * np.eye(3)
+        shift = np.asarray(np.linalg.solve(normal, response.T @ (weights * left)))
+    return shift
+
+
+def _robust(left: FloatArray, information: FloatArray, robust: float) -> FloatArray:
+    """Weights of residuals, Geman & McClure."""
+    # What a window's readings share does not widen the spread of a single one.
+    single = left**2 * information * SHARED_PX
+    return np.asarray(information / (1 + single / robust**2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,9 +160,7 @@ class _System:
 
     def robust_weights(self, displacement: FloatArray, views: FloatArray) -> FloatArray:
         left = self.residuals - self.design @ displacement - self.terms @ views
-        # What a window's readings share does not widen the spread of a single one.
-        single = left**2 * self.information * SHARED_PX
-        return np.asarray(self.information / (1 + single / self.limits.robust**2))
+        return _robust(left, self.information, self.limits.robust)
 
     def factorised(self, weights: FloatArray) -> SuperLU:
         weighted = sparse.diags_array(weights) @ self.design

@@ -76,7 +76,8 @@ def fuse(
     progress.step(0.8, "Colouring the surface")
     fine, ends = subdivided(refined.mesh.part(kept))
     colors = color_vertices(fine, readings)
-    return Surface(replace(fine, colors=colors), refined.deviation_mm[kept][ends].mean(1))
+    deviation_mm = refined.deviation_mm[kept][ends].mean(1)
+    return Surface(replace(fine, colors=colors), deviation_mm, refined.view_shifts_mm)
 
 
 def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:

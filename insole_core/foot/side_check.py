@@ -1,0 +1,43 @@
+"""Whether a reconstructed foot is the one that it was recorded as."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.foot.pose import poses_as_it_lies, surface_points
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+
+_CLEAR = 1.25
+_NO_FOOT = 0.6
+_LEAST_SOLE_MM2 = 5000.0
+_GROUND_FACING = -0.5
+
+
+def side_doubt(mesh: TriangleMesh, side: Side) -> str:
+    """Give a sentence when the shape is not that of the foot; empty when it is, or has no sole.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    side
+        As the session says.
+    """
+    facing_ground = mesh.vertex_normals[:, 2] < _GROUND_FACING
+    if mesh.vertex_areas[facing_ground].sum() < _LEAST_SOLE_MM2:
+        return ""
+    poses = list(poses_as_it_lies(surface_points(mesh), np.eye(4)))
+    asked, other = (
+        min(pose.unlikeness for pose in poses if pose.side is one) for one in (side, side.other)
+    )
+    if min(asked, other) > _NO_FOOT:
+        return (
+            "What was measured in the volume of interest does not look like a foot; see that a "
+            "foot was in place, and that the volume holds nothing else."
+        )
+    if asked > _CLEAR * other:
+        return (
+            f"The session says that it is a {side} foot, but the shape looks like a {side.other} "
+            'one; ask which foot it is, and correct "side" in manifest.json if need be.'
+        )
+    return ""

@@ -1,0 +1,108 @@
+"""How much of each part of the foot was measured."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+
+REGIONS = ("toes", "forefoot", "arch", "heel", "achilles")
+_SOLE_SHARES = {
+    "heel": (0.0, 0.3),
+    "arch": (0.3, 0.58),
+    "forefoot": (0.58, 0.8),
+    "toes": (0.8, 1.0),
+}
+"""From the heel, as shares of the foot's length."""
+_CELL_MM = 4.0
+_GROUND_FACING = -0.3
+_HIGHEST_SOLE_MM = 60.0
+_LEAST_SOLE_MM2 = 2000.0
+_USUAL_LENGTH_MM = 140.0
+"""A child's of three years; what is shorter is a part of a foot."""
+_BACK_FACING = -0.4
+_ACHILLES_MM = (25.0, 125.0)
+_ACHILLES_WIDTH_CELLS = 4
+ENOUGH = 0.8
+"""Toes with their gaps cover more than this."""
+
+
+def coverage_of(mesh: TriangleMesh) -> dict[str, float]:
+    """Give the share of every region that has a surface, 0 to 1.
+
+    For the sole the share of the cells between the medial and the lateral border that hold a
+    surface facing the ground; for the Achilles tendon the share of the heights from 25 to 125 mm
+    above the ground at which the back of the leg is there.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    """
+    normals = mesh.vertex_normals
+    height_mm = mesh.vertices[:, 2] - mesh.vertices[:, 2].min()
+    sole = (normals[:, 2] < _GROUND_FACING) & (height_mm < _HIGHEST_SOLE_MM)
+    back = (normals[:, 1] < _BACK_FACING) & (height_mm > _ACHILLES_MM[0])
+    found = _sole_coverage(mesh, sole)
+    achilles = _heights_covered(mesh.vertices[back], height_mm[back])
+    return {region: found.get(region, achilles) for region in REGIONS}
+
+
+def _sole_coverage(mesh: TriangleMesh, sole: BoolArray) -> dict[str, float]:
+    places = mesh.vertices[sole]
+    if mesh.vertex_areas[sole].sum() < _LEAST_SOLE_MM2:
+        return dict.fromkeys(_SOLE_SHARES, 0.0)
+    heel_mm, toe_mm = np.percentile(places[:, 1], [0.2, 99.8])
+    length_mm = max(float(toe_mm - heel_mm), _USUAL_LENGTH_MM)
+    cells = np.floor((places[:, :2] - places[:, :2].min(0)) / _CELL_MM).astype(np.int64)
+    occupied = np.zeros(cells.max(0) + 1, dtype=bool)
+    occupied[tuple(cells.T)] = True
+    span = np.logical_or.accumulate(occupied, 0) & np.logical_or.accumulate(occupied[::-1], 0)[::-1]
+    row_mm = places[:, 1].min() + _CELL_MM * (np.arange(occupied.shape[1]) + 0.5)
+    share = (row_mm - heel_mm) / length_mm
+    return {
+        region: _filled(occupied, span, (share >= low) & (share < high))
+        for region, (low, high) in _SOLE_SHARES.items()
+    }
+
+
+def _filled(occupied: BoolArray, span: BoolArray, rows: BoolArray) -> float:
+    """Share of the cells between the borders that are occupied; rows without any count in full."""
+    usual = np.median(span.sum(0)[span.any(0)])
+    expected = np.maximum(span[:, rows].sum(0), np.where(span[:, rows].any(0), 0, usual)).sum()
+    return float(occupied[:, rows].sum() / expected) if expected else 0.0
+
+
+def _heights_covered(places: FloatArray, height_mm: FloatArray) -> float:
+    low, high = _ACHILLES_MM
+    count = int((high - low) / _CELL_MM)
+    level: IntArray = np.floor((height_mm - low) / _CELL_MM).astype(np.int64)
+    column: IntArray = np.floor(places[:, 0] / _CELL_MM).astype(np.int64)
+    cells = np.unique(np.stack([level, column], axis=1)[level < count], axis=0)
+    width = np.bincount(cells[:, 0], minlength=count)
+    return float((width >= _ACHILLES_WIDTH_CELLS).mean())
+
+
+def coverage_warnings(coverage: dict[str, float], *, absence_is_told: bool) -> list[str]:
+    """Name the parts of the foot that are missing, and those that are missing in part.
+
+    Parameters
+    ----------
+    coverage
+        As `coverage_of` gives it.
+    absence_is_told
+        Whether it was said already that a side of the foot was not looked at.
+    """
+    known = {r: share for r, share in coverage.items() if share >= 0.5 or not absence_is_told}
+    absent = [region for region, share in known.items() if share < 0.05]
+    partial = [
+        f"{region} {100 * share:.0f} %" for region, share in known.items() if 0.05 <= share < ENOUGH
+    ]
+    sentences = []
+    if absent:
+        sentences.append(f"Not measured: {', '.join(absent)}; no view that is used shows it.")
+    if partial:
+        sentences.append(
+            f"Only partly measured: {', '.join(partial)}; see the holes there before designing."
+        )
+    return sentences

@@ -1,0 +1,161 @@
+"""What a reconstruction says of pictures and sessions that are not as they should be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from insole_core.foot.side_check import side_doubt
+from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.reconstruct import Reconstruction, reconstruct
+from insole_core.reconstruct.coverage import coverage_of, coverage_warnings
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Session, View
+from insole_core.sensing.correction import DisparityCorrection
+
+SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
+
+
+@pytest.fixture(scope="module")
+def session() -> Session:
+    return read_session(SMALL)
+
+
+@pytest.fixture(scope="module")
+def whole(session: Session) -> Reconstruction:
+    return reconstruct(session)
+
+
+def altered(session: Session, name: str, change: Callable[[View], View]) -> Session:
+    views = (change(view) if view.name == name else view for view in session.views)
+    return replace(session, views=tuple(views))
+
+
+def with_colors(session: Session, name: str, change: Callable[[ByteArray], ByteArray]) -> Session:
+    def changed(view: View) -> View:
+        return replace(view, read_color=lambda index: change(view.read_color(index)))
+
+    return altered(session, name, changed)
+
+
+def said_of(session: Session, name: str) -> str:
+    """What is said of a view, used or not; the others are used, and a warning repeats it."""
+    result = reconstruct(session)
+    view = next(view for view in result.views if view.name == name)
+    assert all(other.used for other in result.views if other is not view)
+    assert any(view.reason in warning for warning in result.warnings)
+    return view.reason
+
+
+def scaled(gain: float, offset: float) -> Callable[[ByteArray], ByteArray]:
+    return lambda color: np.clip(color * gain + offset, 0, 255).astype(np.uint8)
+
+
+def test_a_good_session_is_said_nothing_of(whole: Reconstruction) -> None:
+    assert whole.warnings == ()
+    assert min(whole.coverage.values()) > 0.9
+
+
+def test_a_dark_picture(session: Session) -> None:
+    assert "almost dark" in said_of(with_colors(session, "right", scaled(0.08, 0)), "right")
+
+
+def test_an_overexposed_picture(session: Session) -> None:
+    assert "overexposed" in said_of(with_colors(session, "right", scaled(3.0, 200)), "right")
+
+
+@pytest.mark.parametrize("sigma_px", [5.0, 12.0])
+def test_a_picture_out_of_focus(session: Session, sigma_px: float) -> None:
+    blurred = with_colors(
+        session, "right", lambda color: np.asarray(cv2.GaussianBlur(color, (0, 0), sigma_px))
+    )
+    assert "out of focus" in said_of(blurred, "right")
+
+
+def test_a_foot_cut_off_by_the_edge_of_the_picture(session: Session) -> None:
+    left_px = 300
+
+    def moved(view: View) -> View:
+        """The view of a sensor whose depth picture lies elsewhere."""
+        camera = view.sensor.depth_camera
+        correction = view.sensor.correction
+        assert correction is not None
+        sensor = replace(
+            view.sensor,
+            depth_camera=replace(camera, cx=camera.cx - left_px),
+            correction=DisparityCorrection(np.roll(correction.offset, -left_px, 1)),
+        )
+
+        def read_depth(index: int) -> np.ndarray:
+            depth = np.full((480, 640), 2047, np.uint16)
+            depth[:, :-left_px] = view.read_depth(index)[:, left_px:]
+            return depth
+
+        return replace(view, sensor=sensor, read_depth=read_depth)
+
+    said = said_of(altered(session, "left", moved), "left")
+    assert "cut off at the left edge" in said
+
+
+def test_a_reference_system_moved_between_two_views(session: Session) -> None:
+    """As if everything but the foot had been lifted by 6 mm before the right view was taken."""
+
+    def nearer(view: View) -> View:
+        disparity = view.sensor.disparity
+        volume = np.s_[140:336, 284:392]
+
+        def read_depth(index: int) -> np.ndarray:
+            depth = view.read_depth(index).copy()
+            part = depth[volume]
+            seen = part < 2047
+            moved = disparity.raw(disparity.depth_mm(part[seen].astype(float)) - 6.0)
+            part[seen] = np.rint(moved).astype(np.uint16)
+            return depth
+
+        return replace(view, read_depth=read_depth)
+
+    result = reconstruct(altered(session, "right", nearer))
+    assert any("left and right do not fit each other" in w for w in result.warnings)
+
+
+def test_the_wrong_foot_declared(whole: Reconstruction) -> None:
+    assert side_doubt(whole.mesh, Side.LEFT) == ""
+    assert "looks like a left one" in side_doubt(whole.mesh, Side.RIGHT)
+
+
+def test_something_that_is_no_foot() -> None:
+    v, u = np.mgrid[:60, :60] * 4.0
+    places = np.column_stack([u.ravel(), v.ravel(), np.zeros(3600)])
+    corner = (np.arange(59)[:, None] * 60 + np.arange(59)).ravel()
+    triangles = np.concatenate(
+        [
+            np.stack([corner, corner + 60, corner + 1], 1),
+            np.stack([corner + 1, corner + 60, corner + 61], 1),
+        ]
+    ).astype(np.int32)
+    assert "does not look like a foot" in side_doubt(TriangleMesh(places, triangles), Side.LEFT)
+
+
+def test_what_a_single_view_does_not_cover_is_named(session: Session) -> None:
+    top = replace(session, views=tuple(view for view in session.views if view.name == "top"))
+    result = reconstruct(top)
+    assert result.coverage["achilles"] > 0.9
+    assert max(result.coverage[region] for region in ("toes", "forefoot", "arch", "heel")) == 0
+    assert "Not measured: toes" in coverage_warnings(result.coverage, absence_is_told=False)[0]
+
+
+def test_a_hole_in_the_arch_is_named(whole: Reconstruction) -> None:
+    y = whole.mesh.vertices[:, 1]
+    share = (y - y.min()) / np.ptp(y)
+    holed = whole.mesh.part((share < 0.38) | (share > 0.52))
+    coverage = coverage_of(holed)
+    assert coverage["arch"] < 0.6
+    assert min(coverage[region] for region in ("toes", "forefoot", "heel")) > 0.9
+    assert "arch" in coverage_warnings(coverage, absence_is_told=False)[0]
