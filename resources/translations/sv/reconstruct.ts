@@ -249,7 +249,7 @@
         </message>
         <message>
             <source>Volume of interest</source>
-            <translation>Intressant volym</translation>
+            <translation>Mätvolym</translation>
         </message>
         <message>
             <source>Whole image</source>

@@ -21,6 +21,7 @@ from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.session import Box
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
+from insole_studio.stages.capture.view_names import view_text
 from insole_studio.stages.reconstruct.maps import color_foot
 from insole_studio.stages.reconstruct.marker_presenter import ImagePanel, MarkerPresenter
 from insole_studio.stages.reconstruct.rows import (
@@ -157,7 +158,7 @@ class ReconstructPresenter:
         """Use a view, or leave it out."""
         edits = replace(self.edits.of(name), off=not on)
         text = tr("Use the view {name}") if on else tr("Leave out the view {name}")
-        self._apply(self.edits.with_view(name, edits), text.format(name=name))
+        self._apply(self.edits.with_view(name, edits), text.format(name=view_text(name)))
 
     def edit_box(self, box: Box) -> None:
         """Take another volume of interest."""

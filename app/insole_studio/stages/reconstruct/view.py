@@ -39,6 +39,7 @@ from insole_studio.widgets.number_field import NumberField
 
 _SIDE_PX = 300
 _WIDE_PX = 1000
+_BAR_PX = 12
 
 
 class ReconstructView(QWidget):
@@ -267,6 +268,7 @@ class ReconstructView(QWidget):
         header.addWidget(self._work)
         header.addWidget(self._progress)
         self._progress.setFixedWidth(180)
+        self._progress.setFixedHeight(_BAR_PX)
         self._progress.setTextVisible(False)
         header.addSpacing(8)
         header.addWidget(self.undo)

@@ -14,9 +14,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_studio.stages.capture.view_names import view_text
 from insole_studio.stages.reconstruct.rows import ViewRow
 from insole_studio.texts import tr
 
+_NAME = Qt.ItemDataRole.UserRole
 _CHIP_PX = 12
 _ROW_PX = 26
 _MOST_LINES = 5
@@ -44,6 +46,8 @@ class ViewTable(QTableWidget):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
         self.setShowGrid(False)
+        # In the dark theme an empty box would not be seen.
+        self.setStyleSheet("QTableView::indicator:unchecked { border: 1px solid palette(text); }")
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(len(columns) - 1, QHeaderView.ResizeMode.Stretch)
@@ -81,20 +85,23 @@ class ViewTable(QTableWidget):
         if first is not None:
             first.setCheckState(Qt.CheckState.Checked if row.on else Qt.CheckState.Unchecked)
             first.setIcon(_chip(row.color))
+            first.setData(_NAME, row.name)
 
     def _choose(self, row: int, *_others: int) -> None:
-        if row >= 0:
-            self.view_chosen.emit(self.text_at(row, tr("View")))
+        item = self.item(row, 0)
+        if item is not None:
+            self.view_chosen.emit(item.data(_NAME))
 
     def _switch(self, item: QTableWidgetItem) -> None:
         if item.column() == 0:
-            self.view_switched.emit(item.text(), item.checkState() is Qt.CheckState.Checked)
+            on = item.checkState() is Qt.CheckState.Checked
+            self.view_switched.emit(item.data(_NAME), on)
 
 
 def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
     """Heading, explanation and text of every column."""
     return (
-        (tr("View"), tr("Tick: the view is used"), lambda row: row.name),
+        (tr("View"), tr("Tick: the view is used"), lambda row: view_text(row.name)),
         (
             tr("Markers"),
             tr("Markers that determine the pose, of those that were found"),
