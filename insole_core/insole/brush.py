@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
-from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
@@ -27,11 +27,18 @@ def stroke_weight(stroke: BrushStroke, x_mm: FloatArray, y_mm: FloatArray) -> Fl
 def stroked(heights: FloatArray, weight: FloatArray, stroke: BrushStroke, step_mm: float) -> None:
     """Apply a stroke to heights (ny, nx) in place; nothing changes where its weight is 0."""
     if stroke.mode == "smooth":
-        even = gaussian_filter(heights, _SIGMA * stroke.radius_mm / step_mm, mode="nearest")
+        even = _even(heights, _SIGMA * stroke.radius_mm / step_mm)
         heights += np.where(weight > 0, weight * stroke.strength * (even - heights), 0.0)
     else:
         sign = 1.0 if stroke.mode == "push" else -1.0
         heights += sign * stroke.strength * weight
+
+
+def _even(heights: FloatArray, sigma: float) -> FloatArray:
+    """Smooth with a Gaussian up to 4 sigma; OpenCV does it in a tenth of the time of others."""
+    size = 2 * int(4 * sigma + 0.5) + 1
+    border = cv2.BORDER_REPLICATE
+    return np.asarray(cv2.GaussianBlur(heights.copy(), (size, size), sigma, borderType=border))
 
 
 def _dense(way: FloatArray, pitch_mm: float) -> FloatArray:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -25,7 +26,6 @@ _HEEL_TO_BALL = (0.30, 0.55)
 _TOES = (0.75, 1.0)
 _BEHIND_HEADS_MM = 8.0
 _PITCH_MM = 1.0
-_low: WeakKeyDictionary[Foot, FloatArray] = WeakKeyDictionary()
 _CORNER = 0.04  # share of the length over which the front corners are rounded
 
 
@@ -80,13 +80,44 @@ def _edges(foot: Foot, outline: Outline, stations: FloatArray) -> tuple[FloatArr
     return np.column_stack([left - wider, y]), np.column_stack([right + wider, y])
 
 
+@dataclass(frozen=True, eq=False)
+class _Low:
+    """What of a foot may widen its outline.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, by rising y
+        All vertices, and some within large triangles.
+    length_mm
+        Of the foot.
+    """
+
+    points: FloatArray
+    length_mm: float
+
+    def near(self, share: float) -> FloatArray:
+        """The x of the points about a share of the length."""
+        y, middle, band = self.points[:, 1], share * self.length_mm, _BAND * self.length_mm
+        first, end = np.searchsorted(y, [middle - band, middle + band])
+        return self.points[first:end, 0]
+
+    @cached_property
+    def tip_x_mm(self) -> float:
+        """Mean x of the foremost points."""
+        y = self.points[:, 1]
+        front = self.points[np.searchsorted(y, y[-1] - _BAND * self.length_mm) :, 0]
+        return float(front.mean())
+
+
+_lows: WeakKeyDictionary[Foot, _Low] = WeakKeyDictionary()
+
+
 def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Least and greatest x of the foot about each share of its length."""
-    low = _low_points(foot)
-    share = low[:, 1] / foot.length_mm
+    low = _low(foot)
     left, right = (np.full(len(stations), np.nan) for _ in range(2))
     for i, station in enumerate(stations):
-        x = low[np.abs(share - station) < _BAND, 0]
+        x = low.near(station)
         if len(x):
             left[i], right[i] = x.min(), x.max()
     known = np.isfinite(left)
@@ -94,16 +125,14 @@ def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
     return left, right
 
 
-def _low_points(foot: Foot) -> FloatArray:
-    """Points (n, 3) of what may widen the outline: all vertices, and some within large triangles.
-
-    Kept for each foot.
-    """
-    if foot not in _low:
+def _low(foot: Foot) -> _Low:
+    """Kept for each foot: an outline that is dragged asks for it again and again."""
+    if foot not in _lows:
         part = foot.mesh.part(foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM)
         samples = sample_triangles(part, _PITCH_MM).points
-        _low[foot] = np.concatenate([part.vertices, samples])
-    return _low[foot]
+        points = np.concatenate([part.vertices, samples])
+        _lows[foot] = _Low(points[points[:, 1].argsort()], foot.length_mm)
+    return _lows[foot]
 
 
 def _stretched(stations: FloatArray, length_mm: float, outline: Outline) -> FloatArray:
@@ -114,9 +143,7 @@ def _stretched(stations: FloatArray, length_mm: float, outline: Outline) -> Floa
 
 
 def _tip(foot: Foot, outline: Outline) -> list[float]:
-    low = _low_points(foot)
-    front = low[low[:, 1] > low[:, 1].max() - _BAND * foot.length_mm, 0]
-    return [float(front.mean()), float(_stretched(np.ones(1), foot.length_mm, outline)[0])]
+    return [_low(foot).tip_x_mm, float(_stretched(np.ones(1), foot.length_mm, outline)[0])]
 
 
 def _turns_left(points: FloatArray) -> bool:
