@@ -120,7 +120,7 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         elif isinstance(c, HeelLift):
             heights = lifted(field, c, length)
         elif isinstance(c, HeelCup):
-            heights = cupped(field, c, length)
+            heights = cupped(field, sole.measured, c, length)
         else:
             continue
         field = replace(field, heights_mm=heights)

@@ -177,6 +177,8 @@ class ArchRaise(CorrectionBase):
 class HeelCup(CorrectionBase):
     """How high the rim of the heel cup stands over the heel's lowest point.
 
+    A rim that the foot gives higher is taken down to it; a lower one is raised beside the foot.
+
     Parameters
     ----------
     depth_mm

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.ndimage import distance_transform_edt
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
@@ -13,6 +14,7 @@ from insole_core.insole.height_field import HeightField
 HEEL_SHARE = 0.22
 """Share of the foot's length that the heel takes."""
 _SKIVE_END = 0.32
+_WALL_DEG = 80.0  # of a rim that is raised beside the scan, against the ground
 _ROUNDING_MM = 1.0  # over this height a plane and the surface merge
 
 
@@ -42,14 +44,21 @@ def lifted(field: HeightField, lift: HeelLift, length_mm: float) -> FloatArray:
     return np.asarray(field.heights_mm + lift.height_mm * fade[:, None])
 
 
-def cupped(field: HeightField, cup: HeelCup, length_mm: float) -> FloatArray:
-    """Heights (ny, nx) with the rim of the heel no higher than the depth over the heel's floor."""
+def cupped(field: HeightField, measured: BoolArray, cup: HeelCup, length_mm: float) -> FloatArray:
+    """Heights (ny, nx) with the rim of the heel at the depth over the heel's floor.
+
+    What is higher is taken down. Where the scan ends lower, a wall rises beside it, steep and as
+    high as the way to the edge allows; the sole that was measured is never raised.
+    """
     rows = _rows(field, cup.fade_end * length_mm)
     limit = heel_floor_mm(field, length_mm) + cup.depth_mm
-    excess = smooth_hinge(field.heights_mm[rows] - limit, _ROUNDING_MM)
-    fade = 1 - smooth_step(field.y_mm[rows] / length_mm, cup.fade_start, cup.fade_end)
+    fade = (1 - smooth_step(field.y_mm[rows] / length_mm, cup.fade_start, cup.fade_end))[:, None]
     changed = field.heights_mm.copy()
-    changed[rows] -= excess * fade[:, None]
+    changed[rows] -= smooth_hinge(field.heights_mm[rows] - limit, _ROUNDING_MM) * fade
+    if measured[rows].any():
+        beside = distance_transform_edt(~measured[rows], sampling=field.step_mm)
+        wall = np.tan(np.radians(_WALL_DEG)) * beside
+        changed[rows] += np.clip(limit - changed[rows], 0, wall) * fade
     return changed
 
 

@@ -22,6 +22,7 @@ from insole_core.insole.design import (
     HeelSkive,
     InsoleDesign,
     Layers,
+    Outline,
     Pelott,
     Posting,
 )
@@ -160,3 +161,21 @@ def test_mirrored_twice_is_the_design_itself():
     design = InsoleDesign(Side.LEFT, EVERYTHING)
     assert mirrored(mirrored(design)) == design
     assert mirrored(design).side is Side.RIGHT
+
+
+@pytest.mark.parametrize("depth", [6.0, 12.0, 20.0, 28.0])
+def test_cup_is_deep_where_the_scan_ends_low(depth):
+    outline = Outline(heel_allowance_mm=6)
+    low = InsoleDesign(Side.LEFT, corrections=(HeelCup(depth_mm=depth),), outline=outline)
+    insole = build_insole(plate(Side.LEFT), low)
+    bare = build_insole(plate(Side.LEFT), replace(low, corrections=()))
+    field = insole.contact
+    heel = field.y_mm < 0.25 * 240
+    floor = field.heights_mm[heel][insole.measured[heel]].min()
+    # 5 mm beside the foot, within the outline, the rim stands as high as it is asked.
+    column = int(np.argmin(np.abs(field.x_mm - 55.0)))
+    row = int(np.argmin(np.abs(field.y_mm - 40.0)))
+    assert field.heights_mm[row, column] - floor == pytest.approx(depth, abs=0.05)
+    raised = field.heights_mm - bare.contact.heights_mm
+    assert np.abs(raised[insole.measured]).max() < 1e-9
+    assert np.abs(raised[field.y_mm > 0.46 * 240]).max() < 1e-9
