@@ -82,7 +82,8 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     """Read the wall captures of a folder of raw 16-bit PNG images.
 
     Every sub-folder is one capture and its images are the frames; in a folder without sub-folders
-    every image is a capture of one frame. A ``sensor.json`` beside the images tells the device.
+    every image is a capture of one frame. Colour pictures ``color…`` in a sub-folder
+    are passed over. A ``sensor.json`` beside the images tells the device.
 
     Raises
     ------
@@ -146,7 +147,9 @@ def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     if not folder.is_dir():
         raise InputError(f"There is no folder {folder}; name the folder with the wall captures.")
     below = [
-        (sub.name, sorted(sub.glob("*.png"))) for sub in sorted(folder.iterdir()) if sub.is_dir()
+        (sub.name, [path for path in sorted(sub.glob("*.png")) if not _is_color(path)])
+        for sub in sorted(folder.iterdir())
+        if sub.is_dir()
     ]
     groups = [(name, paths) for name, paths in below if paths]
     if not groups:
@@ -154,6 +157,10 @@ def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     if not groups:
         raise InputError(f"{folder} holds no PNG images; name the folder with the wall captures.")
     return groups
+
+
+def _is_color(path: Path) -> bool:
+    return path.name.startswith("color")
 
 
 def _serial_beside(image: Path) -> str:

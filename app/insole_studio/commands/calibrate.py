@@ -6,19 +6,28 @@ import argparse
 
 from insole_core.progress import Progress
 from insole_studio.commands.calibration import (
-    color,
-    depth,
+    camera,
     disparity,
     distortion,
     reference,
     session,
+    shift,
     stereo,
 )
 from insole_studio.commands.subcommands import Step, add_steps
 
 NAME = "calibrate"
 HELP = "calibrate a sensor, or measure a reference system, from folders of images"
-STEPS: tuple[Step, ...] = (color, distortion, depth, stereo, disparity, reference, session)
+STEPS: tuple[Step, ...] = (
+    camera.COLOR,
+    distortion,
+    camera.DEPTH,
+    stereo,
+    shift,
+    disparity,
+    reference,
+    session,
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

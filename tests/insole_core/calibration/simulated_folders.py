@@ -42,24 +42,26 @@ def write_boards(
 ) -> Path:
     """Write pictures of a board at `count` positions: colour, infrared, raw depth."""
     folder.mkdir(parents=True, exist_ok=True)
-    center = BOARD.points_mm.mean(0)
-    texture = chequer_print(BOARD.columns, BOARD.rows, round(BOARD.square_mm * _PX_PER_MM))
-    # Pixels of the infrared image are those of the depth image, shifted by half a window.
-    infrared = with_shift(SENSOR.depth_camera, (4.8, 3.9))
-    for i, board2depth in enumerate(board_poses(5, count, center, 800, tilt_deg)):
-        print2depth = board2depth.copy()
-        print2depth[:3, 3] -= board2depth[:3, :2] @ np.full(2, 1.5 * BOARD.square_mm)
-        if "color" in kinds:
-            print2color = SENSOR.depth2color @ print2depth
-            picture = photograph(texture, _PX_PER_MM, print2color, SENSOR.color_camera)
-            cv2.imwrite(str(folder / f"color_{i:03d}.png"), picture)
-        if "ir" in kinds:
-            picture = photograph(texture, _PX_PER_MM, print2depth, infrared)
-            cv2.imwrite(str(folder / f"ir_{i:03d}.png"), picture)
+    for i, board2depth in enumerate(board_poses(5, count, BOARD.points_mm.mean(0), 800, tilt_deg)):
+        for kind in ("color", "ir"):
+            if kind in kinds:
+                write_board_picture(folder / f"{kind}_{i:03d}.png", board2depth)
         if "depth" in kinds:
             (frame,) = device.frames(plane_of(board2depth), 1)
             cv2.imwrite(str(folder / f"depth_{i:03d}.png"), frame)
     return folder
+
+
+def write_board_picture(path: Path, board2depth: FloatArray) -> None:
+    """Write what the colour camera, or the infrared camera by the name, sees of a board."""
+    texture = chequer_print(BOARD.columns, BOARD.rows, round(BOARD.square_mm * _PX_PER_MM))
+    print2depth = board2depth.copy()
+    print2depth[:3, 3] -= board2depth[:3, :2] @ np.full(2, 1.5 * BOARD.square_mm)
+    placed, camera = SENSOR.depth2color @ print2depth, SENSOR.color_camera
+    if path.name.startswith("ir"):
+        # Pixels of the infrared image are those of the depth image, shifted by half a window.
+        placed, camera = print2depth, with_shift(SENSOR.depth_camera, (4.8, 3.9))
+    cv2.imwrite(str(path), photograph(texture, _PX_PER_MM, placed, camera))
 
 
 def write_walls(

@@ -11,8 +11,17 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from simulated_board import board_poses
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, wall
-from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
+from simulated_folders import (
+    BOARD,
+    BOARD_CALL,
+    SENSOR,
+    plane_of,
+    write_board_picture,
+    write_boards,
+    write_walls,
+)
 
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
@@ -76,6 +85,57 @@ def test_depth_camera_and_stereo_from_infrared(recorded) -> None:
     between = found.depth2color[:3, :3] @ SENSOR.depth2color[:3, :3].T
     assert rotation_angle_deg(between) < 0.5
     np.testing.assert_allclose(found.depth2color[:3, 3], SENSOR.depth2color[:3, 3], atol=6)
+
+
+def test_colour_on_depth_by_a_constant_shift(tmp_path: Path) -> None:
+    SensorStore(tmp_path / "own").save(SENSOR)
+    rays = CAMERA.normalised(np.array([[200.0, 150.0], [500.0, 300.0], [320.0, 240.0]]))
+    space = np.column_stack([rays, np.ones(3)]) * 800
+    seen = SENSOR.color_pixels(space) + np.array([2.0, -5.0])
+    pixels = [[200, 150], [500, 300], [320, 240]]
+    points = [
+        {"depth_px": pixel, "depth_mm": 800, "color_px": color.tolist()}
+        for pixel, color in zip(pixels, seen, strict=True)
+    ]
+    (tmp_path / "points.json").write_text(json.dumps({"points": points}))
+    assert run(call("shift", tmp_path / "points.json", tmp_path / "own")) == 0
+    found = kept(tmp_path / "own").color_camera
+    assert found.cx == pytest.approx(SENSOR.color_camera.cx + 2, abs=1e-6)
+    assert found.cy == pytest.approx(SENSOR.color_camera.cy - 5, abs=1e-6)
+    report = json.loads((tmp_path / "own" / "SIM1" / "shift.json").read_text())
+    assert abs(report["sections"]["shift"]["numbers"]["x_px"]["value"]) < 1e-6
+
+
+@pytest.fixture
+def walls_with_boards(tmp_path: Path) -> Path:
+    """Three walls, all measured 4 raw units too far, with a board on each."""
+    device = SimulatedDevice(np.full((480, 640), 4.0), decay=0)
+    folder = tmp_path / "walls"
+    for number, placed in enumerate(board_poses(8, 3, BOARD.points_mm.mean(0), 800, 20)):
+        write_walls(tmp_path / f"{number}", device, [plane_of(placed)], 1)
+        shutil.copytree(tmp_path / f"{number}" / "wall_000", folder / f"wall_{number:03d}")
+        write_board_picture(folder / f"wall_{number:03d}" / "color_000.png", placed)
+    return folder
+
+
+def test_walls_whose_planes_a_board_tells(walls_with_boards: Path, tmp_path: Path) -> None:
+    SensorStore(tmp_path / "own").save(SENSOR)
+    words = call("distortion", walls_with_boards, tmp_path / "own", *BOARD_CALL)
+    assert run(words) == 0
+    correction = kept(tmp_path / "own").correction
+    assert correction is not None
+    # Walls alone cannot tell a shift of all raw numbers.
+    assert float(np.median(correction.offset)) == pytest.approx(4, abs=0.6)
+
+
+def test_a_wall_without_its_board(walls_with_boards: Path, tmp_path: Path, last_line) -> None:
+    words = call("distortion", walls_with_boards, tmp_path / "own", *BOARD_CALL)
+    assert run(words) == 1
+    assert "The colour camera of this sensor was not calibrated yet" in last_line()
+    SensorStore(tmp_path / "own").save(SENSOR)
+    (walls_with_boards / "wall_001" / "color_000.png").unlink()
+    assert run(words) == 1
+    assert "wall_001 holds no pictures named color" in last_line()
 
 
 @pytest.mark.parametrize("model", ["linear-inverse", "tangent"])

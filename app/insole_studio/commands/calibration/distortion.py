@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
+from insole_studio.commands.board_arguments import add_board_arguments, board_of
 from insole_studio.commands.calibration.step import add_step_arguments, run_step
+
+if TYPE_CHECKING:
+    from insole_core.sensing.sensor import Sensor
+    from insole_studio.workbench.calibration_steps import StepResult
 
 NAME = "distortion"
 HELP = "the distortion of the depth, from captures of a flat wall at several distances"
@@ -13,16 +19,28 @@ HELP = "the distortion of the depth, from captures of a flat wall at several dis
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments."""
-    add_step_arguments(parser, "a sub-folder of raw depth images for each wall, or one image each")
+    add_step_arguments(
+        parser, "a sub-folder of raw depth images for each wall, or one image each; with --board, "
+        "a colour picture color_000 of the board on the wall in each sub-folder",
+    )  # fmt: skip
+    add_board_arguments(parser, required=False)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the walls, fit the map, keep it."""
-    from insole_studio.workbench.calibration_steps import calibrate_distortion_step, read_walls
-
-    captures = read_walls(arguments.folder, progress=progress.part(0, 0.5))
-    run_step(
-        arguments,
-        progress.part(0.5, 1),
-        lambda sensor, part: calibrate_distortion_step(captures, sensor, part),
+    from insole_studio.workbench.wall_steps import (
+        calibrate_distortion_step,
+        place_walls,
+        read_walls,
     )
+
+    board = None if arguments.board is None else board_of(arguments)
+    captures = read_walls(arguments.folder, progress=progress.part(0, 0.5))
+
+    def work(sensor: Sensor, part: Progress) -> StepResult:
+        known = captures
+        if board is not None:
+            known = place_walls(captures, arguments.folder, board, sensor, part.part(0, 0.3))
+        return calibrate_distortion_step(known, sensor, part.part(0.3, 1))
+
+    run_step(arguments, progress.part(0.5, 1), work)

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
-from typing import TYPE_CHECKING
 
-from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments, board_of
+from insole_studio.commands.board_arguments import add_board_arguments
+from insole_studio.commands.correspondences import read_correspondences
 from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
 from insole_studio.commands.report_arguments import check_reports, conclude
 from insole_studio.commands.sensor_arguments import evaluated_sensor
-
-if TYPE_CHECKING:
-    from insole_core.evaluation.alignment import Correspondence
-    from insole_core.sensing.sensor import Sensor
 
 NAME = "alignment"
 HELP = "misalignment of colour and depth at several distances (thesis table 2)"
@@ -37,23 +31,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.evaluation.evaluation_sections import alignment_section
 
     sensor = evaluated_sensor(arguments)
-    points = _points(arguments, sensor, progress.part(0, 0.9))
+    points = read_correspondences(arguments, sensor, progress.part(0, 0.9))
     progress.step(0.9, "Measuring the misalignment")
     section = alignment_section(evaluate_alignment(sensor, points))
     conclude(section, "Evaluation of colour on depth", sensor.serial, arguments)
-
-
-def _points(
-    arguments: argparse.Namespace, sensor: Sensor, progress: Progress
-) -> list[Correspondence]:
-    from insole_core.evaluation.board_points import board_correspondences
-    from insole_core.evaluation.marked_points import load_correspondences
-    from insole_studio.workbench.calibration_steps import find_infrared_pairs
-
-    place: Path = arguments.folder
-    if place.is_file():
-        return load_correspondences(place)
-    if arguments.board is None:
-        raise UsageError("A folder of pictures needs --board and --square; name the board.")
-    pairs = find_infrared_pairs(place, board_of(arguments), progress)
-    return board_correspondences(pairs, sensor.depth_camera)

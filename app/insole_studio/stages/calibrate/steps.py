@@ -13,16 +13,10 @@ from insole_core.sensing.sensor import Sensor
 from insole_studio.texts import tr
 from insole_studio.workbench.calibration_pictures import LiveKind
 from insole_studio.workbench.calibration_readiness import Readiness, inspect_boards, inspect_walls
-from insole_studio.workbench.calibration_steps import (
-    COLOR,
-    INFRARED,
-    StepResult,
-    calibrate_color_step,
-    calibrate_depth_step,
-    calibrate_distortion_step,
-    calibrate_stereo_step,
-    read_walls,
-)
+from insole_studio.workbench.calibration_steps import COLOR, INFRARED, StepResult
+from insole_studio.workbench.camera_step import Which, calibrate_camera_step
+from insole_studio.workbench.stereo_steps import calibrate_stereo_step
+from insole_studio.workbench.wall_steps import calibrate_distortion_step, read_walls
 
 
 @dataclass(frozen=True)
@@ -61,6 +55,12 @@ def _inspect_pictures(
     return inspect_boards(folder, kind, board, progress)
 
 
+def _camera(
+    which: Which, folder: Path, board: Board, sensor: Sensor, progress: Progress
+) -> StepResult:
+    return calibrate_camera_step(which, folder, board, sensor, progress=progress)
+
+
 def _distortion(folder: Path, _board: Board, sensor: Sensor, progress: Progress) -> StepResult:
     captures = read_walls(folder, progress=progress.part(0, 0.5))
     return calibrate_distortion_step(captures, sensor, progress.part(0.5, 1))
@@ -75,9 +75,7 @@ STEPS = (
             "pictures of it: tilted by 20 to 40° to all sides, in all parts of the picture."
         ),
         partial(_inspect_pictures, COLOR),
-        lambda folder, board, sensor, progress: calibrate_color_step(
-            folder, board, sensor, progress=progress
-        ),
+        partial(_camera, "color"),
     ),
     CalibrationStep(
         "distortion",
@@ -99,9 +97,7 @@ STEPS = (
             "the sensor gives no infrared pictures this step is left out."
         ),
         partial(_inspect_pictures, INFRARED),
-        lambda folder, board, sensor, progress: calibrate_depth_step(
-            folder, board, sensor, progress=progress
-        ),
+        partial(_camera, "depth"),
         optional=True,
         live=None,
     ),

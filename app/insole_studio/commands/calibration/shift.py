@@ -1,0 +1,35 @@
+"""``insole-studio calibrate shift``: colour on depth by a constant shift (thesis 5.4)."""
+
+from __future__ import annotations
+
+import argparse
+
+from insole_core.progress import Progress
+from insole_studio.commands.board_arguments import add_board_arguments
+from insole_studio.commands.calibration.step import add_step_arguments, run_step
+
+NAME = "shift"
+HELP = "colour on depth by a constant pixel shift, as the thesis did; stereo is better"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_step_arguments(
+        parser, "color_000 … and ir_000 … of a board in the same positions, or is such a file of "
+        "marked points as docs/calibration.md describes",
+    )  # fmt: skip
+    add_board_arguments(parser, required=False)
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Find or read the points, shift, keep it."""
+    from insole_studio.commands.correspondences import read_correspondences
+    from insole_studio.workbench.stereo_steps import shift_color_step
+
+    run_step(
+        arguments,
+        progress,
+        lambda sensor, part: shift_color_step(
+            read_correspondences(arguments, sensor, part), sensor
+        ),
+    )

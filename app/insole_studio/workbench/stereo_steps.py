@@ -1,0 +1,126 @@
+"""The steps that say where the colour camera stands beside the depth camera."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.calibration.board import Board, picture_paths
+from insole_core.calibration.board_depth import (
+    BoardDepthOptions,
+    add_tilt,
+    calibrate_board_depth,
+)
+from insole_core.calibration.boards_in_depth import read_boards_in_depth
+from insole_core.calibration.intrinsics import find_boards
+from insole_core.calibration.stereo import StereoCalibration, calibrate_stereo
+from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
+from insole_core.evaluation.calibration_sections import stereo_section
+from insole_core.evaluation.evaluation_sections import alignment_section
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.sensor import Sensor
+from insole_studio.workbench.calibration_steps import (
+    COLOR,
+    INFRARED,
+    StepResult,
+    board_pictures,
+    check_color_camera,
+    find_infrared_pairs,
+)
+
+
+def calibrate_stereo_step(
+    folder: Path, board: Board, sensor: Sensor, progress: Progress = SILENT
+) -> StepResult:
+    """Find the colour camera beside the depth camera (thesis limitation 10.3).
+
+    From infrared and colour pictures where the folder has infrared ones, else from colour pictures
+    and the raw depth of each.
+
+    Raises
+    ------
+    CalibrationError, InputError
+        Also when the colour camera was not calibrated before.
+    """
+    if any(path.name.startswith(INFRARED) for path in picture_paths(folder)):
+        pairs = find_infrared_pairs(folder, board, progress)
+        check_color_camera(sensor, [in_color for _, in_color in pairs])
+        stereo = calibrate_stereo(
+            [in_depth for in_depth, _ in pairs],
+            [in_color for _, in_color in pairs],
+            sensor.depth_camera,
+            sensor.color_camera,
+        )
+        return _stereo_result(sensor, stereo, "infrared and colour pictures")
+    color, _ = find_boards(board_pictures(folder, COLOR), board, progress.part(0, 0.5))
+    check_color_camera(sensor, color)
+    progress.step(0.5, "Reading the depth of the boards")
+    boards = read_boards_in_depth(folder, color, sensor.correction)
+    progress.step(0.6, f"Fitting the depth camera to {len(boards)} boards")
+    # Without a correction there is no map that a tilt of all raw numbers could be added to.
+    found = calibrate_board_depth(
+        boards,
+        sensor.depth_camera,
+        sensor.color_camera,
+        sensor.disparity,
+        BoardDepthOptions(tilt=sensor.correction is not None),
+    )
+    depth, correction = found.depth, sensor.correction
+    better = replace(sensor, depth_camera=depth.camera, disparity=depth.disparity)
+    if correction is not None:
+        better = replace(
+            better, correction=add_tilt(correction, sensor.depth_camera, depth.tilt_raw)
+        )
+    numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
+    result = _stereo_result(better, found.stereo, "colour pictures and depth", numbers)
+    if correction is not None:
+        return result
+    advice = (
+        "The distortion of the depth was not corrected yet, which turns the cameras by a degree or "
+        "two; calibrate the distortion first.",
+    )
+    return replace(result, advice=advice)
+
+
+def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepResult:
+    """Put colour on depth by a constant pixel shift, as the thesis did (5.4).
+
+    Raises
+    ------
+    InputError
+        Without points.
+    """
+    better = shift_color(sensor, points)
+    x = better.color_camera.cx - sensor.color_camera.cx
+    y = better.color_camera.cy - sensor.color_camera.cy
+    left = evaluate_alignment(better, points)
+    worst = max(max(abs(row.x_px), abs(row.y_px)) for row in left)
+    section = alignment_section(left)
+    return StepResult(
+        sensor=better,
+        section=replace(section, key="shift", title="Colour on depth, after a constant shift"),
+        sentences=(
+            f"Colour was shifted by {x:+.1f} px in x and {y:+.1f} px in y; up to {worst:.1f} px "
+            "are left.",
+        ),
+        advice=("A shift fits one distance; calibrate depth to colour to be right at all.",),
+    )
+
+
+def _stereo_result(
+    sensor: Sensor,
+    stereo: StereoCalibration,
+    source: str,
+    fitted: Sequence[tuple[str, float, float]] = (),
+) -> StepResult:
+    x, y, z = stereo.depth2color[:3, 3]
+    return StepResult(
+        sensor=replace(sensor, depth2color=stereo.depth2color),
+        section=stereo_section(stereo, fitted),
+        sentences=(
+            f"The cameras are {stereo.baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and "
+            f"turned by {stereo.rotation_deg:.2f}°, from {len(stereo.pairs)} {source}.",
+            f"The distance is known within {max(stereo.translation_deviation_mm):.1f} mm.",
+        ),
+    )

@@ -1,0 +1,154 @@
+"""The steps that learn the depth from walls: its distortion, and its millimetres."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.calibration.board import Board
+from insole_core.calibration.captures import WallCapture, read_captures
+from insole_core.calibration.disparity_fit import centre_pairs, fit_linear_inverse, fit_tangent
+from insole_core.calibration.distortion import calibrate_distortion
+from insole_core.calibration.wall_boards import with_board_planes
+from insole_core.errors import CalibrationError, UsageError
+from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
+from insole_core.evaluation.wall import Correction, NoCorrection
+from insole_core.evaluation.wall_pictures import wall_pictures
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.nominal import COLOR_CAMERA
+from insole_core.sensing.sensor import Sensor
+from insole_studio.workbench.calibration_steps import StepResult
+
+
+def calibrate_distortion_step(
+    captures: Sequence[WallCapture], sensor: Sensor, progress: Progress = SILENT
+) -> StepResult:
+    """Learn the distortion of the depth from walls (thesis 5.2, the default map).
+
+    Raises
+    ------
+    CalibrationError
+        Also when the captures were recorded with another sensor.
+    """
+    check_recorded_with(sensor.serial, captures)
+    found = calibrate_distortion(
+        captures,
+        sensor.depth_camera,
+        sensor.disparity,
+        serial=sensor.serial,
+        progress=progress.part(0, 0.9),
+    )
+    progress.step(0.9, "Drawing the walls before and after")
+    names = {wall.name for wall in found.walls}
+    used = [capture for capture in captures if capture.name in names]
+    corrections: dict[str, Correction] = {"before": NoCorrection(), "after": found.correction}
+    pictures = wall_pictures(used, corrections, sensor.depth_camera, sensor.disparity)
+    section = distortion_section(found)
+    figures = found.correction.record.figures
+    return StepResult(
+        sensor=replace(sensor, correction=found.correction),
+        section=replace(section, plots=section.plots + pictures),
+        sentences=(
+            f"{len(found.walls)} of {len(captures)} walls were used; they cover "
+            f"{found.covered_share:.0%} of the image.",
+            f"The walls were off by {figures['rms_before_raw']:.1f} raw units and are now off by "
+            f"{figures['rms_after_raw']:.1f} (noise included).",
+        ),
+        advice=found.advice,
+    )
+
+
+def calibrate_disparity_step(
+    captures: Sequence[WallCapture], sensor: Sensor, model: str, progress: Progress = SILENT
+) -> StepResult:
+    """Fit raw number to mm to captures at known distances, thesis (12) or (17).
+
+    Parameters
+    ----------
+    captures
+        With their distances.
+    sensor
+    model
+        ``linear-inverse`` or ``tangent``.
+
+    Raises
+    ------
+    CalibrationError
+    """
+    check_recorded_with(sensor.serial, captures)
+    progress.step(0.1, "Fitting the disparity model")
+    raw, depth_mm = centre_pairs(captures, sensor.correction)
+    fit = {"linear-inverse": fit_linear_inverse, "tangent": fit_tangent}[model]
+    found = fit(raw, depth_mm)
+    low, high = found.range_mm
+    return StepResult(
+        sensor=replace(sensor, disparity=found.model),
+        section=disparity_section(found),
+        sentences=(
+            f"Between {low:.0f} and {high:.0f} mm the distances are met within "
+            f"{found.rms_mm:.1f} mm.",
+        ),
+    )
+
+
+def read_walls(
+    folder: Path, distances_mm: Sequence[float] = (), progress: Progress = SILENT
+) -> list[WallCapture]:
+    """Read wall captures, and their measured distances in the same order where they are given.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be read.
+    UsageError
+        When there are more or fewer distances than captures.
+    """
+    captures = read_captures(folder, progress)
+    if not distances_mm:
+        return captures
+    if len(distances_mm) != len(captures):
+        raise UsageError(
+            f"{len(distances_mm)} distances are given, but {folder} holds {len(captures)} "
+            "captures; give one distance for each, in the order of their names."
+        )
+    return [
+        replace(capture, distance_mm=distance)
+        for capture, distance in zip(captures, distances_mm, strict=True)
+    ]
+
+
+def place_walls(
+    captures: Sequence[WallCapture],
+    folder: Path,
+    board: Board,
+    sensor: Sensor,
+    progress: Progress = SILENT,
+) -> list[WallCapture]:
+    """Give walls their planes from a board that the calibrated colour camera sees on each.
+
+    Raises
+    ------
+    CalibrationError, InputError
+    """
+    if sensor.color_camera == COLOR_CAMERA:
+        raise CalibrationError(
+            "The colour camera of this sensor was not calibrated yet, so the board on the walls "
+            "cannot tell where they are; calibrate it, and depth to colour, first."
+        )
+    return with_board_planes(captures, folder, board, sensor, progress)
+
+
+def check_recorded_with(serial: str, captures: Sequence[WallCapture]) -> None:
+    """Refuse captures whose own sensor.json names another device.
+
+    Raises
+    ------
+    CalibrationError
+    """
+    other = next((c for c in captures if serial and c.serial not in ("", serial)), None)
+    if other is not None:
+        raise CalibrationError(
+            f"{other.name} was recorded with sensor {other.serial}, not with {serial}; use the "
+            "captures of one sensor."
+        )

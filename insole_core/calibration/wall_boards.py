@@ -1,0 +1,52 @@
+"""The planes of walls, from a board on each that the colour camera sees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.calibration.board import Board, picture_paths, read_grey
+from insole_core.calibration.boards_in_depth import board_planes
+from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.stereo import board_pose
+from insole_core.progress import SILENT, Progress
+from insole_core.sensing.sensor import Sensor
+
+
+def with_board_planes(
+    captures: Sequence[WallCapture],
+    folder: Path,
+    board: Board,
+    sensor: Sensor,
+    progress: Progress = SILENT,
+) -> list[WallCapture]:
+    """Give wall captures their planes: ``color…`` beside the frames shows a board on the wall.
+
+    So the distortion is learnt as a whole, with the tilt and shift that walls alone cannot tell.
+
+    Parameters
+    ----------
+    captures
+        Named as their sub-folders of `folder`.
+    folder
+    board
+    sensor
+        Its colour camera and the pose between its cameras are calibrated.
+
+    Raises
+    ------
+    InputError
+        When a wall has no colour picture.
+    CalibrationError
+        When the picture shows no board.
+    """
+    known = []
+    for done, capture in enumerate(captures):
+        progress.step(done / len(captures), f"Looking for the board on {capture.name}")
+        picture = picture_paths(folder / capture.name, "color")[0]
+        sighting = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
+        board2color = board_pose(sighting, sensor.color_camera)
+        (plane,) = board_planes(board2color[None], sensor.depth2color)
+        known.append(replace(capture, plane=plane))
+    return known
