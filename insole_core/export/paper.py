@@ -42,8 +42,9 @@ from insole_core.resources import resource_path
 
 Facts = Mapping[str, str]
 _FONT = "DejaVuSans"
+_MARGIN = 16 * mm
 _BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
-_HEAD = ParagraphStyle("head", parent=_BODY, fontSize=11, leading=16, spaceBefore=8)
+_HEAD = ParagraphStyle("head", parent=_BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
 _TITLE = ParagraphStyle("title", parent=_BODY, fontSize=16, leading=22)
 
 
@@ -153,7 +154,7 @@ def write_report(
         When the place cannot be written.
     """
     _register_font()
-    image = Image(io.BytesIO(picture), width=153 * mm, height=136 * mm)
+    image = Image(io.BytesIO(picture), width=135 * mm, height=120 * mm)
     story: list[Flowable] = [Paragraph(_safe(title), _TITLE), image]
     for heading, facts in sections:
         story += _facts(heading, facts)
@@ -213,7 +214,8 @@ def _pictures(sheet: JobSheet) -> Image:
         image = axes.imshow(sheet.height_map_mm, origin="lower", cmap="viridis")
         axes.set_axis_off()
         left.colorbar(image, ax=axes, label="mm", shrink=0.8)
-    rows = right.subplots(max(1, len(sheet.sections)), 1, squeeze=False)[:, 0]
+    count = max(1, len(sheet.sections))
+    rows = right.subplots(count, 1, squeeze=False, sharex=True, sharey=True)[:, 0]
     for axes, section in zip(rows, sheet.sections, strict=False):
         axes.fill_between(section.along_mm, section.bottom_mm, section.top_mm, color="tan")
         axes.set_title(with_known_letters(section.title), fontsize=8)
@@ -227,7 +229,10 @@ def _pictures(sheet: JobSheet) -> Image:
 
 def _write(story: list[Flowable], path: Path, title: str) -> None:
     with replacing_file(path) as beside:
-        page = SimpleDocTemplate(str(beside), pagesize=A4, title=title, author="Insole Studio")
+        page = SimpleDocTemplate(
+            str(beside), pagesize=A4, title=title, author="Insole Studio",
+            leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
+        )  # fmt: skip
         page.build(story)
 
 
