@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
+import subprocess
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -79,6 +81,22 @@ def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
     assert re.findall(r'<component objectid="(\d+)"', model) == ["2", "3", "4"]
     assert re.findall(r'<item objectid="(\d+)"', model) == ["5"]
     assert re.findall(r"density_percent[^>]*>(\d+)<", model) == ["20", "60", "35"]
+
+
+def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
+    if shutil.which("prusa-slicer") is None:
+        pytest.skip("the program prusa-slicer is not installed")
+    piece = piece_of(layered, layered=True)
+    write(Delivery((piece,), SHOP), Places(tmp_path / "insole.3mf"))
+    call = ["prusa-slicer", "--info", str(tmp_path / "insole.3mf")]
+    said = subprocess.run(call, capture_output=True, text=True, check=True).stdout
+    assert re.findall(r"manifold = (\w+)", said) == ["yes"] * 3
+    low, high = (
+        np.array([re.findall(rf"{end}_{axis} = (\S+)", said) for axis in "xyz"], float)
+        for end in ("min", "max")
+    )
+    size = high.max(axis=1) - low.min(axis=1)
+    assert size == pytest.approx(np.ptp(piece.solid.vertices, axis=0), abs=0.01)
 
 
 def write(delivery: Delivery, places: Places) -> None:
