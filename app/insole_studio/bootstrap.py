@@ -30,7 +30,7 @@ from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.comparing import Comparing
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
-from insole_studio.shell.exporting import Exporting
+from insole_studio.shell.exporting import AskPath, Exporting, MayReplace
 from insole_studio.shell.feet import Feet
 from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import Guide
@@ -73,6 +73,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import Counterpart
 from insole_studio.workbench.export_rules import ExportRules
 from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.order_memory import OrderMemory
 from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import Section
 from insole_studio.workbench.sensor_store import SensorStore
@@ -305,13 +306,16 @@ def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:
 
 
 def _make_export(
-    settings: Settings, places: Places, case: Case, ask_path: Callable[[str], Path | None]
+    settings: Settings, places: Places, case: Case, ask_path: AskPath, may_replace: MayReplace
 ) -> ExportStage:
+    shop, folder = read_shop(), places.settings_file.parent
     return ExportStage(
         case=case,
-        rules=ExportRules(places.settings_file.parent / "export.json"),
-        shop=read_shop(),
+        rules=ExportRules(folder / "export.json"),
+        shop=shop,
         ask_path=ask_path,
+        may_replace=may_replace,
+        memory=OrderMemory(folder / "order.json", shop),
         dark=is_dark(settings.theme),
     )
 

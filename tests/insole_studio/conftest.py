@@ -74,6 +74,9 @@ class CannedQuestions:
     def file_to_open(self, _kinds: str) -> Path | None:
         return self.path
 
+    def may_replace(self, _paths: object) -> bool:
+        return True
+
     def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
         return self.path
 

@@ -25,7 +25,8 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.shop_order import OrderChoice, make_pieces
 
 CHANNEL = "export"
-AskPath = Callable[[str], Path | None]
+AskPath = Callable[[str, str], Path | None]
+MayReplace = Callable[[Sequence[Path]], bool]
 
 
 class Exporting(QObject):
@@ -37,7 +38,8 @@ class Exporting(QObject):
     jobs
     dialogue
     make_stage
-        Constructs the export stage, given what lets the user choose a path by its suffix.
+        Constructs the export stage, given what asks the user for a path, and what asks whether
+        files may be replaced.
     """
 
     changed = Signal()
@@ -48,7 +50,7 @@ class Exporting(QObject):
         case: Case,
         jobs: Jobs,
         dialogue: Dialogue,
-        make_stage: Callable[[AskPath], ExportStage],
+        make_stage: Callable[[AskPath, MayReplace], ExportStage],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -57,7 +59,8 @@ class Exporting(QObject):
         self._dialogue = dialogue
         self.exported: CaseRecord | None = None
         """What was exported last."""
-        self.checking = StageWindow(lambda: self._connected(make_stage(self._ask_path)), self)
+        self._make_stage = make_stage
+        self.checking = StageWindow(self._make_connected, self)
         """The stage, while it is open."""
 
     def ask_export(self) -> None:
@@ -88,13 +91,17 @@ class Exporting(QObject):
 
         self._jobs.start(CHANNEL, write, done, self._dialogue.show_error)
 
-    def _connected(self, stage: ExportStage) -> ExportStage:
+    def _make_connected(self) -> ExportStage:
+        stage = self._make_stage(self._ask_path, self._dialogue.questions.may_replace)
         stage.exported.connect(self._note)
         return stage
 
-    def _ask_path(self, suffix: str) -> Path | None:
+    def _ask_path(self, word: str, suffix: str) -> Path | None:
+        stem = file_stem(self._case)
+        if self._case.side is not None:
+            stem = stem.removesuffix(f"-{self._case.side}")
         kinds = f"{suffix[1:].upper()} (*{suffix})"
-        return self._dialogue.questions.file_to_write(f"{file_stem(self._case)}{suffix}", kinds)
+        return self._dialogue.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
 
     def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
         self.exported = record

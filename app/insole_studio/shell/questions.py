@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum, auto
 from pathlib import Path
 
@@ -89,6 +90,16 @@ class Questions:
             self._parent, title, question, QLineEdit.EchoMode.Normal, value
         )
         return text.strip() if is_given else None
+
+    def may_replace(self, paths: Sequence[Path]) -> bool:
+        """Ask whether files that are there may be replaced."""
+        names = ", ".join(path.name for path in paths)
+        box = self._box(tr("These files are there already: {names}").format(names=names))
+        replace = box.addButton(tr("Replace them"), QMessageBox.ButtonRole.AcceptRole)
+        keep = box.addButton(tr("Keep them"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(keep)
+        box.exec()
+        return box.clickedButton() is replace
 
     def folder_to_open(self) -> Path | None:
         """Ask for the folder of a session."""

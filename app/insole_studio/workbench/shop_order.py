@@ -155,10 +155,10 @@ def write_order(
     OutputError
         When a place cannot be written.
     """
+    places = _all_places(pieces, choice, path, override is not None)
     layered = choice.layered and choice.suffix == ".3mf"
     pieces = [replace(piece, order=replace(piece.order, layered=layered)) for piece in pieces]
-    groups = [pieces] if choice.block is not None else [[piece] for piece in pieces]
-    places = [_places(path, _word(group), choice, override is not None) for group in groups]
+    groups = _groups(pieces, choice)
     with ExitStack() as stack:
         beside = [stack.enter_context(outputs(place)) for place in places]
         for group, place, temporary, part in zip(
@@ -176,6 +176,30 @@ def write_order(
             )
             deliver(delivery, place, temporary, part)
     return tuple(place.solid for place in places)
+
+
+def files_of(
+    pieces: Sequence[Piece], choice: OrderChoice, path: Path, overridden: bool
+) -> tuple[Path, ...]:
+    """Name all files that `write_order` would write."""
+    places = _all_places(pieces, choice, path, overridden)
+    return tuple(file for place in places for file in vars(place).values() if file is not None)
+
+
+def word_of(pieces: Sequence[Piece], choice: OrderChoice) -> str:
+    """Say which word stands in the name of the first file: left, right or pair."""
+    return _word(_groups(pieces, choice)[0])
+
+
+def _groups(pieces: Sequence[Piece], choice: OrderChoice) -> list[Sequence[Piece]]:
+    """The pieces of each file."""
+    return [pieces] if choice.block is not None else [[piece] for piece in pieces]
+
+
+def _all_places(
+    pieces: Sequence[Piece], choice: OrderChoice, path: Path, overridden: bool
+) -> list[Places]:
+    return [_places(path, _word(group), choice, overridden) for group in _groups(pieces, choice)]
 
 
 def _word(group: Sequence[Piece]) -> str:

@@ -108,6 +108,10 @@
             <translation>Arbetsblad för verkstaden (PDF)</translation>
         </message>
         <message>
+            <source>Keep them</source>
+            <translation>Behåll dem</translation>
+        </message>
+        <message>
             <source>Layers as objects</source>
             <translation>Skikten som objekt</translation>
         </message>
@@ -176,6 +180,10 @@
             <translation>Skäl, för journalen</translation>
         </message>
         <message>
+            <source>Replace them</source>
+            <translation>Ersätt dem</translation>
+        </message>
+        <message>
             <source>Right</source>
             <translation>Höger</translation>
         </message>
@@ -198,6 +206,10 @@
         <message>
             <source>The font has no letters {letters}; a likeness or “?” stands for them.</source>
             <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
+        </message>
+        <message>
+            <source>These files are there already: {names}</source>
+            <translation>Dessa filer finns redan: {names}</translation>
         </message>
         <message>
             <source>They deviate by {deviation:.3f} mm at most.</source>

@@ -34,7 +34,14 @@ from insole_studio.stages.export.rows import (
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.export_rules import ExportRules
-from insole_studio.workbench.shop_order import OrderChoice, make_pieces, write_order
+from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.shop_order import (
+    OrderChoice,
+    files_of,
+    make_pieces,
+    word_of,
+    write_order,
+)
 
 MAKING, WRITING = "make", "write"
 _NO_SPOTS = np.zeros((0, 3))
@@ -84,7 +91,12 @@ class ExportPresenter:
         Keeps the clinic's rules.
     shop
     ask_path
-        Lets the user choose where the file goes: suffix in, path out; None is "never mind".
+        Lets the user choose where the file goes: the word for the side and the suffix in, path
+        out; None is "never mind".
+    may_replace
+        Asks whether files that are there may be replaced.
+    memory
+        Keeps the last order.
     exported
         Told which record was delivered, and where to.
     """
@@ -97,13 +109,16 @@ class ExportPresenter:
         jobs: Jobs,
         rules: ExportRules,
         shop: Shop,
-        ask_path: Callable[[str], Path | None],
+        ask_path: Callable[[str, str], Path | None],
+        may_replace: Callable[[Sequence[Path]], bool],
+        memory: OrderMemory,
         exported: Callable[[CaseRecord, Sequence[Path]], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._shop = rules, shop
-        self._ask_path, self._exported = ask_path, exported
-        self._choice = OrderChoice()
+        self._ask_path, self._may_replace, self._exported = ask_path, may_replace, exported
+        self._memory = memory
+        self._choice = memory.load()
         self._rules = read_rules()
         self._record = CaseRecord()
         self.pieces: tuple[Piece, ...] = ()
@@ -208,8 +223,13 @@ class ExportPresenter:
 
     def ask_export(self) -> None:
         """Let the user choose where the file goes, and write it."""
-        path = self._ask_path(self._choice.suffix)
-        if path is not None:
+        path = self._ask_path(word_of(self.pieces, self._choice), self._choice.suffix)
+        if path is None:
+            return
+        files = files_of(self.pieces, self._choice, path, self._override() is not None)
+        # The dialog has asked about the path itself.
+        there = [file for file in files if file != path and file.exists()]
+        if not there or self._may_replace(there):
             self.export_to(path)
 
     def export_to(self, path: Path) -> None:
@@ -226,11 +246,18 @@ class ExportPresenter:
         def done(paths: tuple[Path, ...]) -> None:
             names = ", ".join(written.name for written in paths)
             self._panel.show_summary(tr("Exported {name}").format(name=names))
+            self._remember(choice)
             self._exported(record, paths)
 
         self._panel.show_error("")
         self._jobs.start(WRITING, write, done, self._show_failure)
         self._show_buttons()
+
+    def _remember(self, choice: OrderChoice) -> None:
+        try:
+            self._memory.save(choice)
+        except InsoleError as error:
+            self._panel.show_error(str(error))
 
     def cancel(self) -> None:
         """Stop what runs; nothing is written."""
@@ -272,7 +299,7 @@ class ExportPresenter:
 
     def _take(self, pieces: tuple[Piece, ...]) -> None:
         self.pieces = pieces
-        names = {str(piece.side): _side_text(piece.side) for piece in pieces}
+        names = {str(piece.side): _side_text(piece) for piece in pieces}
         if len(pieces) == 2 and self._choice.block is not None:
             names[_NEST] = tr("In the block")
         shown = self._shown if self._shown in names else next(iter(names), "")
@@ -387,8 +414,12 @@ def _notes(piece: Piece) -> list[str]:
     return [text.format(letters=missing)] if missing else []
 
 
-def _side_text(side: Side) -> str:
-    return tr("Left") if side is Side.LEFT else tr("Right")
+def _side_text(piece: Piece) -> str:
+    """Name a side, with a sign where a check was not passed."""
+    text = tr("Left") if piece.side is Side.LEFT else tr("Right")
+    if any(finding.blocks for finding in piece.findings):
+        return f"{text}  ✗"
+    return text if all(finding.passed for finding in piece.findings) else f"{text}  !"
 
 
 def _edges(block: Block) -> list[FloatArray]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Signal
@@ -17,6 +17,7 @@ from insole_studio.stages.export.view import ExportView
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.export_rules import ExportRules
+from insole_studio.workbench.order_memory import OrderMemory
 
 _SIZE = (1280, 700)
 
@@ -31,7 +32,11 @@ class ExportStage(QWidget):
         Keeps the clinic's rules.
     shop
     ask_path
-        Lets the user choose a place to write to, by the suffix of the format.
+        Lets the user choose a place to write to, by the word for the side and the suffix.
+    may_replace
+        Asks whether files that are there may be replaced.
+    memory
+        Keeps the last order.
     dark
         Whether the theme is dark.
     """
@@ -46,7 +51,9 @@ class ExportStage(QWidget):
         case: Case,
         rules: ExportRules,
         shop: Shop,
-        ask_path: Callable[[str], Path | None],
+        ask_path: Callable[[str, str], Path | None],
+        may_replace: Callable[[Sequence[Path]], bool],
+        memory: OrderMemory,
         dark: bool,
     ) -> None:
         super().__init__()
@@ -64,6 +71,8 @@ class ExportStage(QWidget):
             rules=rules,
             shop=shop,
             ask_path=ask_path,
+            may_replace=may_replace,
+            memory=memory,
             exported=self.exported.emit,
         )
 

@@ -21,6 +21,8 @@ from insole_studio.stages.export.rows import CheckState
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.export_rules import ExportRules
+from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.shop_order import OrderChoice
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
@@ -44,9 +46,17 @@ class Chosen:
 
     def __init__(self) -> None:
         self.path: Path | None = None
+        self.word = ""
+        self.replace = False
+        self.asked: list[str] = []
 
-    def __call__(self, _suffix: str) -> Path | None:
+    def __call__(self, word: str, _suffix: str) -> Path | None:
+        self.word = word
         return self.path
+
+    def may_replace(self, paths: Sequence[Path]) -> bool:
+        self.asked += [path.name for path in paths]
+        return self.replace
 
 
 @pytest.fixture
@@ -63,7 +73,15 @@ def stage(
     chosen: Chosen,
 ) -> Iterator[ExportStage]:
     rules = ExportRules(tmp_path / "config" / "export.json")
-    built = ExportStage(case=case, rules=rules, shop=SHOP, ask_path=chosen, dark=False)
+    built = ExportStage(
+        case=case,
+        rules=rules,
+        shop=SHOP,
+        ask_path=chosen,
+        may_replace=chosen.may_replace,
+        memory=OrderMemory(tmp_path / "config" / "order.json", SHOP),
+        dark=False,
+    )
     built.show()
     yield built
     built.close()
@@ -122,6 +140,7 @@ def test_pair_is_nested_into_one_block(
     chosen.path = tmp_path / "anna.stl"
     stage.view.export.click()
     settle()
+    assert chosen.word == "pair"
     mesh = trimesh.load_mesh(tmp_path / "anna-pair.stl")
     assert len(mesh.split()) == 2
     assert mesh.bounds.min() >= 0
@@ -139,6 +158,41 @@ def test_pair_without_a_block_is_two_files(
         "anna-left.stl",
         "anna-right.stl",
     ]
+
+
+def test_files_that_are_there_are_replaced_only_on_demand(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    (tmp_path / "anna-left-job-sheet.pdf").write_text("old")
+    chosen.path = tmp_path / "anna-left.stl"
+    stage.view.export.click()
+    assert chosen.asked == ["anna-left-job-sheet.pdf"]
+    assert not chosen.path.exists()
+    chosen.replace = True
+    stage.view.export.click()
+    settle()
+    assert chosen.path.exists()
+    assert (tmp_path / "anna-left-job-sheet.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_order_is_remembered_without_the_patient(
+    stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    order(stage, suffix=".obj", block=PAIR, pseudonym="P-7", most_triangles=30_000)
+    settle()
+    chosen.path = tmp_path / "anna.obj"
+    stage.view.export.click()
+    settle()
+    file = tmp_path / "config" / "order.json"
+    loaded = OrderMemory(file, SHOP).load()
+    assert (loaded.suffix, loaded.block, loaded.most_triangles) == (".obj", PAIR, 30_000)
+    assert "P-7" not in file.read_text()
+
+
+@pytest.mark.parametrize("text", ["{", "[]", '{"suffix": 3, "draft_deg": "x", "block": "none"}'])
+def test_memory_that_cannot_be_read_costs_nothing(tmp_path: Path, text: str) -> None:
+    (tmp_path / "order.json").write_text(text)
+    assert OrderMemory(tmp_path / "order.json", SHOP).load() == OrderChoice()
 
 
 def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
