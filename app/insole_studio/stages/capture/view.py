@@ -189,6 +189,7 @@ class CaptureView(QWidget):
         self._views = QLineEdit()
         self._views.setToolTip(tr("All views in order; a sensor is moved to those that have none"))
         self._views.setAccessibleName(tr("Views"))
+        self._views.hide()
         self._views.editingFinished.connect(
             lambda: self._edit(views=tuple(self._views.text().replace(",", " ").split()))
         )

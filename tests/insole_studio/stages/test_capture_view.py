@@ -1,0 +1,85 @@
+"""What the capture stage shows of values, and which intents its buttons emit."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QToolButton
+from pytestqt.qtbot import QtBot
+
+from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
+from insole_studio.stages.capture.sensor_card import SensorCard
+from insole_studio.stages.capture.view import CaptureView
+from insole_studio.stages.capture.view_names import view_text, views_text
+
+
+@pytest.fixture
+def view(qtbot: QtBot) -> CaptureView:
+    opened = CaptureView(2.0)
+    qtbot.addWidget(opened)
+    opened.show()
+    return opened
+
+
+def button(view: CaptureView, text: str) -> QPushButton:
+    return next(b for b in view.findChildren(QPushButton) if b.text() == text)
+
+
+def test_what_a_capture_left_is_offered(view: CaptureView, qtbot: QtBot) -> None:
+    view.show_capture(CaptureRow(button="Capture"))
+    assert not button(view, "Go on with it").isVisible()
+    view.show_capture(CaptureRow(button="Capture", offer="Two of three views are there."))
+    with qtbot.waitSignal(view.resume_requested):
+        button(view, "Go on with it").click()
+    with qtbot.waitSignal(view.discard_requested):
+        button(view, "Discard it").click()
+
+
+def test_one_large_button_at_a_time(view: CaptureView, qtbot: QtBot) -> None:
+    view.show_capture(CaptureRow(button="Capture", can_capture=True))
+    assert button(view, "Capture").isDefault()
+    assert not button(view, "The sensor stands").isVisible()
+    view.show_capture(CaptureRow(running=True, button="Capture", waits_for_hand=True))
+    assert not button(view, "Capture").isVisible()
+    with qtbot.waitSignal(view.placed_requested):
+        button(view, "The sensor stands").click()
+    view.show_capture(CaptureRow(button="Capture anew", can_use=True, is_whole=True))
+    assert button(view, "Use this scan").isDefault()
+    assert not button(view, "Capture anew").isDefault()
+
+
+def test_views_are_named_where_sensors_are_moved(view: CaptureView, qtbot: QtBot) -> None:
+    field = next(f for f in view.findChildren(QLineEdit) if f.accessibleName() == "Views")
+    assert not field.isVisible()
+    view.show_options(CaptureOptions(mode="moved"))
+    assert field.isVisible()
+    assert field.text() == "left right top"
+    field.setText("left, heel")
+    with qtbot.waitSignal(view.options_edited) as signal:
+        field.editingFinished.emit()
+    assert signal.args[0].views == ("left", "heel")
+
+
+def test_a_sensor_that_gave_several_views_has_a_menu_of_them(qtbot: QtBot) -> None:
+    card = SensorCard("A1", 2.0)
+    qtbot.addWidget(card)
+    again = next(b for b in card.findChildren(QToolButton) if b.text() == "Capture again")
+    asked: list[str] = []
+    card.retake_requested.connect(asked.append)
+    card.show_row(SensorRow("A1", "heel", "heel", ""))
+    assert not again.isEnabled()
+    card.show_row(SensorRow("A1", "heel", "heel", "", retakes=("heel",)))
+    again.click()
+    assert asked == ["heel"]
+    card.show_row(SensorRow("A1", "heel", "heel", "", retakes=("left", "heel_2")))
+    again.click()
+    (menu,) = card.findChildren(QMenu)
+    left, heel = menu.actions()
+    assert (left.text(), heel.text()) == ("left", "heel_2")
+    heel.trigger()
+    menu.close()
+    assert asked == ["heel", "heel_2"]
+
+
+def test_usual_views_and_their_bursts_have_words() -> None:
+    assert views_text(("left", "top_2", "heel", "view_4")) == "left, top 2, heel, view_4"
+    assert view_text("left_side") == "left_side"
