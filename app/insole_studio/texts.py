@@ -14,6 +14,11 @@ def tr(text: str) -> str:
     return QCoreApplication.translate(CONTEXT, text)
 
 
+def translated(sentence: str) -> str:
+    """Give a sentence of the core in the language of the window; its catalogue is tested."""
+    return QCoreApplication.translate(CONTEXT, sentence)
+
+
 def load_language(application: QCoreApplication, language: str) -> None:
     """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay.
 

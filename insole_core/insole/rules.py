@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from itertools import combinations
 from pathlib import Path
@@ -12,7 +12,15 @@ import numpy as np
 from insole_core.foot.landmarks import Landmarks
 from insole_core.insole.build import Insole
 from insole_core.insole.clearance import clearance
-from insole_core.insole.design import HeelCup, HeelLift, HeelSkive, InsoleDesign, Pelott, Place
+from insole_core.insole.design import (
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    InsoleDesign,
+    Pelott,
+    Place,
+    Posting,
+)
 from insole_core.insole.outline_curve import inside_curve
 from insole_core.insole.pads import pad_outline
 from insole_core.insole.posting import posting_angles
@@ -44,23 +52,55 @@ class Rules:
     pronation: tuple[PronationStep, ...] = ()
 
 
+SENTENCES = (
+    POSTED_REARFOOT := "The rearfoot is posted by {angle}°; more than {usual}° is unusual.",
+    POSTED_FOREFOOT := "The forefoot is posted by {angle}°; more than {usual}° is unusual.",
+    LIFTED := "The heel is lifted by {height} mm; on the device up to {usual} mm are usual.",
+    SHALLOW_CUP := (
+        "A skive of {depth} mm with {angle}° of inversion needs a heel cup of {needed} mm, and the"
+        " cup is {cup} mm deep."
+    ),
+    HIGH := "The insole is {height} mm high and may not fit a shoe; up to {usual} mm are usual.",
+    BESIDE_FOOT := "Only {share} of the {pad} lie below the foot; move it inwards.",
+    BEHIND_HEADS := (
+        "The front edge of the {pad} lies {distance} mm behind the line of the heads 2 to 4;"
+        " {least} to {most} mm behind it are usual."
+    ),
+    BEFORE_HEADS := (
+        "The front edge of the {pad} lies {distance} mm before the line of the heads 2 to 4;"
+        " {least} to {most} mm behind it are usual."
+    ),
+    OVERLAP := "The {pad} lies with {share} on the {other_pad}, and their heights add up.",
+)
+"""What a warning may say; a window translates the sentence and puts the values into it."""
+
+
 @dataclass(frozen=True)
 class DesignWarning:
     """Something that can be built and is unusual.
 
     Parameters
     ----------
-    text
-        One sentence with the number.
+    sentence
+        One of `SENTENCES`, names in braces for the values.
+    values
+        The numbers, ready to be read; of "pad" and "other_pad" the shape.
     correction_id
         The correction that causes it; empty where it is the whole.
     place_mm
         Where to look, insole frame.
     """
 
-    text: str
+    sentence: str
+    values: Mapping[str, str]
     correction_id: str = ""
     place_mm: Place | None = None
+
+    @property
+    def text(self) -> str:
+        """The sentence with its numbers, in English."""
+        plain = {name: value.replace("_", " ") for name, value in self.values.items()}
+        return self.sentence.format(**plain)
 
 
 def load_rules(path: Path | None = None) -> Rules:
@@ -111,12 +151,13 @@ def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
 
 
 def _of_posting(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
-    for part, angle in zip(("rearfoot", "forefoot"), posting_angles(design), strict=True):
+    sentences = (POSTED_REARFOOT, POSTED_FOREFOOT)
+    usual = f"{rules.post_unusual_deg:g}"
+    for sentence, angle in zip(sentences, posting_angles(design), strict=True):
         if abs(angle) > rules.post_unusual_deg:
-            yield DesignWarning(
-                f"The {part} is posted by {angle:g}°; more than {rules.post_unusual_deg:g}° is"
-                " unusual."
-            )
+            causes = (c.id for c in design.active if isinstance(c, Posting))
+            values = {"angle": f"{angle:g}", "usual": usual}
+            yield DesignWarning(sentence, values, next(causes))
 
 
 def _of_heel(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
@@ -125,22 +166,21 @@ def _of_heel(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
     inversion = max(posting_angles(design)[0], 0.0)
     for c in design.active:
         if isinstance(c, HeelLift) and c.height_mm > rules.greatest_heel_lift_mm:
-            yield DesignWarning(
-                f"The heel is lifted by {c.height_mm:g} mm; on the device up to"
-                f" {rules.greatest_heel_lift_mm:g} mm are usual.",
-                c.id,
-            )
+            usual = f"{rules.greatest_heel_lift_mm:g}"
+            yield DesignWarning(LIFTED, {"height": f"{c.height_mm:g}", "usual": usual}, c.id)
         if not isinstance(c, HeelSkive):
             continue
         both = c.depth_mm + inversion
         deep = both > rules.skive_and_inversion_limit
         needed = rules.skive_and_inversion_cup_mm if deep else rules.skive_least_cup_mm
         if cup < needed:
-            yield DesignWarning(
-                f"A skive of {c.depth_mm:g} mm with {inversion:g}° of inversion needs a heel cup of"
-                f" {needed:g} mm, and the cup is {cup:g} mm deep.",
-                c.id,
-            )
+            values = {
+                "depth": f"{c.depth_mm:g}",
+                "angle": f"{inversion:g}",
+                "needed": f"{needed:g}",
+                "cup": f"{cup:g}",
+            }
+            yield DesignWarning(SHALLOW_CUP, values, c.id)
 
 
 def _of_height(insole: Insole, rules: Rules) -> Iterator[DesignWarning]:
@@ -148,36 +188,31 @@ def _of_height(insole: Insole, rules: Rules) -> Iterator[DesignWarning]:
     row, column = np.unravel_index(heights.argmax(), heights.shape)
     if heights[row, column] > rules.greatest_insole_height_mm:
         place = float(insole.contact.x_mm[column]), float(insole.contact.y_mm[row])
-        yield DesignWarning(
-            f"The insole is {heights[row, column]:.0f} mm high and may not fit a shoe; up to"
-            f" {rules.greatest_insole_height_mm:g} mm are usual.",
-            place_mm=place,
-        )
+        usual = f"{rules.greatest_insole_height_mm:g}"
+        values = {"height": f"{heights[row, column]:.0f}", "usual": usual}
+        yield DesignWarning(HIGH, values, place_mm=place)
 
 
 def _of_pad(
     insole: Insole, landmarks: Landmarks, pad: Pelott, rules: Rules
 ) -> Iterator[DesignWarning]:
-    name = pad.shape.replace("_", " ")
     share = _share_on_foot(insole, pad)
     if share < rules.least_on_foot_share:
-        yield DesignWarning(
-            f"Only {share:.0%} of the {name} lie below the foot; move it inwards.",
-            pad.id,
-            pad.centre_mm,
-        )
+        values = {"share": f"{share:.0%}", "pad": pad.shape}
+        yield DesignWarning(BESIDE_FOOT, values, pad.id, pad.centre_mm)
     if pad.shape not in _AT_HEADS or pad.height_mm <= 0:
         return
     behind = behind_heads_mm(pad, landmarks)
     least, most = rules.pelott_least_behind_heads_mm, rules.pelott_greatest_behind_heads_mm
     if not least <= behind <= most:
-        where = f"{behind:.0f} mm behind" if behind >= 0 else f"{-behind:.0f} mm before"
-        yield DesignWarning(
-            f"The front edge of the {name} lies {where} the line of the heads 2 to 4;"
-            f" {least:g} to {most:g} mm behind it are usual.",
-            pad.id,
-            pad.centre_mm,
-        )
+        sentence = BEHIND_HEADS if behind >= 0 else BEFORE_HEADS
+        values = {
+            "pad": pad.shape,
+            "distance": f"{abs(behind):.0f}",
+            "least": f"{least:g}",
+            "most": f"{most:g}",
+        }
+        yield DesignWarning(sentence, values, pad.id, pad.centre_mm)
 
 
 def _share_on_foot(insole: Insole, pad: Pelott) -> float:
@@ -195,12 +230,8 @@ def _of_overlaps(pads: list[Pelott], rules: Rules) -> Iterator[DesignWarning]:
         small, large = sorted((a, b), key=lambda pad: len(places[pad.id]))
         share = float(inside_curve(pad_outline(large, 180), places[small.id]).mean())
         if share > rules.greatest_overlap_share:
-            yield DesignWarning(
-                f"The {small.shape.replace('_', ' ')} lies with {share:.0%} on the"
-                f" {large.shape.replace('_', ' ')}, and their heights add up.",
-                small.id,
-                small.centre_mm,
-            )
+            values = {"pad": small.shape, "share": f"{share:.0%}", "other_pad": large.shape}
+            yield DesignWarning(OVERLAP, values, small.id, small.centre_mm)
 
 
 def _places_in(pad: Pelott) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:

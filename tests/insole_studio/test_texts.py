@@ -11,6 +11,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import insole_studio
+from insole_core.insole.rules import SENTENCES
 from insole_core.resources import resource_path
 from insole_studio.texts import load_language, tr
 
@@ -52,6 +53,11 @@ def catalogue() -> dict[str, str]:
 def test_every_text_has_a_swedish_one() -> None:
     translated = catalogue()
     assert [text for text in set(texts_of_the_code()) if not translated.get(text)] == []
+
+
+def test_every_warning_of_the_rules_has_a_swedish_sentence() -> None:
+    translated = catalogue()
+    assert [sentence for sentence in SENTENCES if not translated.get(sentence)] == []
 
 
 def test_names_in_braces_stay_what_they_are() -> None:

@@ -8,6 +8,8 @@ from typing import Any, Protocol
 from insole_core.insole.build import Insole
 from insole_core.insole.rules import DesignWarning, Rules, design_warnings
 from insole_studio.stages.design.rows import WarningRow
+from insole_studio.texts import translated
+from insole_studio.tools.correction_names import PAD_NAMES
 from insole_studio.tools.hand import Hand
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
@@ -53,7 +55,7 @@ class WarningsPresenter:
             return
         self._warnings = self._found()
         self._panel.show_warnings(
-            [WarningRow(w.text, bool(w.correction_id or w.place_mm)) for w in self._warnings]
+            [WarningRow(_text(w), bool(w.correction_id or w.place_mm)) for w in self._warnings]
         )
 
     def lead_to(self, number: int) -> None:
@@ -72,3 +74,12 @@ class WarningsPresenter:
             return self._warnings
         insole = Insole(record.design, record.foot, contact, base.measured)
         return design_warnings(insole, landmarks_of(record), self._rules)
+
+
+def _text(warning: DesignWarning) -> str:
+    """Say a warning in the language of the window."""
+    values = dict(warning.values)
+    for name in ("pad", "other_pad"):
+        if name in values:
+            values[name] = PAD_NAMES[values[name]]().lower()
+    return translated(warning.sentence).format(**values)
