@@ -231,6 +231,19 @@ def test_maps_follow_a_drag_without_a_new_actor(
     act(opened, f"map_{MapKind.NONE.value}")
 
 
+def test_the_insole_is_seen_through_the_foot(opened: Application, foot: SceneView) -> None:
+    act(opened, "ghost")
+    plotter = foot.painter._plotter
+    low, high = plotter.actors["ghost"].bounds[4:]
+    # Below the foot by its thickness, and up its sides.
+    assert low == pytest.approx(-3.0, abs=0.01)
+    act(opened, "tool_pelott")
+    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140)])
+    assert plotter.actors["ghost"].bounds[5] >= high
+    act(opened, "ghost")
+    assert "ghost" not in plotter.actors
+
+
 def test_contours_and_wireframe_come_and_go(opened: Application) -> None:
     painter = opened.stage.insole.scene.painter
     assert "contours" in painter._plotter.actors

@@ -23,6 +23,7 @@ CONTOUR = "#30363d"
 CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
 """How much of the lines of equal height covers what lies below."""
 STRONG_CONTOUR = 5
+GHOST_OPACITY = 0.35
 SURE = 0.6
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
@@ -143,6 +144,22 @@ class Painter:
         actor = self._plotter.actors.get("surface")
         if actor is not None:
             actor.prop.style = "wireframe" if shown else "surface"
+
+    def show_ghost(self, mesh: TriangleMesh | None) -> None:
+        """Show a second surface, seen through; None for none."""
+        self._plotter.remove_actor("ghost", render=False)
+        if mesh is None:
+            return
+        self._plotter.add_mesh(
+            polydata(mesh),
+            name="ghost",
+            color=self.scheme.accent,
+            opacity=GHOST_OPACITY,
+            specular=0.0,
+            smooth_shading=False,
+            reset_camera=False,
+            render=False,
+        )
 
     def show_contours(self, step_mm: float) -> None:
         """Draw lines of equal height on the surface, every fifth stronger; 0 for none."""

@@ -311,6 +311,15 @@ ACTIONS: tuple[ActionRecord, ...] = (
         needs_foot=True,
     ),
     ActionRecord(
+        "ghost",
+        lambda: tr("Insole through the foot"),
+        lambda: tr("Show the insole below the foot, seen through"),
+        lambda rooms, on: rooms.stage.foot_presenter.show_ghost(on),
+        shortcut="G",
+        checkable=True,
+        needs_foot=True,
+    ),
+    ActionRecord(
         "wireframe",
         lambda: tr("Wireframe"),
         lambda: tr("Show the edges of the insole's triangles alone"),

@@ -62,6 +62,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             *MAP_KEYS,
             "contours",
+            "ghost",
             "wireframe",
             SEPARATOR,
             "dark",

@@ -64,6 +64,10 @@
             <translation>Frihand</translation>
         </message>
         <message>
+            <source>Insole through the foot</source>
+            <translation>Inlägget genom foten</translation>
+        </message>
+        <message>
             <source>Level the sole and lay the foot axis along the insole by the landmarks</source>
             <translation>Lägg sulan plant och fotaxeln längs inlägget efter landmärkena</translation>
         </message>
@@ -114,6 +118,10 @@
         <message>
             <source>Remove this point</source>
             <translation>Ta bort punkten</translation>
+        </message>
+        <message>
+            <source>Show the insole below the foot, seen through</source>
+            <translation>Visa inlägget under foten, genomskinligt</translation>
         </message>
         <message>
             <source>Size</source>

@@ -33,6 +33,7 @@ class ModelPanel(Protocol):
         coloring: Coloring | None = None,
     ) -> bool: ...
     def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
+    def show_ghost(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
     def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
     def show_guide(  # noqa: D102
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None

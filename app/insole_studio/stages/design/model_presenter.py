@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -79,6 +80,7 @@ class ModelPresenter:
         hand.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
         section.changed.connect(self.show_marks)
+        hand.gesture_ended.connect(self.rest)
         counterpart.changed.connect(self.show_counterpart)
 
     @property
@@ -147,6 +149,10 @@ class ModelPresenter:
         self._marked = _NOTHING
         self.panel.show_side(self._case.side)
         self.show_surface()
+
+    def rest(self) -> None:
+        """Do what has waited for the hand to be done."""
+        raise NotImplementedError
 
     def show_surface(self) -> None:
         """Show the surface and what is drawn on it."""
@@ -284,6 +290,8 @@ class FootPresenter(ModelPresenter):
 
     subject = Subject.FOOT
     _is_compared = False
+    _ghost = False
+    """Whether the insole is seen through the foot."""
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -341,9 +349,28 @@ class FootPresenter(ModelPresenter):
             return None
         return built.foot.mesh
 
+    def rest(self) -> None:
+        """Let the ghost follow what the hand has done."""
+        self._show_ghost()
+
     def show_surface(self) -> None:
         """The foot stays; what is drawn on it follows the insole."""
         self.show_marks()
+        self._show_ghost()
+
+    def show_ghost(self, shown: bool) -> None:
+        """Let the insole be seen through the foot, or not."""
+        self._ghost = shown
+        self._show_ghost()
+
+    def _show_ghost(self) -> None:
+        """Put the insole below the foot; while the hand moves it, it waits."""
+        insole = self._surface.mesh
+        if not self._ghost or insole is None:
+            self.panel.show_ghost(None)
+        elif not self._hand.is_busy:
+            lifted = insole.vertices + np.array([0.0, 0.0, self._lift_mm])
+            self.panel.show_ghost(replace(insole, vertices=lifted))
 
 
 class InsolePresenter(ModelPresenter):
@@ -372,7 +399,6 @@ class InsolePresenter(ModelPresenter):
         self._map = MapKind.NONE
         self._contours = True
         surface.failed.connect(self.panel.show_warning)
-        hand.gesture_ended.connect(self._show_contours)
 
     @property
     def mesh(self) -> TriangleMesh | None:
@@ -402,6 +428,10 @@ class InsolePresenter(ModelPresenter):
     def _beside(self) -> TriangleMesh | None:
         built = self._counterpart.built
         return None if built is None else built.solid
+
+    def rest(self) -> None:
+        """Draw the lines of equal height again."""
+        self._show_contours()
 
     def show_contours(self, shown: bool) -> None:
         """Draw lines of equal height, a millimetre apart, or not."""

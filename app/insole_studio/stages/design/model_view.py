@@ -118,6 +118,11 @@ class ModelView(QWidget):
         self.scene.painter.show_wireframe(shown)
         self.scene.request_render()
 
+    def show_ghost(self, mesh: TriangleMesh | None) -> None:
+        """Show a second surface through the first; None for none."""
+        self.scene.painter.show_ghost(mesh)
+        self.scene.request_render()
+
     def show_contours(self, step_mm: float) -> None:
         """Draw lines of equal height; 0 for none."""
         self.scene.painter.show_contours(step_mm)
