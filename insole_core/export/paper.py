@@ -1,6 +1,7 @@
 """Pages for the shop and for the record, as PDF: the job sheet and the prescription.
 
-The texts stand in resources/texts and can be edited by a clinic.
+The texts stand in resources/texts and can be edited by a clinic; words.json says how the facts are
+called.
 """
 
 from __future__ import annotations
@@ -194,7 +195,10 @@ def _safe(text: str) -> str:
 def _facts(title: str, facts: Facts) -> list[Flowable]:
     if not facts:
         return []
-    rows = [[Paragraph(_safe(k), _BODY), Paragraph(_safe(v), _BODY)] for k, v in facts.items()]
+    words = _texts("words")
+    rows = [
+        [Paragraph(_safe(words.get(text, text)), _BODY) for text in fact] for fact in facts.items()
+    ]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
     table.setStyle([("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey)])
     return [Paragraph(_safe(title), _HEAD), table]

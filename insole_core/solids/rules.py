@@ -18,6 +18,7 @@ Policy: TypeAlias = Literal["blocking", "warning", "off"]
 CheckName: TypeAlias = Literal[
     "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"
 ]
+_LEAST_CUTTER_MM, _GREATEST_CUTTER_MM = 1.0, 40.0
 CHECK_NAMES: tuple[CheckName, ...] = get_args(CheckName)
 
 
@@ -47,6 +48,21 @@ class Rules:
         """Take one check more or less strictly; a check without a limit keeps having none."""
         limits = self.limits if limit is None else {**self.limits, name: limit}
         return replace(self, policies={**self.policies, name: policy}, limits=limits)
+
+    def with_cutter(self, diameter_mm: float) -> Rules:
+        """Hold hollows against another cutter.
+
+        Raises
+        ------
+        InputError
+            When no cutter is that large or small.
+        """
+        if not _LEAST_CUTTER_MM <= diameter_mm <= _GREATEST_CUTTER_MM:
+            raise InputError(
+                f"A cutter of {diameter_mm:g} mm is asked for, and must be"
+                f" {_LEAST_CUTTER_MM:g} to {_GREATEST_CUTTER_MM:g} mm; give another diameter."
+            )
+        return replace(self, cutter_diameter_mm=diameter_mm)
 
     def only(self, names: Collection[CheckName]) -> Rules:
         """Switch the other checks off."""

@@ -86,6 +86,7 @@ def test_blocking_rule_and_its_override(
         (["--mark", " "], 1, "identification is empty"),
         (["--draft", "80"], 1, "draft_deg is 80"),
         (["--rules", "{tmp}/none.json"], 1, "cannot be read"),
+        (["--cutter", "0"], 1, "must be 1 to 40 mm"),
         (["--pair", "{tmp}/none.ply"], 2, "name it with --block"),
         (["--block", "marble"], 2, 'the shop has "EVA single"'),
         (["--layers"], 2, "needs a .3mf file"),

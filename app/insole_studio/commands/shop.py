@@ -40,6 +40,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument("--ascii", action="store_true", help="STL as text")
     shape.add_argument("--material", default="", metavar="TEXT", help="for the papers")
     shape.add_argument("--block", metavar="NAME", help="of the shop's list; checked, or nested in")
+    shape.add_argument(
+        "--cutter", type=float, metavar="MM", help="diameter of the ball-nose cutter"
+    )
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
@@ -107,6 +110,8 @@ def _piece(
     from insole_core.solids.rules import read_rules
 
     rules = read_rules(arguments.rules)
+    if arguments.cutter is not None:
+        rules = rules.with_cutter(arguments.cutter)
     if block is not None:
         rules = replace(rules, block_mm=block.size_mm)
     piece = make_piece(insole, _order(arguments), rules, progress)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from insole_core.errors import InputError, OutputError
+from insole_core.export import paper
 from insole_core.export.paper import (
     JobSheet,
     section_along,
@@ -16,6 +18,7 @@ from insole_core.export.paper import (
     write_job_sheet,
     write_prescription,
 )
+from insole_core.resources import resource_path
 
 TOP = np.full((40, 20), np.nan)
 TOP[5:35, 4:16] = 8.0 + np.arange(12)
@@ -55,6 +58,20 @@ def test_papers_are_pdf(tmp_path: Path):
         assert content.startswith(b"%PDF")
         assert content.rstrip().endswith(b"%%EOF")
     assert sha256_of(file) == hashlib.sha256(b"solid").hexdigest()
+
+
+def test_words_of_the_facts_can_be_edited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    folder = tmp_path / "texts"
+    shutil.copytree(resource_path("texts"), folder)
+    (folder / "words.json").write_text('{"side": "Sida", "left": "vänster"}')
+    monkeypatch.setattr(paper, "resource_path", lambda name: tmp_path / name)
+    shown: list[str] = []
+    monkeypatch.setattr(paper, "_safe", lambda text: shown.append(text) or text)
+    write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf")
+    assert {"Sida", "vänster"} <= set(shown)
+    (folder / "words.json").write_text("{")
+    with pytest.raises(InputError, match="correct the texts"):
+        write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf")
 
 
 def test_file_that_went_away(tmp_path: Path):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Protocol
@@ -165,7 +164,7 @@ class ExportPresenter:
 
     def edit_cutter(self, diameter_mm: float) -> None:
         """Take another cutter."""
-        self._keep_rules(replace(self._rules, cutter_diameter_mm=diameter_mm))
+        self._keep_rules(self._rules.with_cutter(diameter_mm))
 
     def edit_rule(self, name: CheckName, policy: Policy, limit: float) -> None:
         """Take a check more or less strictly."""
