@@ -20,7 +20,8 @@ from insole_core.export.atomic import replacing_file
 
 _A4_IN = (8.27, 11.69)
 _PLOT_IN = (7.2, 4.4)
-_ROWS_A_PAGE = 34
+_ROWS_A_PAGE = 42
+_PLOTS_A_PAGE = 3
 _STYLE = (
     "body{font-family:sans-serif;max-width:60em;margin:2em auto;color:#222}"
     "table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #bbb;padding:.25em .7em;"
@@ -196,11 +197,13 @@ def write_pdf(report: Report, path: Path) -> None:
     OutputError
     """
     with replacing_file(path) as beside, PdfPages(beside) as pages:
-        _text_pages(pages, [report.title, _head(report), ""])
+        head = [report.title, _head(report), ""]
         for section in report.sections:
-            _text_pages(pages, section_lines(section))
-            for plot in section.plots:
-                pages.savefig(_drawn(plot))
+            own = section_lines(section)
+            # A report of one section bears its title.
+            _text_pages(pages, [*head, *(own[1:] if section.title == report.title else own)])
+            _plot_pages(pages, section.plots)
+            head = []
 
 
 WRITERS: dict[str, Callable[[Report, Path], None]] = {
@@ -283,6 +286,16 @@ def section_lines(section: Section) -> list[str]:
     return lines
 
 
+def _plot_pages(pages: PdfPages, plots: Sequence[Plot]) -> None:
+    for start in range(0, len(plots), _PLOTS_A_PAGE):
+        page = Figure(figsize=_A4_IN, layout="constrained")
+        places = page.subfigures(_PLOTS_A_PAGE, 1, squeeze=False).ravel()
+        for plot, place in zip(plots[start : start + _PLOTS_A_PAGE], places, strict=False):
+            plot.draw(place)
+            place.suptitle(plot.title)
+        pages.savefig(page)  # type: ignore[no-untyped-call]
+
+
 def _text_pages(pages: PdfPages, lines: Sequence[str]) -> None:
     for start in range(0, len(lines), _ROWS_A_PAGE):
         page = Figure(figsize=_A4_IN)
@@ -291,7 +304,7 @@ def _text_pages(pages: PdfPages, lines: Sequence[str]) -> None:
             title = start == 0 and row == 0
             page.text(
                 0.08,
-                0.94 - row * 0.025,
+                0.94 - row * 0.021,
                 line,
                 fontsize=13 if title else 8,
                 family="sans-serif" if title else "monospace",
