@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from insole_core.cases.scan import ScannedFoot, session_source
-from insole_core.errors import ReconstructionError
+from insole_core.errors import InsoleError, ReconstructionError
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
@@ -176,18 +176,23 @@ def make_foot(
     """
     session, source = opened.session, session_source(opened.path, opened.session)
 
-    def placed(mesh: TriangleMesh, warnings: tuple[str, ...] = ()) -> MadeFoot:
-        foot = place_foot(mesh, session.manifest.side, frame="reference", force=force)
+    def placed(mesh: TriangleMesh, warnings: tuple[str, ...], certain: bool) -> MadeFoot:
+        foot = place_foot(mesh, session.manifest.side, frame="reference", force=certain)
         return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits)
 
     def show(mesh: TriangleMesh) -> None:
-        if on_preview is not None:
-            on_preview(placed(mesh))
+        if on_preview is None:
+            return
+        try:
+            coarse = placed(mesh, (), certain=True)
+        except InsoleError:
+            return  # whether the foot is one is judged by the fine mesh
+        on_preview(coarse)
 
     result = reconstruct(
         session, "fused", progress.part(0.0, 0.9), limits, on_preview=show, measure=opened.measure
     )
     progress.step(0.9, "Finding heel and toes")
-    made = placed(result.mesh, result.warnings)
+    made = placed(result.mesh, result.warnings, certain=force)
     readings = [reading for view in result.views if (reading := opened.reading(view)) is not None]
     return replace(made, reconstruction=result, agreement=view_agreement(result.mesh, readings))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import shutil
+import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -322,6 +324,31 @@ def test_corrections_that_cannot_be_kept_are_told(opened: Bench) -> None:
     opened.panel.marker_toggled.emit("S3")
     assert "cannot be written" in opened.panel.sentences
     assert opened.panel.marks["S3"].state == "excluded"
+
+
+@pytest.fixture
+def other_side(bench: Bench, tmp_path: Path) -> Bench:
+    """The session, declared as that of the other foot."""
+    with zipfile.ZipFile(bench.session) as archive:
+        archive.extractall(tmp_path / "session")
+    manifest = tmp_path / "session" / "manifest.json"
+    values = json.loads(manifest.read_text())
+    values["side"] = "right"
+    manifest.write_text(json.dumps(values))
+    bench.session = tmp_path / "session"
+    return bench
+
+
+def test_a_foot_that_looks_like_the_other_is_asked_about(other_side: Bench) -> None:
+    other_side.open(hand_over=True)
+    (sentence,) = other_side.asked
+    assert "left" in sentence
+    assert other_side.handed == []
+    assert sentence in other_side.panel.sentences
+    other_side.answer = True
+    other_side.panel.make_requested.emit()
+    other_side.until(lambda: bool(other_side.handed))
+    assert other_side.handed[0].foot.side.value == "right"
 
 
 def test_a_session_that_cannot_be_read(bench: Bench, tmp_path: Path) -> None:
