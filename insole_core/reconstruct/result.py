@@ -106,7 +106,7 @@ class Surface:
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal, where it is known.
     view_shifts_mm : (views, 3) float64, reference frame, optional
-        By how much each used view would fit better elsewhere.
+        The shift of the whole surface that each used view by itself would like.
     """
 
     mesh: TriangleMesh

@@ -61,7 +61,8 @@ class RefinedSurface:
     view_offsets_raw : (views, 3) float64
         Offset and tilts that each view was found to have.
     view_shifts_mm : (views, 3) float64, reference frame
-        By how much each view would fit better elsewhere; 0 where no other view measured the same.
+        The shift of the whole surface that each view by itself would like; near 0 where no other
+        view measured the same.
     """
 
     mesh: TriangleMesh
