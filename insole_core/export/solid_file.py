@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,7 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
 def write_solids(parts: Sequence[Part], path: Path, *, ascii_stl: bool = False) -> None:
     """Write parts in the format that the suffix of `path` names.
 
-    3MF keeps the parts apart; in the other formats they are shells of one mesh.
+    3MF keeps the parts apart; in the other formats they are shells of one mesh. PLY has colours.
 
     Raises
     ------
@@ -52,7 +53,14 @@ def write_solids(parts: Sequence[Part], path: Path, *, ascii_stl: bool = False) 
     elif kind == ".obj":
         write_obj(mesh, path)
     else:
-        write_ply(mesh, path)
+        write_ply(merged([_painted(part) for part in parts]), path)
+
+
+def _painted(part: Part) -> TriangleMesh:
+    """Give a part in its own colour, where its surface has none."""
+    if part.mesh.colors is not None:
+        return part.mesh
+    return replace(part.mesh, colors=np.full(part.mesh.vertices.shape, part.color, np.uint8))
 
 
 def merged(meshes: Sequence[TriangleMesh]) -> TriangleMesh:

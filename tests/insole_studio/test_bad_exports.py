@@ -8,9 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from insole_core.export import solid_file
 from insole_core.export.ply import write_ply
+from insole_core.export.solid_file import merged
+from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
@@ -109,6 +112,23 @@ def test_block_too_small_for_a_pair(
     assert run([*call, "--pair", str(other), "--block", "EVA single"]) == 1
     assert "The pair needs a block of" in last_line(capsys)
     assert [path.name for path in tmp_path.iterdir()] == ["right.ply"]
+
+
+def test_scan_with_holes_and_several_shells(
+    scan: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mesh = read_mesh(scan).mesh
+    rng = np.random.default_rng(5)
+    middle = mesh.vertices[mesh.triangles].mean(axis=1)
+    holes = mesh.vertices[rng.integers(0, len(mesh.vertices), 8)]
+    kept = np.linalg.norm(middle[:, None] - holes, axis=2).min(axis=1) > 6
+    crumb = TriangleMesh(mesh.vertices[:3] * 0.1 + [90, 0, 0], np.array([[0, 1, 2]], np.int32))
+    torn = merged([TriangleMesh(mesh.vertices, mesh.triangles[kept]), crumb])
+    write_ply(torn, tmp_path / "torn.ply")
+    call = ["design", str(tmp_path / "torn.ply"), "--side", "left", "--out"]
+    assert run([*call, str(tmp_path / "i.stl")]) == 0
+    assert trimesh.load_mesh(tmp_path / "i.stl").is_watertight
+    assert "open" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["Åsa Öberg", "محمد", "王小明", "Иванов", "a'b c&d"])

@@ -42,6 +42,14 @@ def test_obj_and_ply_keep_colours(tmp_path: Path):
         assert np.array_equal(read.visual.vertex_colors[:, :3], COLORS)
 
 
+def test_ply_paints_parts_without_colours_of_their_own(tmp_path: Path):
+    plain = TriangleMesh(CORNERS, FACES)
+    parts = [Part(plain, "cover", (200, 10, 20)), Part(plain, "shell", (1, 2, 3))]
+    write_solids(parts, tmp_path / "i.ply")
+    colors = trimesh.load_mesh(tmp_path / "i.ply", process=False).visual.vertex_colors[:, :3]
+    assert colors.tolist() == [[200, 10, 20]] * 4 + [[1, 2, 3]] * 4
+
+
 def test_ascii_stl_is_text_with_the_same_numbers(tmp_path: Path):
     path = tmp_path / "a.stl"
     write_ascii_stl(TETRA, path)
