@@ -71,6 +71,7 @@ class Counterpart(QObject):
         self._against = ""
         self._last_chosen: tuple[Side, str] | None = None
         self._soles: WeakKeyDictionary[Foot, HeightField] = WeakKeyDictionary()
+        self._laid: tuple[object, Built, FloatArray] | None = None
         self.kind = Beside.NOTHING
         self.built: Built | None = None
         """None while it is being built, and where there is nothing to build."""
@@ -108,6 +109,15 @@ class Counterpart(QObject):
     def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
         """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
+
+    def heights_under(self, surface: InsoleSurface, xy: FloatArray) -> FloatArray:
+        """Heights of the counterpart at the top of the shown insole; kept while pads move."""
+        assert self.built is not None
+        laid = self._laid
+        if laid is None or laid[0] is not surface.base or laid[1] is not self.built:
+            laid = surface.base, self.built, self.heights_mm(self.built.contact, xy)
+            self._laid = laid
+        return laid[2]
 
     def sole_of(self, foot: Foot) -> HeightField:
         """Give the heights of a foot as seen from below; kept, as they take a while."""
@@ -184,7 +194,7 @@ def insole_difference(surface: InsoleSurface, counterpart: Counterpart) -> Float
     if surface.mesh is None or bottom is None or built is None:
         return None
     top = surface.mesh.vertices[: len(bottom)]
-    return np.asarray(top[:, 2] - counterpart.heights_mm(built.contact, top[:, :2]))
+    return np.asarray(top[:, 2] - counterpart.heights_under(surface, top[:, :2]))
 
 
 def foot_difference(foot: Foot, counterpart: Counterpart) -> FloatArray | None:

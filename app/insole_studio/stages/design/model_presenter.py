@@ -398,6 +398,7 @@ class InsolePresenter(ModelPresenter):
         )
         self._map = MapKind.NONE
         self._contours = True
+        self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
         surface.failed.connect(self.panel.show_warning)
 
     @property
@@ -475,6 +476,9 @@ class InsolePresenter(ModelPresenter):
     def _show_contours(self) -> None:
         """Draw the lines, unless the hand is moving the surface."""
         wanted = self._contours and not self._hand.is_busy
+        if self._contoured == (self._surface.mesh, wanted):
+            return  # they take longer than all else, and several facts change at once
+        self._contoured = self._surface.mesh, wanted
         self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
 
     def _show_why_empty(self) -> None:
