@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
+import numpy as np
+
 from insole_core.cases.record import CaseRecord, FootRecord, Patient
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
@@ -225,3 +228,13 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Pla
 def _patient_facts(patient: Patient) -> dict[str, str]:
     facts = {"name": patient.name, "born": patient.born, "visit": patient.visit}
     return {key: value for key, value in facts.items() if value}
+
+
+def block_edges(block: Block) -> list[FloatArray]:
+    """Give the edges of a block whose corner is the origin and whose length runs along y, mm."""
+    length, width = sorted(block.size_mm[:2], reverse=True)
+    rings = [
+        np.array([(0, 0, z), (width, 0, z), (width, length, z), (0, length, z), (0, 0, z)], float)
+        for z in (0.0, block.size_mm[2])
+    ]
+    return [*rings, *(np.stack(pair) for pair in zip(*(ring[:4] for ring in rings), strict=True))]

@@ -17,18 +17,19 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override
-from insole_core.solids.order import CHECKS_OF, Piece, nest_pieces
+from insole_core.solids.order import Piece, nest_pieces
 from insole_core.solids.rules import CheckName, Policy, Rules, read_rules
 from insole_core.solids.shop import Block, Shop
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.export.rows import (
     TITLES,
-    UNITS,
     Buttons,
     CheckRow,
-    CheckState,
+    check_row,
+    notes_of,
     sentence_of,
-    state_of,
+    side_text,
+    summary_of,
 )
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
@@ -36,6 +37,7 @@ from insole_studio.workbench.export_rules import ExportRules
 from insole_studio.workbench.order_memory import OrderMemory
 from insole_studio.workbench.shop_order import (
     OrderChoice,
+    block_edges,
     files_of,
     make_pieces,
     word_of,
@@ -210,7 +212,7 @@ class ExportPresenter:
             self._panel.show_piece(solid, side, words, again)
         self._show_spots()
         self._show_checks()
-        self._panel.show_summary(self._summary())
+        self._panel.show_summary("" if self._piece is None else summary_of(self._piece))
 
     def lead_to(self, name: CheckName) -> None:
         """Look where a check was broken most."""
@@ -298,12 +300,12 @@ class ExportPresenter:
 
     def _take(self, pieces: tuple[Piece, ...]) -> None:
         self.pieces = pieces
-        names = {str(piece.side): _side_text(piece) for piece in pieces}
+        names = {str(piece.side): side_text(piece) for piece in pieces}
         if len(pieces) == 2 and self._choice.block is not None:
             names[_NEST] = tr("In the block")
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_pieces(names, shown)
-        self._panel.show_notes([note for piece in pieces for note in _notes(piece)])
+        self._panel.show_notes([note for piece in pieces for note in notes_of(piece)])
         self.show_piece(shown)
         self._show_buttons()
 
@@ -316,7 +318,7 @@ class ExportPresenter:
             self._panel.show_piece(None, None, None, again)
             return
         self._panel.show_piece(merged([part.mesh for part in parts]), None, None, again)
-        self._panel.show_block(_edges(block), again)
+        self._panel.show_block(block_edges(block), again)
 
     def _show_spots(self) -> None:
         findings = self._findings if self._shown != _NEST else {}
@@ -330,42 +332,19 @@ class ExportPresenter:
 
     def _show_checks(self) -> None:
         waiting = self._jobs.is_running(MAKING)
-        self._panel.show_checks([self._row(name, waiting) for name in TITLES])
-
-    def _row(self, name: CheckName, waiting: bool) -> CheckRow:
-        policy = self._rules.policies.get(name, "off")
-        finding = self._findings.get(name)
-        state, sentence, leads = CheckState.OPEN, tr("is being checked"), False
-        if policy == "off":
-            state, sentence = CheckState.OFF, tr("not checked")
-        elif name not in CHECKS_OF[self._choice.kind]:
-            state, sentence = CheckState.OFF, tr("does not apply to this piece")
-        elif finding is not None and not waiting:
-            state, sentence = state_of(finding), sentence_of(finding)
-            leads = finding.place_mm is not None and self._shown != _NEST
-        elif not waiting:
-            sentence = tr("not checked")
-        limit = self._rules.limits.get(name)
-        return CheckRow(
-            name, TITLES[name](), state, sentence, policy, limit, UNITS.get(name, ""), leads
+        self._panel.show_checks(
+            [
+                check_row(
+                    name,
+                    self._rules,
+                    self._choice.kind,
+                    None if waiting else self._findings.get(name),
+                    waiting=waiting,
+                    leads=self._shown != _NEST,
+                )
+                for name in TITLES
+            ]
         )
-
-    def _summary(self) -> str:
-        piece = self._piece
-        if piece is None:
-            return ""
-        width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
-        text = tr(
-            "{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"
-        )
-        said = text.format(
-            length=length, width=width, height=height,
-            volume=piece.solid.volume_mm3 / 1000, count=len(piece.solid.triangles),
-        )  # fmt: skip
-        if piece.deviation_mm > 0:
-            deviation = tr("They deviate by {deviation:.3f} mm at most.")
-            said += ". " + deviation.format(deviation=piece.deviation_mm)
-        return said
 
     def _override(self) -> Override | None:
         if not self._blocked or not self._reason:
@@ -403,29 +382,3 @@ class ExportPresenter:
                 reason=self._blocked,
             )
         )
-
-
-def _notes(piece: Piece) -> list[str]:
-    from insole_core.export.lettering import missing_letters
-
-    missing = missing_letters("".join(piece.order.mark))
-    text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
-    return [text.format(letters=missing)] if missing else []
-
-
-def _side_text(piece: Piece) -> str:
-    """Name a side, with a sign where a check was not passed."""
-    text = tr("Left") if piece.side is Side.LEFT else tr("Right")
-    if any(finding.blocks for finding in piece.findings):
-        return f"{text}  ✗"
-    return text if all(finding.passed for finding in piece.findings) else f"{text}  !"
-
-
-def _edges(block: Block) -> list[FloatArray]:
-    """The edges of a block (length, width, height) whose corner is the origin, length along y."""
-    length, width = sorted(block.size_mm[:2], reverse=True)
-    rings = [
-        np.array([(0, 0, z), (width, 0, z), (width, length, z), (0, length, z), (0, 0, z)], float)
-        for z in (0.0, block.size_mm[2])
-    ]
-    return [*rings, *(np.stack(pair) for pair in zip(*(ring[:4] for ring in rings), strict=True))]

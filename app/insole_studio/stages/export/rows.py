@@ -6,8 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
+from insole_core.export.lettering import missing_letters
+from insole_core.geometry.side import Side
 from insole_core.solids.checks import Finding
-from insole_core.solids.rules import CheckName, Policy
+from insole_core.solids.order import CHECKS_OF, Piece
+from insole_core.solids.rules import CheckName, Policy, Rules
+from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
 
 
@@ -88,3 +92,67 @@ def sentence_of(finding: Finding) -> str:
         text = tr("{value:.1f} mm to spare") if finding.passed else tr("{value:.1f} mm too large")
         return text.format(value=abs(finding.value))
     return _SENTENCES[finding.name]().format(value=finding.value)
+
+
+def check_row(
+    name: CheckName,
+    rules: Rules,
+    kind: Kind,
+    finding: Finding | None,
+    *,
+    waiting: bool,
+    leads: bool,
+) -> CheckRow:
+    """Show one check of a piece.
+
+    Parameters
+    ----------
+    name, rules, kind
+    finding
+        None before it is made.
+    waiting
+        Whether it is being made.
+    leads
+        Whether places can be looked at now.
+    """
+    policy = rules.policies.get(name, "off")
+    state, sentence = CheckState.OPEN, tr("is being checked") if waiting else tr("not checked")
+    if policy == "off":
+        state, sentence = CheckState.OFF, tr("not checked")
+    elif name not in CHECKS_OF[kind]:
+        state, sentence = CheckState.OFF, tr("does not apply to this piece")
+    elif finding is not None:
+        state, sentence = state_of(finding), sentence_of(finding)
+    placed = finding is not None and finding.place_mm is not None
+    limit, unit = rules.limits.get(name), UNITS.get(name, "")
+    return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, leads and placed)
+
+
+def summary_of(piece: Piece) -> str:
+    """Say how large a piece is, and how its triangles deviate."""
+    width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
+    said = tr(
+        "{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"
+    ).format(
+        length=length, width=width, height=height,
+        volume=piece.solid.volume_mm3 / 1000, count=len(piece.solid.triangles),
+    )  # fmt: skip
+    if piece.deviation_mm == 0:
+        return said
+    deviation = tr("They deviate by {deviation:.3f} mm at most.")
+    return f"{said}. {deviation.format(deviation=piece.deviation_mm)}"
+
+
+def notes_of(piece: Piece) -> list[str]:
+    """Say which letters its identification lacks."""
+    missing = missing_letters("".join(piece.order.mark))
+    text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
+    return [text.format(letters=missing)] if missing else []
+
+
+def side_text(piece: Piece) -> str:
+    """Name a side, with a sign where a check was not passed."""
+    text = tr("Left") if piece.side is Side.LEFT else tr("Right")
+    if any(finding.blocks for finding in piece.findings):
+        return f"{text}  ✗"
+    return text if all(finding.passed for finding in piece.findings) else f"{text}  !"
