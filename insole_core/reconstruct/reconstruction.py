@@ -42,11 +42,11 @@ from insole_core.reconstruct.sheet import (
     without_small_pieces,
 )
 from insole_core.reconstruct.stopwatch import Stopwatch
+from insole_core.reconstruct.views_at_once import VIEWS_AT_ONCE
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
 from insole_core.recording.session import Box, Session, View
 
 _Part = TypeVar("_Part")
-_VIEWS_AT_ONCE = 2
 
 
 def reconstruct(
@@ -182,8 +182,7 @@ class _Chain(Generic[_Part]):
         parts: list[_Part] = []
         results: list[ViewResult] = []
         views = self.session.views
-        # Reading and averaging leave the interpreter most of the time, so two views go at once.
-        with ThreadPoolExecutor(_VIEWS_AT_ONCE) as pool:
+        with ThreadPoolExecutor(VIEWS_AT_ONCE) as pool:
             placing = [pool.submit(self._place, view) for view in views]
             try:
                 for number, view in enumerate(views):

@@ -12,6 +12,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth
+from insole_core.reconstruct.views_at_once import for_views
 
 _BLOCK_CELLS = 4
 _LEAST_COSINE = 0.1
@@ -51,8 +52,9 @@ def mesh_views(views: list[PreparedView], limits: FieldLimits = FieldLimits()) -
     where = np.argwhere(near)
     lattice = origin + limits.cell_mm * where
     total, weight = np.zeros(len(where)), np.zeros(len(where))
-    for view in views:
-        at, before_mm, certainty = _distances(view, lattice, limits.truncation_mm)
+    for at, before_mm, certainty in for_views(
+        lambda view: _distances(view, lattice, limits.truncation_mm), views
+    ):
         total[at] += certainty * before_mm
         weight[at] += certainty
     values, known = np.zeros(near.shape), np.zeros(near.shape, dtype=bool)

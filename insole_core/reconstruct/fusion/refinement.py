@@ -14,6 +14,7 @@ from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.views_at_once import for_views
 
 _SHIFT_ROUNDS = (16, 8, 4, 2)
 _SHIFT_PRIOR = 1e-2
@@ -89,7 +90,7 @@ def refine(
     """
     normals = smoothed_normals(mesh, 5)
     caster = RayCaster(mesh)
-    seen = [observe(reading, mesh, normals, caster) for reading in readings]
+    seen = for_views(lambda reading: observe(reading, mesh, normals, caster), readings)
     system = _System.of(mesh, normals, seen, limits)
     displacement = np.zeros(len(mesh.vertices))
     views = np.zeros(3 * len(seen))

@@ -74,8 +74,9 @@ def fuse(
     kept = _is_supported(refined.mesh, views, limits)
     kept[kept] = in_large_pieces(refined.mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
-    fine, ends = subdivided(refined.mesh.part(kept))
-    colors = color_vertices(fine, readings)
+    supported = refined.mesh.part(kept)
+    fine, ends = subdivided(supported)
+    colors = color_vertices(fine, readings, supported)
     deviation_mm = refined.deviation_mm[kept][ends].mean(1)
     return Surface(replace(fine, colors=colors), deviation_mm, refined.view_shifts_mm)
 

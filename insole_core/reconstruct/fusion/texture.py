@@ -12,6 +12,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.views_at_once import for_views
 
 _CLEARANCE_MM = 2.0
 _SHARPNESS = 8
@@ -36,16 +37,20 @@ class _Look:
     weight: FloatArray
 
 
-def color_vertices(mesh: TriangleMesh, readings: list[Reading]) -> ByteArray:
+def color_vertices(
+    mesh: TriangleMesh, readings: list[Reading], outside: TriangleMesh | None = None
+) -> ByteArray:
     """Give each vertex (n, 3) the colour of the views that face it, the views balanced.
 
     Parameters
     ----------
     mesh : mm, reference frame
     readings
+    outside
+        A coarser mesh of the same surface, which tells as well what hides what.
     """
-    caster = RayCaster(mesh)
-    looks = [_look(mesh, caster, reading) for reading in readings]
+    caster = RayCaster(mesh if outside is None else outside)
+    looks = for_views(lambda reading: _look(mesh, caster, reading), readings)
     gains = _balancing_gains(looks)
     total = sum(
         (
