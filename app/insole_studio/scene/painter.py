@@ -213,7 +213,7 @@ class Painter:
             self._show_dots(f"rim-{name}", places, 13.0, "white")
             self._show_dots(f"points-{name}", places, 9.0, color)
         places = [point.position_mm for point in points]
-        self._show_texts("key-names", places, [f"  {point.text}" for point in points], 12)
+        self._show_texts("key-names", places, [f"    {point.text}" for point in points], 12)
 
     def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
         """Mark places (n, 3) that need attention, the chosen ones stronger."""
