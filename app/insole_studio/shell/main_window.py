@@ -67,7 +67,7 @@ class MainWindow(QMainWindow):
         self._docks = (self._patient, self._foot, self._parameters, self._section)
         self._place_docks()
         self._add_dock_actions()
-        stage.section_wanted.connect(self._section.setVisible)
+        stage.section_wanted.connect(self._show_section)
         self._section.hide()
 
     def show_title(self, name: str, unsaved: bool) -> None:
@@ -275,6 +275,18 @@ class MainWindow(QMainWindow):
         dock.visibilityChanged.connect(self._note_layout)
         dock.dockLocationChanged.connect(self._note_layout)
         return dock
+
+    def _show_section(self, wanted: bool) -> None:
+        """Give the section its share of the width when it comes."""
+        comes = wanted and self._section.isHidden()
+        self._section.setVisible(wanted)
+        if comes:
+            section = round(SECTION_SHARE * self.width())
+            self.resizeDocks(
+                [self._parameters, self._section],
+                [self.width() - section, section],
+                Qt.Orientation.Horizontal,
+            )
 
     def _note_layout(self) -> None:
         if self.isVisible():
