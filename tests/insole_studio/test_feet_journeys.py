@@ -241,6 +241,22 @@ def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
     assert opened.case.history.undo_sentence == "Repeat the last design"
 
 
+def test_a_dismissed_offer_stays_away(
+    opened: Application, scan: Callable[[Side], Path], settle: Settle
+) -> None:
+    add_pad(opened)
+    questions = opened.studio.rooms.dialogue.questions
+    questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
+    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    settle()
+    (dismiss,) = opened.stage.notices.findChildren(QToolButton)
+    QTest.mouseClick(dismiss, LEFT_BUTTON)
+    opened.case.apply(replace(design(opened), thickness_mm=4.0), "Thicken")
+    assert notices(opened) == []
+    act(opened, "repeat_last")
+    assert len(design(opened).corrections) == 1
+
+
 def test_a_second_scan_may_begin_a_new_case(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:

@@ -50,7 +50,7 @@ class Repeating(QObject):
         self._feet = feet
         self._mirror_offered: Foot | None = None
         self._found: dict[tuple[object, Side], Template | None] = {}
-        self._offered: tuple[FootRecord, Template] | None = None
+        self._offered: tuple[Foot, Template] | None = None
         case.opened.connect(self._found.clear)
         case.foot_changed.connect(self.offer)
         case.changed.connect(self.offer)
@@ -74,8 +74,8 @@ class Repeating(QObject):
             self._withdraw()
             self._offer_mirror(foot)
             self._search(foot.side)
-        elif self._offered is None or self._offered != (foot, template):
-            self._offered = foot, template
+        elif self._offered != (foot.foot, template):  # once: it may be dismissed
+            self._offered = foot.foot, template
             self._notices.put(
                 NOTICE, _describe(template), tr("Repeat the last design"), self.repeat
             )
