@@ -73,13 +73,12 @@ class MeasuredSession:
         edits = self.edits.of(name)
         if name in self.refused:
             return refused_result(name, self.refused[name])
-        system = self.session.manifest.reference_system
+        measured, system = self.measured[name], self.session.manifest.reference_system
         try:
-            result = used_result(
-                self.measured[name], self.measured[name].register(system, limits, edits)
-            )
+            result = used_result(measured, measured.register(system, limits, edits))
         except ReconstructionError as error:
-            return refused_result(name, error)
+            frames, left_out = measured.view.depth_count, measured.left_out
+            return replace(refused_result(name, error), frames=frames, left_out=left_out)
         return replace(result, used=not edits.off)
 
     def reading(self, result: ViewResult) -> Reading | None:
@@ -108,8 +107,8 @@ class MadeFoot:
     ----------
     mesh : mm, reference frame
     scan
-    edits
-        The corrections that it was made with.
+    edits, limits
+        The corrections and limits that it was made with.
     reconstruction, agreement
         None for the coarse foot that comes first.
     """
@@ -117,6 +116,7 @@ class MadeFoot:
     mesh: TriangleMesh
     scan: ScannedFoot
     edits: HandEdits
+    limits: RegistrationLimits
     reconstruction: Reconstruction | None = None
     agreement: Agreement | None = None
 
@@ -178,7 +178,7 @@ def make_foot(
 
     def placed(mesh: TriangleMesh, warnings: tuple[str, ...], certain: bool) -> MadeFoot:
         foot = place_foot(mesh, session.manifest.side, frame="reference", force=certain)
-        return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits)
+        return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits, limits)
 
     def show(mesh: TriangleMesh) -> None:
         if on_preview is None:

@@ -156,6 +156,10 @@
             <translation>Medel, mm</translation>
         </message>
         <message>
+            <source>No view is placed. Correct its markers, or tick a view.</source>
+            <translation>Ingen vy har fått sin plats. Rätta dess markörer, eller bocka för en vy.</translation>
+        </message>
+        <message>
             <source>Point at {id}</source>
             <translation>Peka ut {id}</translation>
         </message>
@@ -216,6 +220,10 @@
             <translation>Standardavvikelse</translation>
         </message>
         <message>
+            <source>The session is being read.</source>
+            <translation>Sessionen läses.</translation>
+        </message>
+        <message>
             <source>This is</source>
             <translation>Detta är</translation>
         </message>
@@ -238,6 +246,10 @@
         <message>
             <source>View</source>
             <translation>Vy</translation>
+        </message>
+        <message>
+            <source>View {name}: {reason}.</source>
+            <translation>Vy {name}: {reason}.</translation>
         </message>
         <message>
             <source>Views that see it</source>

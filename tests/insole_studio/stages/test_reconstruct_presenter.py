@@ -304,6 +304,8 @@ def test_a_limit_refuses_a_view_and_names_its_markers(opened: Bench) -> None:
     assert "mm uncertain at the foot" in opened.panel.rows["top"].trouble
     assert opened.panel.rows["top"].found == 8
     assert opened.limits[-1].displacement_mm == 0.7
+    assert opened.panel.rows["top"].frames > 0
+    assert opened.panel.sentences.startswith("View top: its markers leave the pose")
     opened.panel.view_chosen.emit("top")
     assert "A1" in opened.panel.marks
 
@@ -311,6 +313,7 @@ def test_a_limit_refuses_a_view_and_names_its_markers(opened: Bench) -> None:
 def test_no_view_left_is_told_and_can_be_mended(opened: Bench) -> None:
     for name in ("left", "right", "top"):
         opened.panel.view_switched.emit(name, False)
+    assert "No view is placed" in opened.panel.shown["show_nothing"][0]
     opened.panel.make_requested.emit()
     opened.settle()
     assert "none of its views can be used" in opened.panel.sentences

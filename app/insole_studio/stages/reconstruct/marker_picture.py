@@ -143,7 +143,7 @@ class MarkerPicture(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw image, regions and marks."""
         painter = QPainter(self)
-        painter.fillRect(self.rect(), self.palette().alternateBase())
+        painter.fillRect(self.rect(), self.palette().button())
         if not self._image.isNull():
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)

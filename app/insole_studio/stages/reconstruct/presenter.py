@@ -62,6 +62,7 @@ class ReconstructPanel(ImagePanel, Protocol):
     def show_session(self, name: str, side: Side) -> None: ...  # noqa: D102
     def show_views(self, rows: Sequence[ViewRow], selected: str) -> None: ...  # noqa: D102
     def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None: ...  # noqa: D102
+    def show_nothing(self, sentence: str) -> None: ...  # noqa: D102
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None: ...  # noqa: D102
     def show_box(self, box: Box) -> None: ...  # noqa: D102
     def show_limits(self, limits: Limits) -> None: ...  # noqa: D102
@@ -138,7 +139,9 @@ class ReconstructPresenter:
             opened = measure_session(path, progress.part(0.0, 0.8))
             return Correcting(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
 
+        self._panel.show_nothing(tr("The session is being read."))
         self._jobs.start(READING, read, self._take_session, self._unreadable)
+        self._show_buttons()
 
     @property
     def box(self) -> Box | None:
@@ -243,7 +246,8 @@ class ReconstructPresenter:
 
     @property
     def _is_stale(self) -> bool:
-        return self._made is None or self._made.edits != self.edits
+        made = self._made
+        return made is None or (made.edits, made.limits) != (self.edits, self._limits)
 
     def _connect(self, panel: ReconstructPanel) -> None:
         panel.view_chosen.connect(self.choose_view)
@@ -360,12 +364,24 @@ class ReconstructPresenter:
         shown = [mesh for name, mesh in self._meshes.items() if results[name].used]
         if shown:
             self._panel.show_foot(_together(shown), None)
+        else:
+            self._panel.show_nothing(tr("No view is placed. Correct its markers, or tick a view."))
 
     def _show_sentences(self) -> None:
-        sentences = [self._trouble] if self._trouble else []
+        sentences = [self._trouble] if self._trouble else self._troubles_of_views()
         if self._made is not None and self._made.reconstruction is not None and not self._is_stale:
             sentences += self._made.scan.warnings
         self._panel.show_sentences(sentences)
+
+    def _troubles_of_views(self) -> list[str]:
+        """Say why views cannot be used as they are now, unless the foot's own warnings do."""
+        if self._work is None or not self._is_stale:
+            return []
+        return [
+            tr("View {name}: {reason}.").format(name=view_text(name), reason=result.reason)
+            for name, result in self._work.results.items()
+            if not result.used and not self.edits.of(name).off
+        ]
 
     def _show_buttons(self) -> None:
         busy = self._jobs.is_running(MAKING) or self._jobs.is_running(READING)
@@ -378,6 +394,7 @@ class ReconstructPresenter:
                 undo=history.undo_sentence if history is not None else "",
                 redo=history.redo_sentence if history is not None else "",
                 is_stale=self._made is not None and self._is_stale,
+                has_session=self._work is not None,
             )
         )
 

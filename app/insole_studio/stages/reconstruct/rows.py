@@ -108,6 +108,7 @@ class Buttons:
     redo: str = ""
     is_stale: bool = False
     """Whether there are corrections that the foot does not have yet."""
+    has_session: bool = False
 
 
 def view_row(number: int, result: ViewResult, edits: ViewEdits) -> ViewRow:

@@ -123,6 +123,10 @@ class ReconstructView(QWidget):
             self._fitted = True
             self._look(Preset.PLANTAR)
 
+    def show_nothing(self, sentence: str) -> None:
+        """Say why there is no foot to be seen."""
+        self.foot.show_empty(sentence, {})
+
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None:
         """Show which map is on, and which there are."""
         texts = _map_texts()
@@ -163,6 +167,8 @@ class ReconstructView(QWidget):
 
     def show_buttons(self, buttons: Buttons) -> None:
         """Enable what can be pressed."""
+        for part in (self.markers, self.box, *self.limits):
+            part.setEnabled(buttons.has_session)
         self.make.setEnabled(buttons.make)
         self.make.setVisible(not buttons.cancel)
         self.cancel.setVisible(buttons.cancel)
