@@ -11,7 +11,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
 from insole_core.reconstruct.assignment import Assignment, looks_at_foot
-from insole_core.reconstruct.pose_batch import PoseBatch, Sight, improved, matches
+from insole_core.reconstruct.pose_batch import LEAST_EXPLAINED, PoseBatch, Sight, improved, matches
 from insole_core.sensing.camera import Camera
 
 _KEPT = 300
@@ -112,7 +112,7 @@ def assign_in_image(
     near = limits.near_px * camera.width / 1280 / scale_px
     sight = Sight(camera.normalised(pixels), markers)
     poses = _search(sight, areas, limits, near)
-    if poses is None:
+    if len(poses) == 0:
         raise ReconstructionError(_too_few(0, len(pixels), len(markers), limits))
     pairs, explained, squared = matches(poses, sight, near)
     missed = np.where(explained, squared, near**2).sum(1)
@@ -162,11 +162,11 @@ def _elsewhere(poses: PoseBatch, best: int, limits: ImageAssignmentLimits) -> Bo
 
 def _search(
     sight: Sight, areas: FloatArray, limits: ImageAssignmentLimits, near: float
-) -> PoseBatch | None:
-    """Give the best candidate poses, improved."""
+) -> PoseBatch:
+    """Give the best candidate poses, improved; none where none explains four markers."""
     triangles = _blob_triangles(areas, limits)
-    if len(triangles) == 0:
-        return None
+    if len(triangles) == 0 or len(sight.markers) < LEAST_EXPLAINED:
+        return PoseBatch.none()
     size = np.linalg.norm(np.ptp(sight.markers, axis=0))
     table = _DistanceTable.of(sight.blobs)
     found: list[PoseBatch] = []
@@ -180,8 +180,6 @@ def _search(
         found.append(poses.take(best))
         scores.append(score[best])
     order = np.argsort(-np.concatenate(scores), kind="stable")[:_KEPT]
-    if len(order) == 0:
-        return None
     poses = PoseBatch.joined(found).take(order)
     widest = limits.rough_share * size / limits.distance_mm[0]
     for tolerance in np.geomspace(widest, near, _ROUNDS):

@@ -8,6 +8,8 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 
+LEAST_EXPLAINED = 4
+"""Three markers are explained by any three blobs."""
 _DAMPING = 1e-9
 
 
@@ -38,6 +40,14 @@ class PoseBatch:
 
     rotations: FloatArray
     translations: FloatArray
+
+    def __len__(self) -> int:
+        return len(self.rotations)
+
+    @staticmethod
+    def none() -> PoseBatch:
+        """Give no pose."""
+        return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
 
     @staticmethod
     def joined(parts: list[PoseBatch]) -> PoseBatch:
@@ -83,9 +93,9 @@ def improved(poses: PoseBatch, sight: Sight, near: float) -> PoseBatch:
     Poses that explain fewer than four markers go.
     """
     nearest, explained, _ = matches(poses, sight, near)
-    enough = explained.sum(1) >= 4
+    enough = explained.sum(1) >= LEAST_EXPLAINED
     if not enough.any():
-        return poses.take(np.zeros(0, dtype=np.int64)) if len(enough) else poses
+        return PoseBatch.none()
     poses, nearest, explained = poses.take(enough), nearest[enough], explained[enough]
     turned = poses.turned(sight.markers)
     points = turned + poses.translations[:, None]

@@ -63,6 +63,28 @@ def test_a_good_session_is_said_nothing_of(whole: Reconstruction) -> None:
     assert min(whole.coverage.values()) > 0.9
 
 
+def covered(whole: Reconstruction, name: str, left: int) -> Callable[[ByteArray], ByteArray]:
+    """Cover the markers of a view but some."""
+    (view,) = (view for view in whole.views if view.name == name)
+    places = np.rint([fix.pixel for fix in view.fixes]).astype(int)[left:].tolist()
+
+    def cover(color: ByteArray) -> ByteArray:
+        picture = color.copy()
+        for u, v in places:
+            picture[v - 20 : v + 20, u - 20 : u + 20] = 26
+        return picture
+
+    return cover
+
+
+@pytest.mark.parametrize("left", [3, 4])
+def test_a_view_of_three_or_four_markers_is_left_out(
+    session: Session, whole: Reconstruction, left: int
+) -> None:
+    said = said_of(with_colors(session, "top", covered(whole, "top", left)), "top")
+    assert "markers" in said
+
+
 def test_a_dark_picture(session: Session) -> None:
     assert "almost dark" in said_of(with_colors(session, "right", scaled(0.08, 0)), "right")
 

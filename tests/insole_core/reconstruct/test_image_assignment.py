@@ -95,11 +95,17 @@ def test_a_symmetric_system_is_refused() -> None:
         assign_in_image(CAMERA.project(transform(pose, square)), np.full(9, 400.0), square, CAMERA)
 
 
-@pytest.mark.parametrize("count", [0, 2, 5])
+@pytest.mark.parametrize("count", [0, 2, 3, 4, 5])
 def test_fewer_than_six_are_refused(count: int) -> None:
     pixels, _, _ = look(np.random.default_rng(1), hidden=12 - count, clutter=0)
     with pytest.raises(ReconstructionError, match="and 6 are needed"):
         assign_in_image(pixels, np.full(count, 400.0), MARKERS, CAMERA)
+
+
+def test_a_side_of_three_markers_tells_no_pose() -> None:
+    pixels, _, _ = look(np.random.default_rng(1), hidden=4, clutter=0)
+    with pytest.raises(ReconstructionError, match="only 0 of the 8 blue spots fit the 3 markers"):
+        assign_in_image(pixels, np.full(8, 400.0), MARKERS[:3], CAMERA)
 
 
 def seen_from(pose: FloatArray, pixels: FloatArray) -> SeenMarkers:
