@@ -25,6 +25,7 @@ ROW_HEIGHT_PX = 26
 FIELD_PX = 96
 SHORT_TEXT, SHORT_PX = 3, 44
 CHOICE_PX = 132
+LEAST_PX, MOST_PX = 112, 176
 
 
 class ParametersView(QScrollArea):
@@ -39,7 +40,7 @@ class ParametersView(QScrollArea):
         self._fields: dict[str, NumberField | Choice] = {}
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setMinimumHeight(112)
+        self.setMinimumHeight(LEAST_PX)
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
         """Show groups; while only values differ, the fields stay where they are."""
@@ -66,6 +67,8 @@ class ParametersView(QScrollArea):
         for group in groups:
             flow.addWidget(self._group(group))
         self.setWidget(content)
+        # The first line is always whole, also with targets for fingers.
+        self.setMinimumHeight(min(max(flow.minimumSize().height(), LEAST_PX), MOST_PX))
 
     def _group(self, group: FieldGroup) -> QWidget:
         widget = QWidget()
