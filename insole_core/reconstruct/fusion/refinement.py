@@ -44,7 +44,7 @@ class RefinementLimits:
 
     stiffness: float = 4.0
     view_offset_raw: float = 0.1
-    robust: float = 1.5
+    robust: float = 2.5
     rounds: int = 2
     farthest_mm: float = 4.0
     samples: int = 12
