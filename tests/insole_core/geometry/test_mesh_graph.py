@@ -87,3 +87,29 @@ def test_subdivision_rounds_edges_and_keeps_vertices(ball: TriangleMesh) -> None
     exact = 4 / 3 * np.pi * RADIUS_MM**3
     flat = TriangleMesh(straight, fine.triangles).volume_mm3
     assert abs(fine.volume_mm3 - exact) < abs(flat - exact)
+
+
+def test_a_narrow_gap_is_not_grown_over() -> None:
+    def plate(left_mm: float) -> tuple[np.ndarray, np.ndarray]:
+        v, u = np.mgrid[:5, :5].astype(float) * 2
+        corner = (np.arange(4)[:, None] * 5 + np.arange(4)).ravel()
+        return (
+            np.column_stack([u.ravel() + left_mm, v.ravel(), np.zeros(25)]),
+            np.concatenate(
+                [
+                    np.stack([corner, corner + 1, corner + 5], 1),
+                    np.stack([corner + 1, corner + 6, corner + 5], 1),
+                ]
+            ),
+        )
+
+    (left, triangles), (right, _) = plate(0.0), plate(10.0)
+    both = TriangleMesh(
+        np.concatenate([left, right]),
+        np.concatenate([triangles, triangles + 25]).astype(np.int32),
+    )
+    added = grown(both, 1.8).vertices[50:]
+    within = (added[:, 1] > 0.5) & (added[:, 1] < 7.5)
+    assert not (within & (added[:, 0] > 8.5) & (added[:, 0] < 9.5)).any()
+    assert (within & (added[:, 0] < -1)).any(), "the free sides are grown"
+    assert (within & (added[:, 0] > 19)).any()
