@@ -17,6 +17,7 @@ from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
 _OUTERMOST = 3  # points whose mean is the outermost place: one alone may be noise
+_TURNING = 0.1  # below this cosine nothing tells that the border turns at all
 _WHOLE, _SEEN = 0.97, 0.9  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
 _MOST_MM = 6.0
@@ -157,7 +158,7 @@ def _end(
     if faced >= _WHOLE:
         usual_mm = None  # the border itself was measured, and tells best
     place = points[_outermost(points, along, direction, usual_mm)].copy()
-    if faced >= _SEEN or near.sum() < _LEAST_POINTS:
+    if faced >= _SEEN or faced < _TURNING or near.sum() < _LEAST_POINTS:
         reach, confidence = top, _SURE
     else:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))

@@ -360,7 +360,8 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     act(opened, "copy_measures")
     copied = QApplication.clipboard().text()
     assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"
-    assert any(line.startswith("foot_length,mm,250") for line in copied.splitlines())
+    length = next(line for line in copied.splitlines() if line.startswith("foot_length,mm,"))
+    assert float(length.split(",")[2]) == pytest.approx(250.0, abs=1.0)
     opened.studio.rooms.dialogue.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied
