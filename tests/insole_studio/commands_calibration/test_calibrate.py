@@ -6,6 +6,7 @@ import json
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import cv2
@@ -23,8 +24,10 @@ from simulated_folders import (
     write_walls,
 )
 
+from insole_core.calibration.applying import MOST_DAYS
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
+from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.sensor import Sensor
 from insole_studio.cli import run
 from insole_studio.workbench.sensor_store import SensorStore
@@ -333,3 +336,20 @@ def test_correction_of_another_sensor(
     assert not (tmp_path / "out.zip").exists()
     assert run([*words, "--insist"]) == 0
     assert f"Warning: View left: {expected}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("days", "warned"), [(MOST_DAYS - 1, False), (MOST_DAYS + 20, True)])
+def test_a_correction_past_its_age(
+    days: float, warned: bool, tmp_path: Path, small_session: Path, capsys
+) -> None:
+    store = SensorStore(tmp_path / "own")
+    made_at = (datetime.now(UTC) - timedelta(days=days)).isoformat()
+    for view in read_session(small_session).views:
+        record = CorrectionRecord(serial=view.sensor.serial, made_at=made_at)
+        flat = DisparityCorrection(np.zeros((480, 640), np.float32), record=record)
+        store.save(replace(view.sensor, correction=flat))
+    words = ["calibrate", "session", str(small_session), "--out", str(tmp_path / "out.zip")]
+    assert run([*words, "--sensors", str(tmp_path / "own")]) == 0
+    sentence = "Warning: View left: The correction is 200 days old; calibrate the sensor again soon"
+    assert (sentence in capsys.readouterr().err) is warned
+    assert (tmp_path / "out.zip").exists()
