@@ -62,7 +62,7 @@ def adjust(
     unknowns, left = np.asarray(start, dtype=float), residuals(start)
     damping = _DAMPING
     for _ in range(_STEPS):
-        weight = _huber_weight(left, robust)
+        weight = huber_weight(left, robust)
         jacobian = blocks.jacobian(residuals, unknowns)
         normal = jacobian.T @ (weight[:, None] * jacobian)
         pull = jacobian.T @ (weight * left)
@@ -86,7 +86,7 @@ def adjust(
 def _judged(
     unknowns: FloatArray, left: FloatArray, jacobian: FloatArray, robust: float | None
 ) -> Adjustment:
-    weight = _huber_weight(left, robust)
+    weight = huber_weight(left, robust)
     # Scaled to a unit diagonal, so that rad, mm and px can be inverted together.
     scale = np.sqrt((weight[:, None] * jacobian**2).sum(0)) + 1e-12
     scaled = jacobian / scale
@@ -96,7 +96,8 @@ def _judged(
     return Adjustment(unknowns, deviations, left)
 
 
-def _huber_weight(left: FloatArray, robust: float | None) -> FloatArray:
+def huber_weight(left: FloatArray, robust: float | None) -> FloatArray:
+    """Give how much each residual counts: less the farther it lies beyond `robust`."""
     if robust is None:
         return np.ones_like(left)
     return np.asarray(robust / np.maximum(np.abs(left), robust))

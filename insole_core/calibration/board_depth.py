@@ -9,16 +9,24 @@ distortion that is left in the depth.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, Blocks, adjust, pose, pose_vector
+from insole_core.calibration.adjustment import (
+    Adjustment,
+    Blocks,
+    adjust,
+    huber_weight,
+    pose,
+    pose_vector,
+)
 from insole_core.calibration.board import Sighting
 from insole_core.calibration.boards_in_depth import BoardInDepth, board_patch, board_planes
 from insole_core.calibration.disparity_fit import linear_inverse_near
+from insole_core.calibration.intrinsics import parameters_of
 from insole_core.calibration.stereo import StereoCalibration, as_stereo, board_pose
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -39,6 +47,7 @@ _SPREAD = {
 """How far the sensors of a kind lie from the usual one (mm, px, raw units): both cameras sit on one
 bar. It keeps apart what a few boards cannot tell from each other, such as focal length and shift
 along the axis."""
+_CORNER, _DEPTH, _USUAL = 0, 1, 2
 _LEAST_BOARDS = 4
 _OUTLIER = 4.0
 _ROUNDS = 3
@@ -89,6 +98,8 @@ _NUMBERS = {
     "tilt": ("tilt_x", "tilt_y"),
 }
 """The unknowns of each option, by name."""
+_COLOR = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2")
+"""What is uncertain of the colour camera, which is not fitted here."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +137,8 @@ class BoardDepthCalibration:
         As given, and as far as it was fitted.
     values, deviations
         The fitted numbers and their standard deviations, by name: a, b, cx, cy, fx, fy, tilt_x,
-        tilt_y.
+        tilt_y. Like those of the pose, they count the colour camera as known no better than the
+        corners of these boards tell it.
     """
 
     stereo: StereoCalibration
@@ -153,6 +165,7 @@ def calibrate_board_depth(
     guess = depth = DepthSensor(depth_camera, disparity)
     depth2color = _TYPICAL
     board2color = [board_pose(board.color, color_camera) for board in boards]
+    numbers: FloatArray | None = None
     for _ in range(_ROUNDS):
         patches = [
             board_patch(board, placed, depth2color, depth.camera)
@@ -162,16 +175,55 @@ def calibrate_board_depth(
         _check(len(seen), [board2color[i] for i in seen])
         measured = _measured([boards[i].color for i in seen], [patches[i] for i in seen])
         problem = _Problem(measured, color_camera, guess, names, errors)
-        start = problem.start(depth2color, [board2color[i] for i in seen])
+        if numbers is None:
+            numbers = problem.usual[6:]
+        start = problem.start(depth2color, numbers, [board2color[i] for i in seen])
         found = adjust(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
         depth2color, depth = pose(found.values), problem.read(found.values)
+        numbers = found.values[6 : problem.shared]
         errors = problem.found_errors(found)
+    found = _judged(problem, found)
     return BoardDepthCalibration(
         as_stereo(found, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
         depth,
         dict(zip(names, found.values[6:].tolist(), strict=False)),
         dict(zip(names, found.deviations[6:].tolist(), strict=False)),
     )
+
+
+def _judged(problem: _Problem, found: Adjustment) -> Adjustment:
+    """Give the standard deviations that the colour camera's own errors add to.
+
+    The colour camera came from a fit to corners like these. Its errors are independent of those of
+    a fit in which it is held, since they are across to all poses of the boards; so the two
+    covariances add up. Corners and depth each have the noise that their residuals show, whatever
+    weight they were given.
+    """
+    count, colors = problem.shared, len(_COLOR)
+    open_color = replace(problem, color_free=True)
+    values = np.concatenate([found.values[:count], problem.color_values, found.values[count:]])
+    left = open_color.residuals(values)
+    jacobian = open_color.blocks().jacobian(open_color.residuals, values)
+    color = jacobian[:, count : count + colors]
+    held = np.delete(jacobian, np.arange(count, count + colors), axis=1)
+    weight, noise = huber_weight(left, _OUTLIER), open_color.noise(left)
+    solve = _solver(held, weight)
+    spread = solve(held.T * (weight * noise))[:count]
+    corner = open_color.kinds == _CORNER
+    own_poses = held[corner][:, count:]
+    across = color[corner] - own_poses @ np.linalg.lstsq(own_poses, color[corner], rcond=None)[0]
+    color_spread = _solver(across, np.ones(len(across)))(across.T * noise[corner])
+    follows = solve(held.T @ (weight[:, None] * color))[:count] @ color_spread
+    shared = np.sqrt((spread**2).sum(1) + (follows**2).sum(1))
+    return replace(found, deviations=np.concatenate([shared, found.deviations[count:]]))
+
+
+def _solver(jacobian: FloatArray, weight: FloatArray) -> Callable[[FloatArray], FloatArray]:
+    """Solve the normal equations, scaled so that rad, mm and px go together."""
+    scale = np.sqrt((weight[:, None] * jacobian**2).sum(0)) + 1e-12
+    scaled = jacobian / scale
+    inverse = np.linalg.pinv(scaled.T @ (weight[:, None] * scaled), rcond=1e-13, hermitian=True)
+    return lambda right: (inverse @ (right.T / scale).T) / scale[:, None]
 
 
 def add_tilt(
@@ -227,7 +279,8 @@ def _measured(
 class _Problem:
     """What the unknowns mean: pose of the cameras, the numbers of `names`, a pose per board.
 
-    The boards' own poses are free, so that the colour camera's uncertainty about them counts.
+    The boards' own poses are free, so that the colour camera's uncertainty about them counts. The
+    numbers of the colour camera stand after those of `names` where it is free too.
     """
 
     measured: _Measured
@@ -235,9 +288,20 @@ class _Problem:
     guess: DepthSensor
     names: tuple[str, ...]
     errors: _Errors
+    color_free: bool = False
 
     @property
     def shared(self) -> int:
+        return self._fitted + (len(_COLOR) if self.color_free else 0)
+
+    @property
+    def color_values(self) -> FloatArray:
+        """Give the colour camera's own numbers, as `_COLOR` names them."""
+        known = parameters_of(self.color_camera)
+        return np.array([known[name] for name in _COLOR])
+
+    @property
+    def _fitted(self) -> int:
         return 6 + len(self.names)
 
     @cached_property
@@ -260,12 +324,14 @@ class _Problem:
         }
         return np.array([*_SPREAD["pose"], *(named[name] for name in self.names)])
 
-    def start(self, depth2color: FloatArray, board2color: Sequence[FloatArray]) -> FloatArray:
+    def start(
+        self, depth2color: FloatArray, numbers: FloatArray, board2color: Sequence[FloatArray]
+    ) -> FloatArray:
         poses = [pose_vector(placed) for placed in board2color]
-        return np.concatenate([pose_vector(depth2color), self.usual[6:], *poses])
+        return np.concatenate([pose_vector(depth2color), numbers, *poses])
 
     def read(self, unknowns: FloatArray) -> DepthSensor:
-        values = dict(zip(self.names, unknowns[6 : self.shared].tolist(), strict=True))
+        values = dict(zip(self.names, unknowns[6 : self._fitted].tolist(), strict=True))
         camera = {key: values[key] for key in ("cx", "cy", "fx", "fy") if key in values}
         disparity = self.guess.disparity
         if "a" in values:
@@ -273,33 +339,52 @@ class _Problem:
         tilt_raw = values.get("tilt_x", 0.0), values.get("tilt_y", 0.0)
         return DepthSensor(replace(self.guess.camera, **camera), disparity, tilt_raw)
 
+    def _color(self, unknowns: FloatArray) -> Camera:
+        if not self.color_free:
+            return self.color_camera
+        fx, fy, cx, cy, *lens = unknowns[self._fitted : self.shared].tolist()
+        k1, k2, p1, p2 = lens
+        distortion = (k1, k2, p1, p2, self.color_camera.distortion[4])
+        return replace(self.color_camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=distortion)
+
     def residuals(self, unknowns: FloatArray) -> FloatArray:
         """Errors of all corners and raw numbers, each against its usual size, board by board."""
         here, depth = self.measured, self.read(unknowns)
         placed = np.array([pose(vector) for vector in unknowns[self.shared :].reshape(-1, 6)])
         of_corner = placed[here.corner_board]
         points = (of_corner[:, :3, :3] @ here.points_mm[..., None])[..., 0] + of_corner[:, :3, 3]
-        corners = here.corners - self.color_camera.project(points)
+        corners = here.corners - self._color(unknowns).project(points)
         planes = board_planes(placed, pose(unknowns))[here.patch_board]
         raw = here.raw - depth.raw(planes, here.pixels)
         both = (corners.ravel() / self.errors.corner_px, raw / self.errors.depth_raw)
-        unusual = (unknowns[: self.shared] - self.usual) / self.spread
+        unusual = (unknowns[: self._fitted] - self.usual) / self.spread
         return np.concatenate([np.concatenate(both)[self._order], unusual])
 
     def blocks(self) -> Blocks:
         lengths = np.bincount(self._boards, minlength=self.measured.boards)
-        lengths[-1] += self.shared  # what is unusual depends on no board: it closes the last block
+        lengths[-1] += self._fitted  # what is unusual depends on no board: it closes the last block
         return Blocks(tuple(lengths.tolist()), self.shared)
 
     def found_errors(self, found: Adjustment) -> _Errors:
         """Root mean squares of the residuals, that outliers do not reach."""
-        left = np.empty(len(self._order))
-        left[self._order] = found.residuals[: len(left)]
-        corners, depth = np.split(left, [2 * len(self.measured.corners)])
+        kinds, left = self.kinds, found.residuals
         return _Errors(
-            max(_typical(corners) * self.errors.corner_px, _LEAST_ERRORS.corner_px),
-            max(_typical(depth) * self.errors.depth_raw, _LEAST_ERRORS.depth_raw),
+            max(_typical(left[kinds == _CORNER]) * self.errors.corner_px, _LEAST_ERRORS.corner_px),
+            max(_typical(left[kinds == _DEPTH]) * self.errors.depth_raw, _LEAST_ERRORS.depth_raw),
         )
+
+    def noise(self, left: FloatArray) -> FloatArray:
+        """Standard deviation (m,) of every residual, by what is left of its kind."""
+        kinds = self.kinds
+        of_kind = [_typical(left[kinds == _CORNER]), _typical(left[kinds == _DEPTH]), 1.0]
+        return np.asarray(of_kind)[kinds]
+
+    @cached_property
+    def kinds(self) -> IntArray:
+        """(m,) whether a residual is of a corner, of depth, or of what is usual."""
+        here = self.measured
+        seen = np.repeat([_CORNER, _DEPTH], [2 * len(here.corners), len(here.raw)])[self._order]
+        return np.concatenate([seen, np.full(self._fitted, _USUAL)])
 
     @property
     def _boards(self) -> IntArray:

@@ -1,52 +1,34 @@
-"""True marker positions of a built reference system, from many pictures (bundle adjustment)."""
+"""True marker positions of a built reference system, from many pictures (bundle adjustment).
+
+All faces are measured in one adjustment where something links them: pictures that show enough
+markers of both, or sensors that stood still to each other while the system was turned before them.
+Faces that nothing links are measured each on its own.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Blocks, adjust, pose, pose_vector
-from insole_core.calibration.reference_file import positions
+from insole_core.calibration.face_links import Faces, linked_faces
+from insole_core.calibration.marker_bundle import (
+    Adjusted,
+    KnownLength,
+    MarkerView,
+    adjust_bundle,
+)
+from insole_core.calibration.reference_file import BumpCheck, check_for_bump, positions
 from insole_core.errors import CalibrationError
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.horn import absolute_orientation
-from insole_core.geometry.transforms import rigid, transform
+from insole_core.geometry.transforms import transform
 from insole_core.recording.session import Marker, ReferenceSystem
-from insole_core.sensing.camera import Camera
 
+__all__ = ["KnownLength", "MarkerSurvey", "MarkerView", "check_survey", "survey_markers"]
 _LEAST_SEEN = 4
 _LEAST_VIEWS = 3
-_OUTLIER_PX = 1.5
-
-
-@dataclass(frozen=True, eq=False)
-class MarkerView:
-    """The markers that one picture shows.
-
-    Parameters
-    ----------
-    name
-        Of the picture.
-    pixels : marker id to (2,) float64, px
-    camera
-        That took it.
-    """
-
-    name: str
-    pixels: dict[str, FloatArray]
-    camera: Camera
-
-
-@dataclass(frozen=True)
-class KnownLength:
-    """A measured distance between two markers, which gives the scale."""
-
-    first: str
-    second: str
-    length_mm: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,12 +40,17 @@ class MarkerSurvey:
     system
         As it was built, in the frame of the plan.
     deviation_mm : marker id to (3,) float64
-        Standard deviations of the position; zero for a marker that was not surveyed.
+        Standard deviations of the position, within the faces that were measured together; zero
+        for a marker that was not surveyed.
     rms_px
     largest_change_mm
         How far a marker lies from the plan at most.
     unseen
-        Markers that too few pictures show; they keep their place in the plan.
+        Markers that were not measured; they keep their place in the plan.
+    together
+        Faces that were measured in one adjustment, one tuple for each adjustment.
+    left_out : face to reason
+        Faces that could not be measured at all.
     """
 
     system: ReferenceSystem
@@ -71,6 +58,8 @@ class MarkerSurvey:
     rms_px: float
     largest_change_mm: float
     unseen: tuple[str, ...]
+    together: tuple[Faces, ...]
+    left_out: dict[str, str]
 
     @property
     def measured_mm(self) -> dict[str, FloatArray]:
@@ -81,9 +70,29 @@ class MarkerSurvey:
             if marker.id not in self.unseen
         }
 
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """What was measured, and what stays as planned."""
+        said = [
+            f"The faces {' and '.join(faces)} were measured together."
+            for faces in self.together
+            if len(faces) > 1
+        ]
+        said += [
+            f"The face {face} was not measured and stays as planned: {why}"
+            for face, why in self.left_out.items()
+        ]
+        if len(self.together) > 1:
+            apart = " and ".join(" with ".join(faces) for faces in self.together)
+            said.append(
+                f"Nothing links {apart}: each was measured on its own, and their place to each "
+                "other stays as planned."
+            )
+        return tuple(said)
+
 
 def survey_markers(
-    plan: ReferenceSystem, views: Sequence[MarkerView], length: KnownLength
+    plan: ReferenceSystem, views: Sequence[MarkerView], lengths: Sequence[KnownLength]
 ) -> MarkerSurvey:
     """Measure where the markers of a built system really are.
 
@@ -93,121 +102,155 @@ def survey_markers(
         Where they should be.
     views
         Pictures from many sides; each shows four markers or more.
-    length
-        A length measured by hand.
+    lengths
+        Measured by hand: one for all faces that are linked.
 
     Raises
     ------
     CalibrationError
-        With too few pictures or markers, or a length between markers that were not seen.
+        With too few pictures or markers, or a length between markers that were not seen, or
+        between faces that nothing links.
     """
-    planned = {marker.id for marker in plan.markers}
-    sighted = [view for view in views if len(planned & view.pixels.keys()) >= _LEAST_SEEN]
-    counts = {m.id: sum(m.id in view.pixels for view in sighted) for m in plan.markers}
-    known = [marker for marker in plan.markers if counts[marker.id] >= 2]
-    _check(len(sighted), known, length)
-    problem = _Problem([m.id for m in known], sighted, length)
-    start = problem.start(positions(known))
-    found = adjust(problem.residuals, start, problem.blocks(), robust=_OUTLIER_PX)
-    free = found.values[: 3 * len(known)].reshape(-1, 3)
-    own2plan = absolute_orientation(free, positions(known)).a2b
-    placed = transform(own2plan, free)
-    deviation = found.deviations[: 3 * len(known)].reshape(-1, 3)
-    moved = {m.id: point for m, point in zip(known, placed, strict=True)}
-    image = found.residuals[: problem.image_residuals]
+    sighted = [view for view in views if len(_ids(plan) & view.pixels.keys()) >= _LEAST_SEEN]
+    groups = linked_faces(plan, sighted)
+    _check_lengths(plan, sighted, lengths, groups)
+    parts: dict[Faces, _Part] = {}
+    left_out: dict[str, str] = {}
+    for faces in groups:
+        part = _Part(replace(plan, markers=plan.facing(faces)), sighted, lengths)
+        if why := part.problem():
+            left_out |= dict.fromkeys(faces, why)
+        else:
+            parts[faces] = part
+    if not parts:
+        raise CalibrationError(next(iter(left_out.values())))
+    return _joined(plan, {faces: part.measured() for faces, part in parts.items()}, left_out)
+
+
+def check_survey(plan: ReferenceSystem, survey: MarkerSurvey, limit_mm: float = 1.0) -> BumpCheck:
+    """Tell which markers were bumped, each among the faces that were measured with its own."""
+    squares, count, moved = 0.0, 0, dict[str, float]()
+    for faces in survey.together:
+        part = replace(plan, markers=plan.facing(faces))
+        measured = {name: p for name, p in survey.measured_mm.items() if name in _ids(part)}
+        check = check_for_bump(part, measured, limit_mm)
+        squares, count = squares + check.rms_mm**2 * len(measured), count + len(measured)
+        moved |= check.moved
+    return BumpCheck(float(np.sqrt(squares / count)), moved)
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    markers: dict[str, Marker]
+    deviations: dict[str, FloatArray]
+    errors_px: FloatArray
+    changes_mm: FloatArray
+
+
+class _Part:
+    """Faces that are measured together, with all that shows them."""
+
+    def __init__(
+        self, plan: ReferenceSystem, views: Sequence[MarkerView], lengths: Sequence[KnownLength]
+    ) -> None:
+        ids = _ids(plan)
+        own = [replace(v, pixels={k: p for k, p in v.pixels.items() if k in ids}) for v in views]
+        self._views = [view for view in own if len(view.pixels) >= _LEAST_SEEN]
+        counts = {name: sum(name in view.pixels for view in self._views) for name in ids}
+        self._known = [marker for marker in plan.markers if counts[marker.id] >= 2]
+        self._lengths = [one for one in lengths if {one.first, one.second} <= ids]
+
+    def problem(self) -> str:
+        """Say why these faces cannot be measured; empty when they can."""
+        if len(self._views) < _LEAST_VIEWS or len(self._known) < _LEAST_SEEN:
+            return (
+                f"{len(self._views)} pictures show enough markers and {len(self._known)} markers "
+                f"are seen twice; take at least {_LEAST_VIEWS} pictures (better 15) from all sides."
+            )
+        if not self._lengths:
+            return "no length between two of its markers was given; measure one by hand."
+        return ""
+
+    def measured(self) -> _Measured:
+        planned = positions(self._known)
+        names = [marker.id for marker in self._known]
+        found = adjust_bundle(
+            dict(zip(names, planned, strict=True)), self._known_views(names), self._lengths
+        )
+        placed = transform(absolute_orientation(found.points, planned).a2b, found.points)
+        return self._told(found, placed, np.linalg.norm(placed - planned, axis=1))
+
+    def _known_views(self, names: Sequence[str]) -> list[MarkerView]:
+        """Leave out what is seen once; a picture that then shows too little goes too."""
+        known = set(names)
+        kept = [
+            replace(view, pixels={k: p for k, p in view.pixels.items() if k in known})
+            for view in self._views
+        ]
+        return [view for view in kept if len(view.pixels) >= _LEAST_SEEN]
+
+    def _told(self, found: Adjusted, placed: FloatArray, changes_mm: FloatArray) -> _Measured:
+        names = [marker.id for marker in self._known]
+        moved = [_moved(marker, at) for marker, at in zip(self._known, placed, strict=True)]
+        return _Measured(
+            dict(zip(names, moved, strict=True)),
+            dict(zip(names, found.deviations, strict=True)),
+            found.errors_px,
+            changes_mm,
+        )
+
+
+def _joined(
+    plan: ReferenceSystem, parts: dict[Faces, _Measured], left_out: dict[str, str]
+) -> MarkerSurvey:
+    markers = {name: marker for part in parts.values() for name, marker in part.markers.items()}
+    deviations = {name: sd for part in parts.values() for name, sd in part.deviations.items()}
+    errors = np.concatenate([part.errors_px for part in parts.values()])
     return MarkerSurvey(
-        system=replace(
-            plan, markers=tuple(_moved(marker, moved.get(marker.id)) for marker in plan.markers)
-        ),
-        deviation_mm={m.id: np.zeros(3) for m in plan.markers}
-        | {m.id: one for m, one in zip(known, deviation, strict=True)},
-        rms_px=float(np.sqrt((image**2).mean() * 2)),
-        largest_change_mm=float(np.linalg.norm(placed - positions(known), axis=1).max()),
-        unseen=tuple(marker.id for marker in plan.markers if marker.id not in moved),
+        system=replace(plan, markers=tuple(markers.get(m.id, m) for m in plan.markers)),
+        deviation_mm={m.id: deviations.get(m.id, np.zeros(3)) for m in plan.markers},
+        rms_px=float(np.sqrt((errors**2).mean() * 2)),
+        largest_change_mm=float(max(part.changes_mm.max() for part in parts.values())),
+        unseen=tuple(m.id for m in plan.markers if m.id not in markers),
+        together=tuple(parts),
+        left_out=left_out,
     )
 
 
-class _Problem:
-    """Unknowns: all marker positions, then a pose of the camera for every picture.
-
-    Three weak conditions hold the frame near the plan, one strong one the scale.
-    """
-
-    def __init__(self, ids: list[str], views: Sequence[MarkerView], length: KnownLength) -> None:
-        place = {name: i for i, name in enumerate(ids)}
-        self._seen: list[IntArray] = []
-        self._pixels: list[FloatArray] = []
-        for view in views:
-            names = [name for name in view.pixels if name in place]
-            self._seen.append(np.array([place[name] for name in names]))
-            self._pixels.append(np.array([view.pixels[name] for name in names], dtype=float))
-        self._cameras, self._count = [view.camera for view in views], len(ids)
-        self._ends = [place[length.first], place[length.second]]
-        self._length = length.length_mm
-        self._plan = np.zeros((len(ids), 3))
-
-    @property
-    def image_residuals(self) -> int:
-        return sum(2 * len(pixels) for pixels in self._pixels)
-
-    def start(self, planned: FloatArray) -> FloatArray:
-        a, b = planned[self._ends]
-        # The plan is scaled to the known length first; the frame stays that of the plan.
-        self._plan = planned * (self._length / np.linalg.norm(a - b))
-        poses = [
-            _picture_pose(self._plan[seen], pixels, camera)
-            for seen, pixels, camera in zip(self._seen, self._pixels, self._cameras, strict=True)
-        ]
-        return np.concatenate([self._plan.ravel(), *[pose_vector(one) for one in poses]])
-
-    def residuals(self, unknowns: FloatArray) -> FloatArray:
-        points = unknowns[: 3 * self._count].reshape(-1, 3)
-        poses = unknowns[3 * self._count :].reshape(-1, 6)
-        parts = []
-        seen_by = zip(self._seen, self._pixels, self._cameras, poses, strict=True)
-        for seen, pixels, camera, vector in seen_by:
-            inside = transform(pose(vector), points[seen])
-            parts.append((pixels - camera.project(inside)).ravel())
-        return np.concatenate([*parts, self._conditions(points)])
-
-    def blocks(self) -> Blocks:
-        lengths = [2 * len(pixels) for pixels in self._pixels]
-        # The conditions depend on no pose: they close the last block.
-        lengths[-1] += 7
-        return Blocks(tuple(lengths), 3 * self._count)
-
-    def _conditions(self, points: FloatArray) -> FloatArray:
-        change = points - self._plan
-        turn = np.cross(self._plan - self._plan.mean(0), change).mean(0) / 100
-        a, b = points[self._ends]
-        scale = (np.linalg.norm(a - b) - self._length) * 10
-        return np.concatenate([change.mean(0), turn, [scale]])
+def _ids(system: ReferenceSystem) -> set[str]:
+    return {marker.id for marker in system.markers}
 
 
-def _picture_pose(points: FloatArray, pixels: FloatArray, camera: Camera) -> FloatArray:
-    rays = camera.normalised(pixels)
-    _, turn, shift = cv2.solvePnP(points, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
-    return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
-
-
-def _moved(marker: Marker, place: FloatArray | None) -> Marker:
-    if place is None:
-        return marker
+def _moved(marker: Marker, place: FloatArray) -> Marker:
     x, y, z = place.tolist()
     return replace(marker, position_mm=(x, y, z))
 
 
-def _check(views: int, known: Sequence[Marker], length: KnownLength) -> None:
-    if views < _LEAST_VIEWS or len(known) < _LEAST_SEEN:
-        raise CalibrationError(
-            f"{views} pictures show enough markers and {len(known)} markers are seen twice; take "
-            f"at least {_LEAST_VIEWS} pictures (better 15) from all sides."
-        )
-    missing = {length.first, length.second} - {marker.id for marker in known}
-    if missing:
-        raise CalibrationError(
-            f"The known length ends at {', '.join(sorted(missing))}, which the pictures do not "
-            "show twice; take more pictures or measure between other markers."
-        )
-    if not length.length_mm > 0 or length.first == length.second:
-        raise CalibrationError("Give the known length in mm, between two different markers.")
+def _check_lengths(
+    plan: ReferenceSystem,
+    views: Sequence[MarkerView],
+    lengths: Sequence[KnownLength],
+    groups: Sequence[Faces],
+) -> None:
+    face = {marker.id: marker.face for marker in plan.markers}
+    together = {one: number for number, faces in enumerate(groups) for one in faces}
+    for length in lengths:
+        ends = (length.first, length.second)
+        if not length.length_mm > 0 or length.first == length.second:
+            raise CalibrationError("Give the known length in mm, between two different markers.")
+        seldom = [
+            end for end in ends
+            if end not in face or (views and sum(end in view.pixels for view in views) < 2)
+        ]  # fmt: skip
+        if seldom:
+            raise CalibrationError(
+                f"The known length ends at {', '.join(sorted(seldom))}, which the pictures do not "
+                "show twice; take more pictures or measure between other markers."
+            )
+        first, second = (face[end] for end in ends)
+        if together[first] != together[second]:
+            raise CalibrationError(
+                f"The known length goes from {length.first} on face {first} to {length.second} on "
+                f"face {second}, but nothing links these faces; measure between two markers of one "
+                "face, or take pictures that show four markers of both."
+            )

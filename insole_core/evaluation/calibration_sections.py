@@ -172,7 +172,7 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
     rows = tuple(
         (m.id, *(f"{value:.2f}" for value in m.position_mm),
          f"{np.linalg.norm(survey.deviation_mm[m.id]):.2f}",
-         "not seen" if m.id in survey.unseen else "moved" if m.id in bump.moved else "")
+         "not measured" if m.id in survey.unseen else "moved" if m.id in bump.moved else "")
         for m in survey.system.markers
     )  # fmt: skip
     moved = tuple(
@@ -186,7 +186,7 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
             Number("rms_mm", "Distance from the plan (rms)", bump.rms_mm, "mm"),
             Number("largest_change_mm", "Farthest from the plan", survey.largest_change_mm, "mm"),
         ),
-        sentences=moved or ("No marker was bumped.",),
+        sentences=(*survey.sentences, *(moved or ("No marker was bumped.",))),
         tables=(Table("Markers, mm", ("marker", "x", "y", "z", "standard deviation", ""), rows),),
     )
 

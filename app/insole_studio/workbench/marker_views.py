@@ -10,18 +10,34 @@ import numpy as np
 from insole_core.calibration.captures import capture_from_frames
 from insole_core.calibration.marker_survey import MarkerView
 from insole_core.errors import CalibrationError, ReconstructionError
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.blobs import find_blobs
 from insole_core.reconstruct.registration import register
-from insole_core.reconstruct.sighting import locate_blobs
+from insole_core.reconstruct.sighting import Sightings, locate_blobs
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
 
+_NEAR_PLAN_MM = 10.0
+"""Half as far as two markers stand apart at least."""
+
 
 def read_marker_views(
-    sessions: Sequence[Path], system: ReferenceSystem, progress: Progress = SILENT
+    sessions: Sequence[Path],
+    system: ReferenceSystem,
+    rigid: bool = False,
+    progress: Progress = SILENT,
 ) -> tuple[list[MarkerView], tuple[str, ...]]:
-    """Find the markers in every view of recorded sessions.
+    """Find the markers in every view of recorded sessions, on whatever face.
+
+    Parameters
+    ----------
+    sessions
+    system
+    rigid
+        All sensors stood still to each other in all sessions.
+    progress
 
     Returns
     -------
@@ -38,29 +54,50 @@ def read_marker_views(
     found: list[MarkerView] = []
     left_out: list[str] = []
     views = list(_views(sessions))
-    for done, (name, view) in enumerate(views):
+    for done, (session, name, view) in enumerate(views):
         progress.step(done / len(views), f"Finding the markers of {name}")
         try:
             pixels = _marker_pixels(view, system)
         except ReconstructionError as error:
             left_out.append(f"{name} is left out: {error}.")
         else:
-            found.append(MarkerView(name, pixels, view.sensor.color_camera))
+            capture = (view.sensor.serial, session) if rigid else ("", "")
+            found.append(MarkerView(name, pixels, view.sensor.color_camera, *capture))
     if not found:
         raise CalibrationError(left_out[0])
     return found, tuple(left_out)
 
 
-def _views(sessions: Sequence[Path]) -> Iterator[tuple[str, View]]:
-    for path in sessions:
+def _views(sessions: Sequence[Path]) -> Iterator[tuple[str, str, View]]:
+    for number, path in enumerate(sessions):
         for view in read_session(path).views:
-            yield f"{path.name}/{view.name}", view
+            yield f"{number}", f"{path.name}/{view.name}", view
 
 
-def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, np.ndarray]:
+def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, FloatArray]:
     frames = (view.read_depth(index) for index in range(view.depth_count))
     depth = view.sensor.depth_mm(capture_from_frames(view.name, frames).raw)
     blobs = find_blobs(view.read_color(0))
     sightings = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
-    fixes = register(sightings, system, view.sensor).fixes
-    return {fix.id: np.array(fix.pixel) for fix in fixes if fix.used}
+    registration = register(sightings, system, view.sensor)
+    own = {fix.id: np.array(fix.pixel) for fix in registration.fixes if fix.used}
+    return own | _on_other_faces(sightings, system, view, registration.sensor2reference)
+
+
+def _on_other_faces(
+    sightings: Sightings, system: ReferenceSystem, view: View, sensor2reference: FloatArray
+) -> dict[str, FloatArray]:
+    """Find markers of the faces that the sensor was not put up for, where they were planned."""
+    others = [marker for marker in system.markers if marker.face not in view.sensor.faces]
+    if not others or not len(sightings):
+        return {}
+    planned = np.array([marker.position_mm for marker in others], dtype=float)
+    seen = transform(sensor2reference, sightings.points)
+    away_mm = np.linalg.norm(planned[:, None] - seen[None], axis=-1)
+    nearest = away_mm.argmin(1)
+    # Only one of them can be a spot, and the spot must be nearer to no other.
+    return {
+        marker.id: sightings.pixels[spot]
+        for row, (marker, spot) in enumerate(zip(others, nearest, strict=True))
+        if away_mm[row, spot] < _NEAR_PLAN_MM and away_mm[:, spot].argmin() == row
+    }

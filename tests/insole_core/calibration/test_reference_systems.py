@@ -5,19 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from simulated_board import COLOR_CAMERA
 
-from insole_core.calibration.marker_survey import KnownLength, MarkerView, survey_markers
 from insole_core.calibration.reference_file import (
     check_for_bump,
     check_reference_system,
     load_reference_system,
-    positions,
     save_reference_system,
 )
-from insole_core.errors import CalibrationError, InputError
-from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.horn import absolute_orientation
+from insole_core.errors import InputError
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.resources import resource_path
@@ -113,69 +108,6 @@ def test_bad_files(tmp_path: Path, text: str, words: str) -> None:
         load_reference_system(path)
     with pytest.raises(InputError, match="cannot be read"):
         load_reference_system(tmp_path / "none.json")
-
-
-def views(true: dict[str, FloatArray], count: int, noise_px: float) -> list[MarkerView]:
-    """Pictures from below and behind, on a cap of directions."""
-    generator = np.random.default_rng(5)
-    center = np.mean(list(true.values()), axis=0)
-    pictures = []
-    for i in range(count):
-        tilt = generator.uniform(-40, 40, 2)
-        rotation = rotation_about(np.array([1.0, 0, 0]), tilt[0]) @ rotation_about(
-            np.array([0, 1.0, 0]), tilt[1]
-        )
-        place = np.array([*generator.uniform(-60, 60, 2), generator.uniform(600, 900)])
-        reference2camera = rigid(rotation, place - rotation @ center)
-        pixels = {
-            name: COLOR_CAMERA.project(transform(reference2camera, point))
-            + generator.normal(0, noise_px, 2)
-            for name, point in true.items()
-        }
-        pictures.append(MarkerView(f"picture {i}", pixels, COLOR_CAMERA))
-    return pictures
-
-
-def built(plan: ReferenceSystem) -> dict[str, FloatArray]:
-    generator = np.random.default_rng(2)
-    return {m.id: np.array(m.position_mm) + generator.normal(0, 0.5, 3) for m in plan.markers}
-
-
-def test_the_survey_finds_the_built_positions(lego: ReferenceSystem) -> None:
-    true = built(lego)
-    known = KnownLength("S1", "S12", float(np.linalg.norm(true["S1"] - true["S12"])))
-    survey = survey_markers(lego, views(true, 12, 0.1), known)
-    truth = np.array([true[m.id] for m in lego.markers])
-    found = positions(survey.system.markers)
-    error = transform(absolute_orientation(found, truth).a2b, found) - truth
-    assert np.abs(error).max() < 0.25
-    deviation = np.array([survey.deviation_mm[m.id] for m in lego.markers])
-    assert np.sqrt((error**2).mean()) < 3 * np.sqrt((deviation**2).mean())
-    # 480 image coordinates determine 132 unknowns.
-    assert survey.rms_px == pytest.approx(0.1 * np.sqrt(2 * (1 - 132 / 480)), rel=0.15)
-    assert survey.largest_change_mm < 2.5
-    assert survey.unseen == ()
-
-
-def test_markers_that_are_not_seen_keep_their_place(lego: ReferenceSystem) -> None:
-    true = built(lego)
-    hidden = [
-        MarkerView(v.name, {k: p for k, p in v.pixels.items() if k != "A8"}, v.camera)
-        for v in views(true, 6, 0.1)
-    ]
-    survey = survey_markers(lego, hidden, KnownLength("S1", "S12", 312.0))
-    assert survey.unseen == ("A8",)
-    assert survey.system.markers[-1] == lego.markers[-1]
-
-
-def test_surveys_that_cannot_be_made(lego: ReferenceSystem) -> None:
-    pictures = views(built(lego), 4, 0.1)
-    with pytest.raises(CalibrationError, match="2 pictures"):
-        survey_markers(lego, pictures[:2], KnownLength("S1", "S2", 40))
-    with pytest.raises(CalibrationError, match="ends at X9"):
-        survey_markers(lego, pictures, KnownLength("S1", "X9", 40))
-    with pytest.raises(CalibrationError, match="two different markers"):
-        survey_markers(lego, pictures, KnownLength("S1", "S1", 40))
 
 
 def test_a_bumped_marker_is_named(lego: ReferenceSystem) -> None:

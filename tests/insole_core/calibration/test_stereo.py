@@ -117,8 +117,11 @@ def test_everything_from_colour_and_disparity(everywhere: list[BoardInDepth]) ->
     assert turn < 0.1
     assert np.linalg.norm(result.stereo.translation_deviation_mm) < 0.35
     for name in ("fx", "fy", "cx", "cy"):
-        assert getattr(result.depth.camera, name) == pytest.approx(getattr(CAMERA, name), abs=0.7)
-        assert 0 < result.deviations[name] < 0.4
+        error = getattr(result.depth.camera, name) - getattr(CAMERA, name)
+        assert abs(error) < 3.5 * result.deviations[name]
+        assert 0 < result.deviations[name] < 0.3
+    off = result.stereo.depth2color[:3, 3] - DEPTH2COLOR[:3, 3]
+    assert (np.abs(off) < 3.5 * result.stereo.translation_deviation_mm).all()
     raw = np.array([500.0, 600, 700])
     assert np.allclose(result.depth.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=8e-4)
 
@@ -142,7 +145,7 @@ def test_pose_alone_when_all_else_is_known() -> None:
 def test_a_tilt_of_all_raw_numbers_goes_into_the_correction(everywhere: list[BoardInDepth]) -> None:
     tilt = DisparityCorrection(np.zeros((480, 640), np.float32))
     slanted = add_tilt(tilt, CAMERA, (-1.5, 1.0))
-    boards = [replace(board, raw=slanted.corrected(board.raw)) for board in everywhere]
+    boards = [replace(board, raw=slanted.corrected(board.raw)) for board in everywhere[:24]]
     result = calibrate_board_depth(boards, CAMERA, COLOR_CAMERA, DISPARITY)
     assert result.depth.tilt_raw == pytest.approx((1.5, -1.0), abs=0.3)
     mended = add_tilt(slanted, CAMERA, result.depth.tilt_raw)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from insole_core.progress import Progress
 from insole_studio.commands.report_arguments import add_report_argument, check_reports
 
 if TYPE_CHECKING:
-    from insole_core.calibration.marker_survey import MarkerSurvey
+    from insole_core.calibration.marker_survey import KnownLength, MarkerSurvey
     from insole_core.recording.session import ReferenceSystem
 
 NAME = "reference"
@@ -33,11 +33,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="recordings of the built system by calibrated sensors, from many sides",
     )  # fmt: skip
     parser.add_argument(
-        "--length",
-        nargs=3,
-        metavar=("ID", "ID", "MM"),
-        help="a distance measured by hand; the face that holds its ends is measured",
-    )
+        "--length", nargs=3, action="append", default=[], metavar=("ID", "ID", "MM"),
+        help="a distance measured by hand; one for all faces that are linked, again for another",
+    )  # fmt: skip
+    parser.add_argument(
+        "--rigid", action="store_true",
+        help="the sensors stood still to each other in all sessions, while the system was turned "
+        "between them: links the faces that they see",
+    )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, metavar="built.json", help="write the system as it was measured"
     )
@@ -86,46 +89,33 @@ def _check(system: ReferenceSystem, arguments: argparse.Namespace) -> None:
 
 
 def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Progress) -> None:
-    from insole_core.calibration.marker_survey import KnownLength, survey_markers
-    from insole_core.calibration.reference_file import check_for_bump, save_reference_system
+    from insole_core.calibration.marker_survey import check_survey, survey_markers
+    from insole_core.calibration.reference_file import save_reference_system
     from insole_core.evaluation.calibration_sections import survey_section
     from insole_core.evaluation.report import section_lines
     from insole_studio.workbench.calibration_report import make_report, write_reports
     from insole_studio.workbench.marker_views import read_marker_views
 
-    first, second, length = arguments.length
-    known = KnownLength(first, second, _length_mm(length))
-    views, left_out = read_marker_views(arguments.sessions, system, progress.part(0, 0.7))
+    lengths = _lengths(arguments.length)
+    views, left_out = read_marker_views(
+        arguments.sessions, system, arguments.rigid, progress.part(0, 0.7)
+    )
     for sentence in left_out:
         print(f"Warning: {sentence}", file=sys.stderr)
     progress.step(0.7, f"Measuring the markers in {len(views)} views")
-    face = _face_of(system, first, second)
-    survey = survey_markers(face, views, known)
+    survey = survey_markers(system, views, lengths)
     _check_certain(survey, arguments.moved)
-    bump = check_for_bump(face, survey.measured_mm, arguments.moved)
+    bump = check_survey(system, survey, arguments.moved)
     section = survey_section(survey, bump)
     write_reports(make_report(section.title, "", [section]), arguments.report)
     if arguments.out:
-        measured = {marker.id: marker for marker in survey.system.markers}
-        markers = tuple(measured.get(marker.id, marker) for marker in system.markers)
-        save_reference_system(replace(system, markers=markers), arguments.out)
+        save_reference_system(survey.system, arguments.out)
     print("\n".join(section_lines(section)))
     if bump.bumped and not arguments.out:
         raise CalibrationError(
             f"The reference system was bumped: {', '.join(bump.moved)} moved; put them back, or "
             "keep the measured places with --out."
         )
-
-
-def _face_of(system: ReferenceSystem, first: str, second: str) -> ReferenceSystem:
-    """Give the markers that one sensor can see together with both ends of the known length."""
-    faces = {marker.face for marker in system.markers if marker.id in (first, second)}
-    if len(faces) != 1:
-        raise UsageError(
-            f"{first} and {second} are not two markers of one face of {system.name}; measure the "
-            "length between two markers that face the same way."
-        )
-    return replace(system, markers=system.facing((faces.pop(),)))
 
 
 def _check_certain(survey: MarkerSurvey, moved_mm: float) -> None:
@@ -136,6 +126,12 @@ def _check_certain(survey: MarkerSurvey, moved_mm: float) -> None:
             f"{worst:.1f} mm is more than the {moved_mm:g} mm asked for; record the system from "
             "sides that lie 30 degrees or more apart."
         )
+
+
+def _lengths(given: Sequence[Sequence[str]]) -> list[KnownLength]:
+    from insole_core.calibration.marker_survey import KnownLength
+
+    return [KnownLength(first, second, _length_mm(text)) for first, second, text in given]
 
 
 def _length_mm(text: str) -> float:

@@ -1,0 +1,217 @@
+"""Bundle adjustment of markers, of the poses of pictures, and of sensors that stand together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.calibration.adjustment import Blocks, adjust, pose, pose_vector
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.transforms import inverse, rigid, transform
+from insole_core.sensing.camera import Camera
+
+_OUTLIER_PX = 1.5
+_LENGTH_WEIGHT = 10.0
+_FRAME_WEIGHT = 100.0
+"""The frame is chosen, not measured: it must add nothing to the deviations of the markers."""
+
+
+@dataclass(frozen=True, eq=False)
+class MarkerView:
+    """The markers that one picture shows.
+
+    Parameters
+    ----------
+    name
+        Of the picture.
+    pixels : marker id to (2,) float64, px
+    camera
+        That took it.
+    sensor, capture
+        Of sensors that stood still to each other throughout: which one took it, and in which
+        place of the system, the same for all sensors. Empty where the sensor stood on its own.
+    """
+
+    name: str
+    pixels: dict[str, FloatArray]
+    camera: Camera
+    sensor: str = ""
+    capture: str = ""
+
+
+@dataclass(frozen=True)
+class KnownLength:
+    """A measured distance between two markers, which gives the scale."""
+
+    first: str
+    second: str
+    length_mm: float
+
+
+@dataclass(frozen=True, eq=False)
+class Adjusted:
+    """What the pictures say of the markers.
+
+    Parameters
+    ----------
+    points, deviations : (n, 3) float64, mm, near the frame of the plan
+    errors_px : (k,) float64
+        All coordinates, seen minus projected.
+    """
+
+    points: FloatArray
+    deviations: FloatArray
+    errors_px: FloatArray
+
+
+def adjust_bundle(
+    planned: dict[str, FloatArray], views: Sequence[MarkerView], lengths: Sequence[KnownLength]
+) -> Adjusted:
+    """Find the markers' places that explain all pictures best.
+
+    Parameters
+    ----------
+    planned : marker id to (3,) float64, mm
+        All markers that are looked for.
+    views
+        Each shows four of them or more.
+    lengths
+        Between markers that are looked for; one or more.
+    """
+    bundle = _Bundle(planned, views, lengths)
+    found = adjust(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
+    count = 3 * len(planned)
+    return Adjusted(
+        found.values[:count].reshape(-1, 3),
+        found.deviations[:count].reshape(-1, 3),
+        found.residuals[: bundle.image_residuals],
+    )
+
+
+def planned_pose(planned: dict[str, FloatArray], view: MarkerView) -> FloatArray:
+    """Give the pose (4, 4) ``reference2camera`` of one picture, were all built as planned."""
+    names = [name for name in view.pixels if name in planned]
+    rays = view.camera.normalised(np.array([view.pixels[name] for name in names], dtype=float))
+    points = np.array([planned[name] for name in names])
+    _, turn, shift = cv2.solvePnP(points, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
+
+
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    seen: IntArray
+    pixels: FloatArray
+    camera: Camera
+    sensor: int
+
+
+class _Bundle:
+    """Unknowns: all markers, the pose of every further sensor of a rig, the pose of every capture.
+
+    A picture of a sensor that stood on its own is a capture of its own. Six conditions hold the
+    frame at the plan, one for each known length the scale.
+    """
+
+    def __init__(
+        self,
+        planned: dict[str, FloatArray],
+        views: Sequence[MarkerView],
+        lengths: Sequence[KnownLength],
+    ) -> None:
+        place = {name: i for i, name in enumerate(planned)}
+        self._ends = np.array([[place[one.first], place[one.second]] for one in lengths])
+        self._lengths = np.array([one.length_mm for one in lengths])
+        points = np.array(list(planned.values()))
+        # The plan is scaled to the known lengths first; the frame stays that of the plan.
+        scale = self._lengths.sum() / self._spans(points).sum()
+        self._plan = points * scale
+        poses = [planned_pose({k: p * scale for k, p in planned.items()}, view) for view in views]
+        self._rig, self._captures = _place_sensors(views, poses)
+        numbers = {sensor: i for i, sensor in enumerate(self._rig)}
+        captures = [_capture_of(i, view, numbers) for i, view in enumerate(views)]
+        self._pictures: list[list[_Picture]] = [[] for _ in self._captures]
+        order = {capture: i for i, capture in enumerate(self._captures)}
+        for view, capture in zip(views, captures, strict=True):
+            names = [name for name in view.pixels if name in place]
+            pixels = np.array([view.pixels[name] for name in names], dtype=float)
+            seen, sensor = np.array([place[name] for name in names]), numbers.get(view.sensor, 0)
+            self._pictures[order[capture]].append(_Picture(seen, pixels, view.camera, sensor))
+
+    @property
+    def image_residuals(self) -> int:
+        return sum(2 * len(picture.seen) for listed in self._pictures for picture in listed)
+
+    @property
+    def _marked(self) -> int:
+        return 3 * len(self._plan)
+
+    @property
+    def _shared(self) -> int:
+        return self._marked + 6 * max(len(self._rig) - 1, 0)
+
+    def start(self) -> FloatArray:
+        rig = [pose_vector(one) for one in list(self._rig.values())[1:]]
+        captures = [pose_vector(one) for one in self._captures.values()]
+        return np.concatenate([self._plan.ravel(), *rig, *captures])
+
+    def residuals(self, unknowns: FloatArray) -> FloatArray:
+        points = unknowns[: self._marked].reshape(-1, 3)
+        rig = [pose(vector) for vector in unknowns[self._marked : self._shared].reshape(-1, 6)]
+        base2sensor = [np.eye(4), *rig]
+        parts = []
+        captures = unknowns[self._shared :].reshape(-1, 6)
+        for vector, listed in zip(captures, self._pictures, strict=True):
+            reference2base = pose(vector)
+            for one in listed:
+                inside = transform(base2sensor[one.sensor] @ reference2base, points[one.seen])
+                parts.append((one.pixels - one.camera.project(inside)).ravel())
+        return np.concatenate([*parts, self._conditions(points)])
+
+    def blocks(self) -> Blocks:
+        lengths = [sum(2 * len(one.seen) for one in listed) for listed in self._pictures]
+        # The conditions depend on no pose: they close the last block.
+        lengths[-1] += 6 + len(self._lengths)
+        return Blocks(tuple(lengths), self._shared)
+
+    def _conditions(self, points: FloatArray) -> FloatArray:
+        change = points - self._plan
+        turn = np.cross(self._plan - self._plan.mean(0), change).mean(0) / 100
+        scale = (self._spans(points) - self._lengths) * _LENGTH_WEIGHT
+        return np.concatenate([change.mean(0) * _FRAME_WEIGHT, turn * _FRAME_WEIGHT, scale])
+
+    def _spans(self, points: FloatArray) -> FloatArray:
+        a, b = points[self._ends[:, 0]], points[self._ends[:, 1]]
+        return np.asarray(np.linalg.norm(a - b, axis=1))
+
+
+def _place_sensors(
+    views: Sequence[MarkerView], poses: Sequence[FloatArray]
+) -> tuple[dict[str, FloatArray], dict[str, FloatArray]]:
+    """Give ``base2sensor`` of every sensor of the rig, the base first, and where captures start.
+
+    The base is the sensor with the most pictures; one that shares no capture with it stands on
+    its own.
+    """
+    joint = [(view, placed) for view, placed in zip(views, poses, strict=True) if view.capture]
+    named = [view.sensor for view, _ in joint]
+    rig: dict[str, FloatArray] = {}
+    if named:
+        base = max(dict.fromkeys(named), key=named.count)
+        seen_by_base = {v.capture: placed for v, placed in joint if v.sensor == base}
+        rig[base] = np.eye(4)
+        for view, placed in joint:
+            if view.capture in seen_by_base and view.sensor not in rig:
+                rig[view.sensor] = placed @ inverse(seen_by_base[view.capture])
+    captures: dict[str, FloatArray] = {}
+    for i, (view, placed) in enumerate(zip(views, poses, strict=True)):
+        base2sensor = rig[view.sensor] if view.capture and view.sensor in rig else np.eye(4)
+        captures.setdefault(_capture_of(i, view, rig), inverse(base2sensor) @ placed)
+    return rig, captures
+
+
+def _capture_of(number: int, view: MarkerView, rig: dict[str, FloatArray] | dict[str, int]) -> str:
+    shared = view.capture and view.sensor in rig
+    return f"capture {view.capture}" if shared else f"picture {number}"
