@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,6 +14,9 @@ _ROUNDS = 20
 _CONVERGED = 1e-9
 _TURN_STEP_RAD = 1e-5
 _SHIFT_STEP_MM = 1e-2
+_FREEDOM = 6
+_MEDIAN_OF_SQUARES = 2 * np.log(2)
+"""Of the sums of two squares of standard normal numbers."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +26,8 @@ class SightingNoise:
     Parameters
     ----------
     pixel_px
-        Of its centre in the colour image, with what the marker system itself is off.
+        Of its centre in a good colour image, with what the marker system itself is off; where
+        the residuals show more, that counts.
     depth_mm
         Of its distance, from the depth image.
     """
@@ -42,7 +46,8 @@ class CameraPose:
     residuals_px : (n, 2) float64, px
         Observed minus projected; 0 for a marker that does not count.
     weights : (n,) float64
-        1 for a marker that fits in the image, towards 0 for one that does not.
+        1 for a marker that fits in the image, towards 0 for one that does not: 1 / (1 + r²) at r
+        times the noise.
     covariance : (6, 6) float64
         Of a small turn (rad) about the markers' centre and a shift (mm), camera frame.
     center : (3,) float64, mm, reference frame
@@ -117,21 +122,15 @@ def fit_camera_pose(
     noise
     """
     problem = _Problem(seen, camera, noise)
-    pose = start
-    for _ in range(_ROUNDS):
-        scaled, design = problem.linearised(pose)
-        weights = _cauchy(scaled)
-        normal, pull = _normal_equations(design, scaled, weights)
-        step = np.asarray(np.linalg.solve(normal, pull), dtype=np.float64)
-        pose = _moved(pose, step, seen.faces.mean(0))
-        if step @ step < _CONVERGED:
-            break
+    pose = problem.converged(start)
+    problem = problem.as_noisy_as_seen(pose)
+    pose = problem.converged(pose)
     scaled, design = problem.linearised(pose)
     weights = _cauchy(scaled)
     normal, _ = _normal_equations(design, scaled, weights)
-    freedom = max(weights.sum() + weights[:, 0].sum() - 6, 1)
+    freedom = max(weights.sum() + weights[:, 0].sum() - _FREEDOM, 1)
     scatter = float((weights * (scaled**2).sum(2)).sum()) / freedom
-    residuals_px = scaled[:, 0] * noise.pixel_px
+    residuals_px = scaled[:, 0] * problem.noise.pixel_px
     counted = weights[:, 0] * np.isfinite(seen.pixels[:, 0])
     covariance = max(1, scatter) * np.linalg.inv(normal)
     return CameraPose(pose, residuals_px, counted, covariance, seen.faces.mean(0))
@@ -142,6 +141,29 @@ class _Problem:
     seen: SeenMarkers
     camera: Camera
     noise: SightingNoise
+
+    def converged(self, pose: FloatArray) -> FloatArray:
+        """Improve a pose until it stays."""
+        for _ in range(_ROUNDS):
+            scaled, design = self.linearised(pose)
+            normal, pull = _normal_equations(design, scaled, _cauchy(scaled))
+            step = np.asarray(np.linalg.solve(normal, pull), dtype=np.float64)
+            pose = _moved(pose, step, self.seen.faces.mean(0))
+            if step @ step < _CONVERGED:
+                break
+        return pose
+
+    def as_noisy_as_seen(self, pose: FloatArray) -> _Problem:
+        """Take the noise from the residuals in the image, where they show more than expected.
+
+        From their median, which strays do not widen. What the pose's six degrees of freedom took
+        up was as large as expected.
+        """
+        seen = np.isfinite(self.seen.pixels[:, 0])
+        scaled, _ = self.linearised(pose)
+        typical = float(np.median((scaled[seen, 0] ** 2).sum(1))) / _MEDIAN_OF_SQUARES
+        wider = np.sqrt(max(1.0, typical + _FREEDOM / (2 * seen.sum())))
+        return replace(self, noise=replace(self.noise, pixel_px=self.noise.pixel_px * float(wider)))
 
     def linearised(self, pose: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Residuals in standard deviations, and how the prediction changes.

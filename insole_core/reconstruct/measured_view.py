@@ -126,7 +126,7 @@ def measure_view(view: View) -> MeasuredView:
     average = average_raw(_depth_frames(view))
     check_still(average)
     raw, depth_mm = _depth(view, average)
-    note = motion_note(view, average, depth_mm)
+    note = motion_note(view, average)
     points = view.sensor.points(depth_mm)
     return MeasuredView(view, raw, points, mean_color(view), len(average.moved), note, precise=True)
 

@@ -18,7 +18,7 @@ class RegistrationLimits:
     residual_mm
         Largest mean distance of the measured markers from the reference system.
     least_used
-        So many markers must determine the pose, all when fewer were found; fused only.
+        So many markers must determine the pose, and half of those that were found; fused only.
     reprojection_px
         Largest root mean square of the distances in the colour image, fused only.
     displacement_mm
@@ -30,7 +30,7 @@ class RegistrationLimits:
     """
 
     residual_mm: float = 4.0
-    least_used: int = 6
+    least_used: int = 4
     reprojection_px: float = 1.0
     displacement_mm: float = 3.0
     turn_deviation_deg: float = 1.0
@@ -70,7 +70,7 @@ def _too_few(registration: Registration, limits: RegistrationLimits) -> str:
         return ""
     fixes = [fix for fix in registration.fixes if not fix.excluded]
     used = sum(fix.used for fix in fixes)
-    if used >= min(limits.least_used, len(fixes)):
+    if used >= limits.least_used and 2 * used >= len(fixes):
         return ""
     return (
         f"only {used} of the {len(fixes)} markers agree with each other in the colour image "

@@ -37,10 +37,12 @@ from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 
 _LEAST_PRECISE = 6
-_LEAST_FILL = 0.95
-"""Share of the usual fill below which a marker is partly hidden or runs into another."""
-_LEAST_WEIGHT = 0.2
-"""Below it a marker lies twice its noise off and hardly counts."""
+_LARGEST_LOSS = 0.05
+_USUAL_LOSSES = 3.0
+"""A marker is partly hidden or runs into another where its fill is less than the usual one by more
+than that share, and by more than so many standard deviations of the fills."""
+_LEAST_WEIGHT = 0.1
+"""Below it a marker lies three times its noise off and hardly counts."""
 
 
 def register(
@@ -285,7 +287,9 @@ def _precise(naming: Naming) -> BoolArray:
     if not np.isfinite(fills).any():
         return whole
     # A place that somebody pointed at has no shape, and is as good as it was pointed at.
-    unspoilt = np.isnan(fills) | (fills > _LEAST_FILL * np.nanmedian(fills))
+    loss = 1 - fills / np.nanmedian(fills)
+    deviation = 1.4826 * float(np.nanmedian(np.abs(loss)))
+    unspoilt = np.isnan(fills) | (loss < max(_LARGEST_LOSS, _USUAL_LOSSES * deviation))
     return np.asarray(unspoilt) if unspoilt.sum() >= _LEAST_PRECISE else whole
 
 

@@ -7,12 +7,11 @@ from itertools import combinations
 import numpy as np
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct.coverage import coverage_warnings
 from insole_core.reconstruct.result import Surface, ViewResult
 from insole_core.recording.session import Session, View
-from insole_core.sensing.frames import MOVED_RAW, RawAverage
+from insole_core.sensing.frames import Motion, RawAverage
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
@@ -38,23 +37,24 @@ def check_still(average: RawAverage) -> None:
         )
 
 
-def motion_note(view: View, average: RawAverage, depth_mm: FloatArray) -> str:
+def motion_note(view: View, average: RawAverage) -> str:
     """Say how far the foot moved in the frames that were left out; empty when none was."""
     if not average.moved:
         return ""
+    far = f" by {_motion_mm(view, average.motion):.1f} mm" if average.motion else ""
     return (
-        f"something moved by {_motion_mm(view, average, depth_mm):.1f} mm; "
+        f"something moved{far}; "
         f"{len(average.moved)} of its {average.frames} depth frames are left out"
     )
 
 
-def _motion_mm(view: View, average: RawAverage, depth_mm: FloatArray) -> float:
-    """Largest motion towards the sensor, or else sideways."""
-    typical_mm = float(np.nanmedian(depth_mm))
-    if average.motion_raw <= MOVED_RAW:
-        return average.sideways_px * typical_mm / view.sensor.depth_camera.fx
-    near_raw, far_raw = view.sensor.disparity.raw(typical_mm + np.array([-0.5, 0.5]))
-    return average.motion_raw / abs(float(far_raw - near_raw))
+def _motion_mm(view: View, motion: Motion) -> float:
+    """Length of a motion in space."""
+    near_raw = motion.at_raw + np.array([0.0, motion.nearer_raw])
+    at_mm, came_to_mm = view.sensor.disparity.depth_mm(near_raw)
+    camera = view.sensor.depth_camera
+    sideways_mm = np.array([motion.along_u_px / camera.fx, motion.along_v_px / camera.fy]) * at_mm
+    return float(np.hypot(np.linalg.norm(sideways_mm), came_to_mm - at_mm))
 
 
 def warnings_of(

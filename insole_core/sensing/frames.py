@@ -18,11 +18,18 @@ _FIRST_FRAMES = 9
 _NEAR_RAW = 3.0
 _BLOCK_PX = 16
 _JUMP_RAW = 12.0
-MOVED_RAW = 1.2
+_MOVED_RAW = 1.2
 """A still scene seems to change by up to two thirds of this; it is 1.9 mm at 750 mm."""
 _WIDE_BLOCK_PX = 32
 _MOVED_PX = 1.2
 """A still scene seems to shift by up to half of this; it is 1.5 mm at 750 mm."""
+_SMOOTH_PX = 9
+_CHANGED_RAW = 0.6
+"""Four times the noise of a mean of so many pixels."""
+_EVERY_PX = 3
+_LEAST_CHANGED = 60
+_ROBUST_ROUNDS_RAW = (3.0, 2.0, 1.0, 0.7, 0.5, 0.5)
+_LEAST_EXPLAINED = 0.5
 _STEEPEST_RAW = 2.0
 _LEAST_GRADIENT = 0.04
 """Squared disparity gradient, raw²/px², below which a block hardly shows a shift."""
@@ -47,6 +54,26 @@ def median_raw(frames: Iterable[RawArray]) -> FloatArray:
     return np.where(_enough(readings, len(ordered)), (low.astype(float) + high) / 2, np.nan)
 
 
+@dataclass(frozen=True)
+class Motion:
+    """How far a thing went as a whole, told from where its surface came to lie.
+
+    Parameters
+    ----------
+    along_u_px, along_v_px
+        In the picture; 0 along a direction in which its surface is even and nothing shows.
+    nearer_raw
+        Towards the sensor or away from it.
+    at_raw
+        Where it was, as a raw number.
+    """
+
+    along_u_px: float
+    along_v_px: float
+    nearer_raw: float
+    at_raw: float
+
+
 @dataclass(frozen=True, eq=False)
 class RawAverage:
     """Many frames of a still scene as one.
@@ -64,6 +91,9 @@ class RawAverage:
         Largest change of a part of the picture over the frames, raw units.
     sideways_px
         Largest shift of a part of the picture over the frames.
+    motion : optional
+        Of the thing that moved, in the frame that is farthest off; nothing where nothing moved
+        or where it did not move as a whole.
     """
 
     raw: FloatArray
@@ -72,6 +102,7 @@ class RawAverage:
     moved: tuple[int, ...]
     motion_raw: float
     sideways_px: float = 0.0
+    motion: Motion | None = None
 
 
 def average_raw(frames: Iterable[RawArray]) -> RawAverage:
@@ -92,14 +123,18 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     shape = scene.anchor.shape
     total, squares, readings = (np.zeros(shape, dtype=np.int32) for _ in range(3))
     moved: list[int] = []
-    motion_raw, sideways_px, count = 0.0, 0.0, 0
+    motion_raw, sideways_px, farthest, count = 0.0, 0.0, 0.0, 0
+    motion = None
     for index, frame in enumerate(chain(first, stream)):
         count += 1
         halves, valid = scene.compare(frame)
-        change, shift = scene.motion(halves, valid)
+        change, shift = scene.changes(halves, valid)
         motion_raw, sideways_px = max(motion_raw, change), max(sideways_px, shift)
-        if change > MOVED_RAW or shift > _MOVED_PX:
+        off = max(change / _MOVED_RAW, shift / _MOVED_PX)
+        if off > 1:
             moved.append(index)
+            if off > farthest:
+                farthest, motion = off, scene.motion(halves, valid)
             continue
         near = valid & (np.abs(halves) <= 2 * _NEAR_RAW)
         halves *= near
@@ -117,6 +152,7 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
         tuple(moved),
         motion_raw,
         sideways_px,
+        motion,
     )
 
 
@@ -135,15 +171,18 @@ class _StillScene:
         self.anchor = anchor
         self._known = np.isfinite(anchor)
         self._halves = np.where(self._known, 2 * anchor, 0).astype(np.int16)
-        self._slopes = self._steady_slopes()
+        self._slopes, self._steady = self._steady_slopes()
         along_u, along_v = self._slopes
         self._uu, self._uv, self._vv = (
             _block_means(product, _WIDE_BLOCK_PX)
             for product in (along_u * along_u, along_u * along_v, along_v * along_v)
         )
 
-    def _steady_slopes(self) -> tuple[Float32Array, Float32Array]:
-        """Disparity gradients of surfaces, raw/px; 0 at the borders of things and beside gaps."""
+    def _steady_slopes(self) -> tuple[tuple[Float32Array, Float32Array], BoolArray]:
+        """Disparity gradients, raw/px, and where they are those of a surface; 0 elsewhere.
+
+        Not at the borders of things and beside gaps.
+        """
         known = self._known.astype(np.float32)
         support = cv2.blur(known, (5, 5))
         smooth = cv2.blur(np.where(self._known, self.anchor, 0).astype(np.float32), (5, 5))
@@ -153,7 +192,7 @@ class _StillScene:
         )
         inside = cv2.erode(known, np.ones((7, 7), np.uint8)) > 0
         steady = inside & (np.maximum(np.abs(along_u), np.abs(along_v)) < _STEEPEST_RAW)
-        return along_u * steady, along_v * steady
+        return (along_u * steady, along_v * steady), steady
 
     def compare(self, frame: RawArray) -> tuple[Int16Array, BoolArray]:
         """Give the difference (height, width), half raw units, and where it is one."""
@@ -161,7 +200,31 @@ class _StillScene:
         valid = self._known & (numbers < NO_READING)
         return 2 * numbers.astype(np.int16) - self._halves, valid
 
-    def motion(self, halves: Int16Array, valid: BoolArray) -> tuple[float, float]:
+    def motion(self, halves: Int16Array, valid: BoolArray) -> Motion | None:
+        """Find the one shift of a thing that explains what changed on surfaces; or nothing.
+
+        What stands still has not changed, and the borders of things are no surface.
+        """
+        usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
+        share = cv2.blur(usable, (_SMOOTH_PX, _SMOOTH_PX))
+        mean = cv2.blur((halves * (usable / 2)).astype(np.float32), (_SMOOTH_PX, _SMOOTH_PX))
+        mean /= np.maximum(share, 1e-6)
+        changed = self._steady & (share > 0.5) & (np.abs(mean) > _CHANGED_RAW)
+        lattice = slice(None, None, _EVERY_PX)
+        at = np.flatnonzero(changed[lattice, lattice])
+        if len(at) < _LEAST_CHANGED:
+            return None
+        u, v, change, anchor = (
+            np.asarray(image[lattice, lattice], dtype=np.float64).ravel()[at]
+            for image in (*self._slopes, mean, self.anchor)
+        )
+        shift, explained = _robust_shift(np.stack([-u, -v, np.ones(len(at))], axis=1), change)
+        if explained < _LEAST_EXPLAINED:
+            return None
+        along_u_px, along_v_px, nearer_raw = shift.tolist()
+        return Motion(along_u_px, along_v_px, nearer_raw, float(np.median(anchor)))
+
+    def changes(self, halves: Int16Array, valid: BoolArray) -> tuple[float, float]:
         """How far a part of the picture came nearer, raw units, and went sideways, px.
 
         Differences beyond `_JUMP_RAW` are the borders of things, which flicker.
@@ -187,6 +250,18 @@ class _StillScene:
         determinant = uu * vv - self._uv**2
         shift = np.hypot(vv * u - self._uv * v, uu * v - self._uv * u) / determinant
         return _percentile(shift[share >= 0.5], 97)
+
+
+def _robust_shift(design: FloatArray, change: FloatArray) -> tuple[FloatArray, float]:
+    """Shift (3,) that explains most of the changes (n,), and how many of them (Geman & McClure)."""
+    shift, weights = np.zeros(3), np.ones(len(change))
+    for scale in _ROBUST_ROUNDS_RAW:
+        weighted = weights[:, None] * design
+        # Where a surface shows no shift along a direction, none is assumed.
+        normal = weighted.T @ design + _LEAST_GRADIENT * weights.sum() * np.diag([0.1, 0.1, 0])
+        shift = np.asarray(np.linalg.solve(normal, weighted.T @ change), dtype=np.float64)
+        weights = 1 / (1 + ((change - design @ shift) / scale) ** 2) ** 2
+    return shift, float((weights > 0.25).mean())
 
 
 def _block_means(image: Float32Array, size: int) -> Float32Array:

@@ -149,6 +149,21 @@ def test_the_stated_deviation_is_that_of_many_draws() -> None:
     assert scatter < np.mean(stated) < 3 * scatter
 
 
+def test_the_noise_of_a_picture_is_taken_from_the_residuals() -> None:
+    rng = np.random.default_rng(8)
+    pose = camera_pose(rng)
+    true = CAMERA.project(transform(pose, MARKERS))
+    errors: dict[str, list[float]] = {"told": [], "unknown": []}
+    for _ in range(60):
+        seen = seen_from(pose, true + rng.normal(0, 0.8, true.shape))
+        seen = replace(seen, distances_mm=seen.distances_mm + rng.normal(0, 1.0, 12))
+        for how, noise in (("told", SightingNoise(0.8)), ("unknown", SightingNoise())):
+            found = fit_camera_pose(seen, CAMERA, pose, noise)
+            off = transform(found.reference2color, MARKERS) - transform(pose, MARKERS)
+            errors[how].append(float(np.linalg.norm(off, axis=1).mean()))
+    assert np.mean(errors["unknown"]) < 1.05 * np.mean(errors["told"])
+
+
 def test_a_blue_flank_is_recognised_by_the_width_of_the_blobs() -> None:
     slant = rotation_about(np.array([0.0, 1, 0]), 35.0)
     pose = rigid(slant, np.array([0.0, 0, 800]) - slant @ MARKERS.mean(0))

@@ -8,12 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct import RegistrationLimits, reconstruct
 from insole_core.reconstruct.measured_view import MeasuredView, measure_view
 from insole_core.reconstruct.pose_quality import PoseRefusedError
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Marker, ReferenceSystem, Session
+from insole_core.recording.session import Marker, ReferenceSystem, Session, View
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
@@ -81,6 +82,49 @@ def test_a_bumped_marker_is_named_and_does_not_count(session: Session, left: Mea
     pose, was = result.views[0].sensor2reference, left.register(session.manifest.reference_system)
     assert pose is not None
     assert rotation_angle_deg(pose[:3, :3].T @ was.sensor2reference[:3, :3]) < 0.1
+
+
+def only_these(view: View, pixels: list[tuple[float, float]]) -> View:
+    """The view with a grey spot on all markers but those."""
+
+    def cover(color: ByteArray) -> ByteArray:
+        blue = np.argwhere(color[..., 2] > np.maximum(color[..., 0], color[..., 1]) + 30)
+        apart = np.linalg.norm(blue[:, None, ::-1] - np.array(pixels), axis=2).min(1)
+        picture = color.copy()
+        picture[tuple(blue[apart > 20].T)] = 26
+        return picture
+
+    return replace(view, read_color=lambda index: cover(view.read_color(index)))
+
+
+@pytest.mark.parametrize("kept", [[0, 2, 3, 4, 6, 7], [0, 2, 4, 6, 7]])
+def test_one_of_a_few_markers_that_strays_a_little_does_not_cost_the_view(
+    session: Session, kept: list[int]
+) -> None:
+    system, view = session.manifest.reference_system, session.views[2]
+    whole = measure_view(view).register(system)
+    fixes = [whole.fixes[index] for index in kept]
+    few = measure_view(only_these(view, [fix.pixel for fix in fixes]))
+    found = few.register(bumped(system, fixes[0].id, 1.2))
+    assert [fix.id for fix in found.fixes] == [fix.id for fix in fixes]
+    turn = found.sensor2reference[:3, :3].T @ whole.sensor2reference[:3, :3]
+    assert rotation_angle_deg(turn) < 0.2
+    assert whole.displacement_mm is not None
+    assert found.displacement_mm is not None
+    assert found.displacement_mm > whole.displacement_mm
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_marker_is_lost_where_all_stray_a_little(
+    session: Session, left: MeasuredView, seed: int
+) -> None:
+    system = session.manifest.reference_system
+    rng = np.random.default_rng(seed)
+    strays = {
+        marker.id: tuple(np.add(marker.position_mm, [*rng.normal(0, 0.2, 2), 0.0]))
+        for marker in system.markers
+    }
+    assert all(fix.used for fix in left.register(moved(system, strays)).fixes)
 
 
 def test_two_markers_built_into_each_others_place_do_not_count(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -262,7 +263,12 @@ def test_frames_in_which_something_moved_are_left_out_and_told(session: Session)
 
     restless = altered(session, "left", read_depth=moving, depth_count=9)
     (warning,) = reconstruct(restless).warnings
-    assert "In the view left something moved by" in warning
+    patch = still[0][100:380, 150:500]
+    raw = float(np.median(patch[patch < 2047]))
+    near_mm, far_mm = view.sensor.disparity.depth_mm(np.array([raw, raw + 3]))
+    said = re.search(r"In the view left something moved by (\d\.\d) mm", warning)
+    assert said
+    assert float(said[1]) == pytest.approx(far_mm - near_mm, rel=0.1)
     assert "1 of its 9 depth frames are left out" in warning
 
 

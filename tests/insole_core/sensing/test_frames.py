@@ -93,6 +93,33 @@ def test_a_shift_sideways_is_found_and_measured() -> None:
     assert average.sideways_px == pytest.approx(3.0, abs=0.7)
 
 
+@pytest.mark.parametrize(("along_u_px", "nearer_raw"), [(3.0, 0.0), (2.0, -2.0), (0.0, 3.0)])
+def test_the_motion_is_that_of_the_thing_not_of_its_borders(
+    along_u_px: float, nearer_raw: float
+) -> None:
+    rng = np.random.default_rng(9)
+    frames = [tilted(0.0, rng) for _ in range(9)]
+    moved = tilted(along_u_px, rng)
+    moved[moved > 600] += np.array(nearer_raw).astype(np.int16).astype(np.uint16)
+    motion = average_raw([*frames, moved]).motion
+    assert motion is not None
+    assert motion.along_u_px == pytest.approx(along_u_px, abs=0.3)
+    assert motion.along_v_px == pytest.approx(0.0, abs=0.2)
+    assert motion.nearer_raw == pytest.approx(nearer_raw, abs=0.3)
+    assert motion.at_raw == pytest.approx(750, abs=10)
+
+
+def test_what_did_not_move_as_a_whole_has_no_one_motion() -> None:
+    rng = np.random.default_rng(10)
+    frames = [tilted(0.0, rng) for _ in range(9)]
+    torn = tilted(0.0, rng)
+    torn[:96] += 5
+    torn[96:] -= 5
+    average = average_raw([*frames, torn])
+    assert average.moved == (9,)
+    assert average.motion is None
+
+
 def test_noise_is_no_shift() -> None:
     rng = np.random.default_rng(8)
     average = average_raw(tilted(0.0, rng) for _ in range(30))
