@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListWidget,
     QListWidgetItem,
-    QProgressBar,
     QPushButton,
     QSpinBox,
     QVBoxLayout,
@@ -26,6 +25,7 @@ from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LiveRow, Loo
 from insole_studio.texts import tr
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
+from insole_studio.widgets.sentences import Sentences, WorkBar
 
 _KEY = Qt.ItemDataRole.UserRole
 _LEFT_PX, _MIDDLE_PX = 240, 360
@@ -59,9 +59,8 @@ class CalibrateView(QWidget):
         self.steps.currentItemChanged.connect(self._step_chosen)
         self._title, self._instruction, self._next = QLabel(), QLabel(), QLabel()
         self._title.setObjectName("heading")
-        self._error = QLabel()
-        self._error.setObjectName("warning")
-        for label in (self._instruction, self._next, self._error):
+        self._error = Sentences("warning")
+        for label in (self._instruction, self._next):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._columns, self._rows = _count_field(), _count_field()
@@ -86,8 +85,7 @@ class CalibrateView(QWidget):
         self.take = _button(tr("Take picture"), self.take_requested)
         self._live_sentence = QLabel()
         self._live_sentence.setWordWrap(True)
-        self._progress = QProgressBar()
-        self._progress.setRange(0, 100)
+        self._progress = WorkBar()
         self._layout()
 
     def show_serials(self, serials: Sequence[str]) -> None:
@@ -157,14 +155,11 @@ class CalibrateView(QWidget):
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence hides it."""
-        self._error.setText(sentence)
-        self._error.setVisible(bool(sentence))
+        self._error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
-        self._progress.setVisible(bool(text))
-        self._progress.setValue(round(100 * fraction))
-        self._progress.setFormat(text)
+        self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
         """Enable what can be pressed."""

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QPushButton,
     QTabWidget,
     QVBoxLayout,
@@ -29,6 +28,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
+from insole_studio.widgets.sentences import Sentences, WorkBar
 
 _LEFT_PX, _RIGHT_PX = 300, 300
 
@@ -72,17 +72,14 @@ class CompareView(QWidget):
         self.alignment.edited.connect(self.alignment_chosen)
         self.median = NumberField(tr("pixels"), least=1, greatest=25, step=1, decimals=0)
         self.median.edited.connect(self.median_edited)
-        self._hint, self._notes, self._error = QLabel(), QLabel(), QLabel()
+        self._hint = QLabel()
         self._hint.setObjectName("quiet")
-        self._notes.setObjectName("quiet")
-        self._error.setObjectName("warning")
-        for label in (self._hint, self._notes, self._error):
-            label.setWordWrap(True)
+        self._hint.setWordWrap(True)
+        self._notes, self._error = Sentences("quiet"), Sentences("warning")
         self._figures = QGridLayout()
         self._figures.setColumnStretch(0, 1)
         self._figures.setHorizontalSpacing(12)
-        self._progress = QProgressBar()
-        self._progress.setRange(0, 100)
+        self._progress = WorkBar()
         self.take_back = _button(tr("Take the last point back"), self.take_back_requested.emit)
         self.cancel = _button(tr("Cancel"), self.cancel_requested.emit)
         self.save = _button(tr("Save report…"), self.save_requested.emit)
@@ -156,19 +153,15 @@ class CompareView(QWidget):
 
     def show_notes(self, sentences: Sequence[str]) -> None:
         """Say what was assumed."""
-        self._notes.setText("\n".join(sentences))
-        self._notes.setVisible(bool(sentences))
+        self._notes.say_all(sentences)
 
     def show_error(self, sentence: str) -> None:
         """Say what went wrong; an empty sentence hides it."""
-        self._error.setText(sentence[:1].upper() + sentence[1:])
-        self._error.setVisible(bool(sentence))
+        self._error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
-        self._progress.setVisible(bool(text))
-        self._progress.setValue(round(100 * fraction))
-        self._progress.setFormat(text)
+        self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
         """Enable what can be pressed."""

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QProgressBar,
     QPushButton,
     QScrollArea,
     QToolButton,
@@ -29,6 +28,7 @@ from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
 from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
+from insole_studio.widgets.sentences import Sentences, WorkBar
 from insole_studio.workbench.shop_order import OrderChoice
 
 _FORM_PX, _CHECKS_PX = 320, 350
@@ -60,18 +60,13 @@ class ExportView(QWidget):
         self._pieces = QButtonGroup(self)
         self._pieces.setExclusive(True)
         self._piece_row = QHBoxLayout()
-        self._summary, self._error, self._notes = QLabel(), QLabel(), QLabel()
-        self._error.setObjectName("warning")
-        self._notes.setObjectName("warning")
-        for label in (self._summary, self._error, self._notes):
-            label.setWordWrap(True)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._summary = Sentences()
+        self._error, self._notes = Sentences("warning"), Sentences("warning")
         self._reason_label = QLabel(tr("Export all the same, because"))
         self.reason = QLineEdit()
         self.reason.setPlaceholderText(tr("Reason, for the record"))
         self.reason.textEdited.connect(self.reason_edited)
-        self._progress = QProgressBar()
-        self._progress.setRange(0, 100)
+        self._progress = WorkBar()
         self.cancel = QPushButton(tr("Cancel"))
         self.cancel.clicked.connect(self.cancel_requested)
         self.export = QPushButton(tr("Export…"))
@@ -160,23 +155,19 @@ class ExportView(QWidget):
 
     def show_summary(self, text: str) -> None:
         """Say what the piece is."""
-        self._summary.setText(text)
+        self._summary.say(text)
 
     def show_notes(self, sentences: Sequence[str]) -> None:
         """Say what should be known; nothing hides it."""
-        self._notes.setText("\n".join(sentences))
-        self._notes.setVisible(bool(sentences))
+        self._notes.say_all(sentences)
 
     def show_error(self, sentence: str) -> None:
         """Say what went wrong; an empty sentence hides it."""
-        self._error.setText(sentence[:1].upper() + sentence[1:])
-        self._error.setVisible(bool(sentence))
+        self._error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
-        self._progress.setVisible(bool(text))
-        self._progress.setValue(round(100 * fraction))
-        self._progress.setFormat(text)
+        self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
         """Enable what can be pressed."""

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QPushButton,
     QSplitter,
     QToolButton,
@@ -36,6 +35,7 @@ from insole_studio.texts import tr
 from insole_studio.tools.box import box_edges, box_handles
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.sentences import Sentences, WorkBar
 
 _SIDE_PX = 300
 _WIDE_PX = 1000
@@ -84,13 +84,8 @@ class ReconstructView(QWidget):
         self.go_on.setObjectName("primary")
         self._name = QLabel()
         self._name.setObjectName("heading")
-        self._sentences = QLabel()
-        self._sentences.setObjectName("warning")
-        self._sentences.setWordWrap(True)
-        self._sentences.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._sentences.hide()
-        self._progress = QProgressBar()
-        self._progress.setRange(0, 100)
+        self._sentences = Sentences("warning")
+        self._progress = WorkBar()
         self._work = QLabel()
         self._work.setObjectName("quiet")
         self._fitted = False
@@ -155,14 +150,12 @@ class ReconstructView(QWidget):
 
     def show_sentences(self, sentences: Sequence[str]) -> None:
         """Say what is to be known, a line each."""
-        self._sentences.setText("\n".join(sentences))
-        self._sentences.setVisible(bool(sentences))
+        self._sentences.say_all(sentences)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
-        self._progress.setVisible(bool(text))
+        self._progress.show_work(fraction, text)
         self._work.setVisible(bool(text))
-        self._progress.setValue(round(100 * fraction))
         self._work.setText(f"{text}…")
 
     def show_buttons(self, buttons: Buttons) -> None:
