@@ -21,7 +21,7 @@ demo: $(READY) ## open the application on a recorded session; without a screen d
 	$(BIN)/python -m insole_studio.demo
 
 test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
-	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest -m "not display"
+	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest -n auto --dist loadfile -m "not display"
 	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m pytest -m display
 
 lint: $(READY) ## style, types, architecture
