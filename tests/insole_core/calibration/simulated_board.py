@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import cv2
 import numpy as np
 
@@ -75,12 +77,18 @@ def chequer_print(columns: int, rows: int, square_px: int) -> ByteArray:
     return np.pad(squares, square_px // 2, constant_values=255)
 
 
+@cache
+def ray_rows(camera: Camera) -> FloatArray:
+    """(height, width, 3) directions with z = 1; undone distortion takes most of a rendering."""
+    rays = camera.pixel_rays()
+    return np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
+
+
 def photograph(
     texture: ByteArray, px_per_mm: float, board2camera: FloatArray, camera: Camera
 ) -> ByteArray:
     """Render a flat print (its first pixel at the board's origin) before a grey wall."""
-    rays = camera.pixel_rays()
-    rows = np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
+    rows = ray_rows(camera)
     normal, origin = board2camera[:3, 2], board2camera[:3, 3]
     points = rows * ((normal @ origin) / (rows @ normal))[..., None]
     flat = (points - origin) @ board2camera[:3, :2] * px_per_mm - 0.5

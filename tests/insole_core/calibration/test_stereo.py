@@ -9,7 +9,7 @@ import pytest
 from simulated_board import COLOR_CAMERA, board_poses, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
-from insole_core.calibration.board import Chequerboard, Sighting, picture_paths, shifted
+from insole_core.calibration.board import Chequerboard, Sighting, shifted
 from insole_core.calibration.board_depth import (
     BoardDepthOptions,
     add_tilt,
@@ -20,9 +20,7 @@ from insole_core.calibration.boards_in_depth import (
     board_planes,
     read_boards_in_depth,
 )
-from insole_core.calibration.captures import read_captures
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.intrinsics import calibrate_camera, find_boards
+from insole_core.calibration.intrinsics import calibrate_camera
 from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
@@ -158,21 +156,6 @@ def test_boards_that_are_all_parallel_or_too_few() -> None:
         calibrate_board_depth(tilted(6, 1.0), CAMERA, COLOR_CAMERA, DISPARITY)
     with pytest.raises(CalibrationError, match="at 3 positions, but 4"):
         calibrate_board_depth(tilted(3), CAMERA, COLOR_CAMERA, DISPARITY)
-
-
-@pytest.mark.shared
-def test_real_boards_of_a_kinect(shared_data: Path) -> None:
-    folder = shared_data / "kinect_v1"
-    camera = Camera(640, 480, 585, 585, 319.5, 239.5)
-    burrus = LinearInverseDisparity(3.3309495, -0.0030711016)
-    found, _ = find_boards(picture_paths(folder / "board_1", "color"), BOARD)
-    color = calibrate_camera(found).camera
-    correction = calibrate_distortion(read_captures(folder / "walls_1"), camera, burrus).correction
-    boards = read_boards_in_depth(folder / "board_1", found, correction)
-    result = calibrate_board_depth(boards, camera, color, burrus)
-    assert result.stereo.baseline_mm == pytest.approx(25, abs=2.5)
-    assert result.stereo.rotation_deg < 2
-    assert len(result.stereo.pairs) == 15
 
 
 def test_depth_beside_the_pictures(tmp_path: Path) -> None:

@@ -111,10 +111,10 @@ def test_colour_on_depth_by_a_constant_shift(tmp_path: Path) -> None:
 
 @pytest.fixture
 def walls_with_boards(tmp_path: Path) -> Path:
-    """Three walls, all measured 4 raw units too far, with a board on each."""
+    """Two walls, all measured 4 raw units too far, with a board on each."""
     device = SimulatedDevice(np.full((480, 640), 4.0), decay=0)
     folder = tmp_path / "walls"
-    for number, placed in enumerate(board_poses(8, 3, BOARD.points_mm.mean(0), 800, 20)):
+    for number, placed in enumerate(board_poses(8, 2, BOARD.points_mm.mean(0), 800, 20)):
         write_walls(tmp_path / f"{number}", device, [plane_of(placed)], 1)
         shutil.copytree(tmp_path / f"{number}" / "wall_000", folder / f"wall_{number:03d}")
         write_board_picture(folder / f"wall_{number:03d}" / "color_000.png", placed)
@@ -157,7 +157,9 @@ def test_raw_number_to_mm(model: str, recorded, tmp_path: Path) -> None:
 
 def test_reports_where_they_are_asked_for(recorded, tmp_path: Path) -> None:
     names = [str(tmp_path / f"wall{suffix}") for suffix in REPORT_SUFFIXES]
-    assert run(call("distortion", recorded.walls, recorded.sensors, "--report", *names)) == 0
+    walls = tmp_path / "walls"
+    shutil.copytree(recorded.walls / "wall_000", walls / "wall_000")
+    assert run(call("distortion", walls, recorded.sensors, "--report", *names)) == 0
     page = (tmp_path / "wall.html").read_text()
     assert "wall_000: distance from a flat wall, mm" in page
     assert "SIM1" in page
@@ -169,13 +171,18 @@ def without_board(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:
     return "color", folder, BOARD_CALL
 
 
-def of_another_size(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
-    return "color", sensors.parent / "boards", ["--board", "8x5", "--square", "30"]
+def copy_boards(sensors: Path, folder: Path, count: int) -> None:
+    for number in range(count):
+        shutil.copy(sensors.parent / "boards" / f"color_{number:03d}.png", folder)
+
+
+def of_another_size(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    copy_boards(sensors, folder, 1)
+    return "color", folder, ["--board", "8x5", "--square", "30"]
 
 
 def too_few(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
-    for name in ("color_000.png", "color_001.png"):
-        shutil.copy(sensors.parent / "boards" / name, folder)
+    copy_boards(sensors, folder, 2)
     return "color", folder, BOARD_CALL
 
 
@@ -191,7 +198,7 @@ def blurred(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
 
 
 def scaled(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
-    for path in sorted((sensors.parent / "boards").glob("color_*.png")):
+    for path in sorted((sensors.parent / "boards").glob("color_00[0-3].png")):
         cv2.imwrite(str(folder / path.name), cv2.resize(cv2.imread(str(path)), (800, 600)))
     return "color", folder, BOARD_CALL
 
@@ -238,8 +245,9 @@ def metres(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
     return "disparity", sensors.parent / "walls", call
 
 
-def near_unit(_folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
-    return "color", sensors.parent / "boards", ["--board", "9x6", "--square", "5.1"]
+def near_unit(folder: Path, sensors: Path) -> tuple[str, Path, list[str]]:
+    copy_boards(sensors, folder, 4)
+    return "color", folder, ["--board", "9x6", "--square", "5.1"]
 
 
 REFUSED: dict[str, tuple[Callable[[Path, Path], tuple[str, Path, list[str]]], str]] = {

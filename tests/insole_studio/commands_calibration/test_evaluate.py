@@ -14,6 +14,7 @@ from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
 
 from insole_core.calibration.wall_plane import plane_rows
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_studio.cli import run
@@ -44,17 +45,23 @@ def test_wall_before_and_after(recorded, tmp_path: Path) -> None:
     assert found["mean_abs_mm_corrected"]["passed"]
 
 
-def test_failed_limit_is_an_error_with_its_report(recorded, tmp_path: Path, last_line) -> None:
+@pytest.fixture
+def one_wall(recorded, tmp_path: Path) -> Path:
+    shutil.copytree(recorded.walls / "wall_000", tmp_path / "walls" / "wall_000")
+    return tmp_path / "walls"
+
+
+def test_failed_limit_is_an_error_with_its_report(one_wall, tmp_path: Path, last_line) -> None:
     report = tmp_path / "wall.json"
-    words = ["evaluate", "wall", str(recorded.walls), "--report", str(report)]
+    words = ["evaluate", "wall", str(one_wall), "--report", str(report)]
     assert run([*words, "--limit", "mean_abs_mm_raw=0.5"]) == 1
     assert "The acceptance failed: Mean absolute error, raw" in last_line()
     assert numbers(report)["mean_abs_mm_raw"]["passed"] is False
 
 
-def test_limits_of_a_clinic(recorded, tmp_path: Path, last_line) -> None:
+def test_limits_of_a_clinic(one_wall, tmp_path: Path, last_line) -> None:
     limits = tmp_path / "limits.json"
-    words = ["evaluate", "wall", str(recorded.walls), "--limits", str(limits)]
+    words = ["evaluate", "wall", str(one_wall), "--limits", str(limits)]
     limits.write_text(json.dumps({"limits": {"wall": {"mean_abs_mm_raw": 50}}}))
     assert run(words) == 0
     limits.write_text(json.dumps({"limits": {"wall": {"mean_abs_mm_raww": 50}}}))
@@ -78,7 +85,7 @@ def test_correction_of_another_sensor(recorded, tmp_path: Path, perfect, capsys)
     (tmp_path / "two").mkdir()
     (tmp_path / "two" / "sensor.json").write_text(text)
     device = SimulatedDevice(np.zeros((480, 640)), serial="SIM2")
-    walls = write_walls(tmp_path / "walls", device, WALLS[:2], 1)
+    walls = write_walls(tmp_path / "walls", device, WALLS[:1], 1)
     correction = str(recorded.sensors / "SIM1" / "correction.npz")
     words = ["evaluate", "wall", str(walls), "--sensor", str(tmp_path / "two")]
     assert run([*words, "--correction", correction]) == 1
@@ -278,6 +285,7 @@ def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
     for focal in (sensor.color_camera.fx, sensor.color_camera.fy):
         assert 525 < focal < 526
     assert np.linalg.norm(sensor.depth2color[:3, 3]) == pytest.approx(25, abs=2.5)
+    assert rotation_angle_deg(sensor.depth2color[:3, :3]) < 2
     camera = json.loads((tmp_path / "XW1120" / "camera.json").read_text())
     found = camera["sections"]["camera"]["numbers"]
     assert found["pictures"]["value"] == 15
@@ -295,6 +303,8 @@ def test_real_walls_left_out(shared_data: Path, tmp_path: Path) -> None:
     words = ["evaluate", "wall", str(folder), "--leave-one-out", "--report", str(report)]
     assert run(words) == 0
     rows = json.loads(report.read_text())["sections"]["wall"]["tables"]["Walls"]
+    raw = [float(row["mean abs"]) for row in rows if row["correction"] == "raw"]
+    assert all(1.8 < one < 2.6 for one in raw[2:])
     default = [float(row["mean abs"]) for row in rows if row["correction"] == "default"]
     for error_mm, limit_mm in zip(default[2:], [0.80, 0.80, 0.80, 1.05], strict=True):
         assert error_mm <= limit_mm
