@@ -230,21 +230,22 @@ class _StillScene:
         Differences beyond `_JUMP_RAW` are the borders of things, which flicker.
         """
         usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
-        difference = (halves * (usable / 2)).astype(np.float32)
-        return self._nearer_raw(difference, usable), self._sideways_px(difference, usable)
-
-    def _nearer_raw(self, difference: Float32Array, usable: Float32Array) -> float:
-        """Change that few blocks exceed; their mean has a twentieth of a pixel's noise."""
+        difference = np.multiply(halves, usable, dtype=np.float32)
+        difference *= 0.5
         share = _block_means(usable, _BLOCK_PX)
+        wide_share = _block_means(share, _WIDE_BLOCK_PX // _BLOCK_PX)
+        return self._nearer_raw(difference, share), self._sideways_px(difference, wide_share)
+
+    def _nearer_raw(self, difference: Float32Array, share: Float32Array) -> float:
+        """Change that few blocks exceed; their mean has a twentieth of a pixel's noise."""
         means = _block_means(difference, _BLOCK_PX) / np.maximum(share, 1e-6)
         return _percentile(np.abs(means[share >= 0.5]), 98)
 
-    def _sideways_px(self, difference: Float32Array, usable: Float32Array) -> float:
+    def _sideways_px(self, difference: Float32Array, share: Float32Array) -> float:
         """Shift that explains the differences by the slopes, exceeded in few blocks.
 
         Least squares in every block; where there is no slope, no shift is assumed.
         """
-        share = _block_means(usable, _WIDE_BLOCK_PX)
         u, v = (_block_means(slope * difference, _WIDE_BLOCK_PX) for slope in self._slopes)
         uu, vv = self._uu + _LEAST_GRADIENT, self._vv + _LEAST_GRADIENT
         determinant = uu * vv - self._uv**2
