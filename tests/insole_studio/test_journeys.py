@@ -161,6 +161,25 @@ def test_the_status_line_says_where_the_pointer_is(opened: Application, view: Sc
     assert any("mm" in text for text in heard)
 
 
+def test_a_whole_foot_stays_whole_until_the_hand_turns_it(opened: Application) -> None:
+    scene = opened.stage.foot.scene
+    before = scene.camera
+    opened.window.resize(opened.window.width() - 260, opened.window.height())
+    QApplication.processEvents()
+    bounds = opened.stage.foot_presenter.whole_bounds_mm
+    assert bounds is not None
+    edge = scene.look.pixels_of(bounds)
+    size = scene.surface.width(), scene.surface.height()
+    assert (edge >= 0).all()
+    assert (edge <= size).all()
+    assert scene.camera.height_mm >= before.height_mm
+    drag(scene, QPoint(5, 5), QPoint(60, 40))
+    turned = scene.camera
+    opened.window.resize(opened.window.width() + 100, opened.window.height())
+    QApplication.processEvents()
+    assert scene.camera == turned
+
+
 @pytest.mark.display
 def test_a_pelott_changes_the_picture_of_both_views(
     opened: Application, settle: Callable[[], None]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -61,6 +62,8 @@ class Painter:
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
         """Form and look of the marks that are shown; equal ones only move."""
+        self._texts: dict[str, Callable[[], None]] = {}
+        """Writes the words that are shown once more."""
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
         plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
@@ -71,9 +74,22 @@ class Painter:
         self.set_dark(dark)
 
     def set_dark(self, dark: bool) -> None:
-        """Change the scheme; marks take it when they are shown again."""
-        self.scheme = Scheme.of(dark)
+        """Change the scheme of the background, of words and of marks."""
+        before, self.scheme = self.scheme, Scheme.of(dark)
         self._plotter.set_background(self.scheme.bottom, top=self.scheme.top)
+        for name in self._shapes:
+            self._recolor(name, before)
+        self._shapes.clear()
+        for write in list(self._texts.values()):
+            write()
+
+    def _recolor(self, name: str, before: Scheme) -> None:
+        """Give a mark in a colour of the scheme before that of the scheme of now."""
+        actor = self._plotter.actors.get(name)
+        for role in ("accent", "mark", "alarm"):
+            if actor is not None and actor.prop.color == pv.Color(getattr(before, role)):
+                actor.prop.color = getattr(self.scheme, role)
+                return
 
     def show_surface(
         self,
@@ -325,18 +341,22 @@ class Painter:
         boxed: bool = False,
     ) -> None:
         self._plotter.remove_actor(name, render=False)
+        self._texts.pop(name, None)
         if not words:
             return
+        self._texts[name] = partial(
+            self._show_texts, name, places, words, size, centred=centred, boxed=boxed
+        )
         self._plotter.add_point_labels(
             np.array(places, dtype=float),
             words,
             name=name,
             font_size=round(size * self._ratio * 72 / self._plotter.render_window.GetDPI()),
             text_color=self.scheme.text,
-            shape="rounded_rect" if boxed else None,
-            shape_color=self.scheme.bottom,
-            shape_opacity=0.8,
-            margin=2,
+            shape=None,
+            # The text's own background: the label's shape does not follow its justification.
+            background_color=self.scheme.bottom if boxed else None,
+            background_opacity=0.8 if boxed else 0.0,
             show_points=False,
             always_visible=True,
             reset_camera=False,

@@ -27,6 +27,8 @@ TOUCH_GRAB_PX = 28.0
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_STEP = 0.88
 
+_DARK = 128
+"""Below this lightness of its windows a theme is dark."""
 _ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
@@ -93,6 +95,7 @@ class SceneView(QWidget):
     left = Signal()
 
     def __init__(self, subject: Subject, dark: bool = False, parent: QWidget | None = None) -> None:
+        self._is_alive = False
         super().__init__(parent)
         self.subject = subject
         self.sink: PointerSink | None = None
@@ -116,6 +119,7 @@ class SceneView(QWidget):
         surface.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         surface.installEventFilter(self)
         self.setFocusProxy(surface)
+        self._is_alive = True
 
     @property
     def surface(self) -> QWidget:
@@ -176,8 +180,16 @@ class SceneView(QWidget):
 
     def close_scene(self) -> None:
         """Free the renderer; may be called twice."""
+        self._is_alive = False
         self._canvas.surface.removeEventFilter(self)
         self._canvas.close_plotter()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the theme, whichever stage is open."""
+        if event.type() == QEvent.Type.PaletteChange and self._is_alive:
+            self.painter.set_dark(self.palette().window().color().lightness() < _DARK)
+            self.request_render()
+        super().changeEvent(event)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Take mouse and keys before the renderer's own interactor sees them."""

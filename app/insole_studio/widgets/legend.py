@@ -10,6 +10,8 @@ from insole_studio.scene.coloring import Coloring
 
 BAR_PX = 140
 NUMBER_PX = 72
+WHOLE_FROM = 100.0
+"""Tenths say nothing of numbers as large as this."""
 
 
 class Legend(QWidget):
@@ -45,7 +47,8 @@ class Legend(QWidget):
         for number, color in enumerate(self._coloring.colors):
             gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))
         painter.fillRect(strip, gradient)
-        low, high = (f"{limit:.1f}" for limit in self._coloring.limits)
+        decimals = 0 if max(abs(limit) for limit in self._coloring.limits) >= WHOLE_FROM else 1
+        low, high = (f"{limit:.{decimals}f}" for limit in self._coloring.limits)
         left = QRectF(0, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter

@@ -24,6 +24,10 @@
             <translation>Kontrollerar vy {view}</translation>
         </message>
         <message>
+            <source>Delete the views for good</source>
+            <translation>Ta bort vyerna för gott</translation>
+        </message>
+        <message>
             <source>Discard it</source>
             <translation>Kasta den</translation>
         </message>

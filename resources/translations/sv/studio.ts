@@ -200,6 +200,10 @@
             <translation>Penseldrag</translation>
         </message>
         <message>
+            <source>Bursts: </source>
+            <translation>Serier: </translation>
+        </message>
+        <message>
             <source>Calcaneus, lower</source>
             <translation>Hälben, nedre</translation>
         </message>
@@ -1526,10 +1530,6 @@
         <message>
             <source>YYYY-MM-DD</source>
             <translation>ÅÅÅÅ-MM-DD</translation>
-        </message>
-        <message>
-            <source>bursts</source>
-            <translation>serier</translation>
         </message>
         <message>
             <source>comes with the scan</source>

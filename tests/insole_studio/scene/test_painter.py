@@ -43,6 +43,20 @@ def pixels(plotter: Any) -> Any:
     return plotter.screenshot(return_img=True).astype(int)
 
 
+def test_marks_and_words_follow_the_theme(painter: Painter, plotter: Any, make_foot: Any) -> None:
+    aim(painter, make_foot(Side.LEFT).mesh)
+    place = np.array([0.0, 120.0, 0.0])
+    painter.show_lines("selected", [np.stack([place, place + 40.0])], painter.scheme.accent, 3.0)
+    painter.show_label(place, "12.8 mm")
+    light = plotter.actors["selected"].prop.color
+    painter.set_dark(True)
+    dark = plotter.actors["selected"].prop.color
+    assert (light, dark) == (pv.Color("#1668b8"), pv.Color("#5aa9f2"))
+    after = pixels(plotter)
+    assert after[5, 5].max() < 90
+    assert (after.min(axis=2) > 200).any()  # light words
+
+
 def test_the_foot_appears_in_its_own_colours(
     painter: Painter, plotter: Any, make_foot: Any
 ) -> None:

@@ -30,8 +30,17 @@ def test_what_a_capture_left_is_offered(view: CaptureView, qtbot: QtBot) -> None
     view.show_capture(CaptureRow(button="Capture", offer="Two of three views are there."))
     with qtbot.waitSignal(view.resume_requested):
         button(view, "Go on with it").click()
-    with qtbot.waitSignal(view.discard_requested):
+
+
+def test_what_cannot_be_undone_is_asked_once(view: CaptureView, qtbot: QtBot) -> None:
+    view.show_capture(CaptureRow(button="Capture", offer="Two of three views are there."))
+    with qtbot.assertNotEmitted(view.discard_requested):
         button(view, "Discard it").click()
+        assert not button(view, "Discard it").isVisible()
+        button(view, "Keep them").click()
+    button(view, "Discard it").click()
+    with qtbot.waitSignal(view.discard_requested):
+        button(view, "Delete the views for good").click()
 
 
 def test_one_large_button_at_a_time(view: CaptureView, qtbot: QtBot) -> None:

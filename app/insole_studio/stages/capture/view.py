@@ -195,7 +195,8 @@ class CaptureView(QWidget):
         )
         self._frames = NumberField(tr("frames"), least=1, greatest=200, step=1, decimals=0)
         self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
-        self._bursts = NumberField(tr("bursts"), least=1, greatest=9, step=1, decimals=0)
+        self._bursts = NumberField("", least=1, greatest=9, step=1, decimals=0)
+        self._bursts.setPrefix(tr("Bursts: "))
         self._bursts.setToolTip(tr("Series a view, between which the sensor tilts by a degree"))
         self._bursts.edited.connect(lambda number: self._edit(bursts=round(number)))
 
@@ -220,14 +221,28 @@ class CaptureView(QWidget):
         self._offer.setFrameShape(QFrame.Shape.StyledPanel)
         self._offered.setWordWrap(True)
         go_on, discard = QPushButton(tr("Go on with it")), QPushButton(tr("Discard it"))
+        delete, keep = QPushButton(tr("Delete the views for good")), QPushButton(tr("Keep them"))
+        self._first, self._second = (go_on, discard), (delete, keep)
         go_on.clicked.connect(self.resume_requested)
-        discard.clicked.connect(self.discard_requested)
+        discard.clicked.connect(lambda: self._ask_to_discard(True))
+        delete.clicked.connect(self.discard_requested)
+        keep.clicked.connect(lambda: self._ask_to_discard(False))
         row = QHBoxLayout(self._offer)
         row.setContentsMargins(8, 4, 8, 4)
         row.addWidget(self._offered, 1)
-        row.addWidget(go_on)
-        row.addWidget(discard)
+        for button in (*self._first, *self._second):
+            row.addWidget(button)
+        self._ask_to_discard(False)
         self._offer.hide()
+
+    def _ask_to_discard(self, asking: bool) -> None:
+        """What is deleted does not come back: this is asked once, where it was ordered."""
+        for button in self._first:
+            button.setVisible(not asking)
+        for button in self._second:
+            button.setVisible(asking)
+        if asking:
+            self._second[1].setFocus()
 
     def _make_buttons(self) -> None:
         self._sentence, self._warning = QLabel(), QLabel()

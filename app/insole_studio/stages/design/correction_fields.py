@@ -124,8 +124,8 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
     InsoleDesign: (
         Editable("thickness_mm", lambda: tr("Thickness")),
         Editable("grid_mm", lambda: tr("Grid"), step=0.25),
-        Editable("bottom", lambda: tr("Bottom")),
         Editable("max_height_mm", lambda: tr("Flank height")),
+        Editable("bottom", lambda: tr("Bottom")),
     ),
     Layers: (
         Editable("cover_mm", lambda: tr("Cover")),

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
+    QHBoxLayout,
     QLabel,
     QPushButton,
     QScrollArea,
@@ -15,16 +16,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec
+from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Offer
 from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
 
-ROWS = 2
+ROWS, TOUCH_ROWS = 3, 2
+"""Fields above each other: what a low screen has room for with a mouse, and with fingers."""
+TOUCH_HEIGHT_PX = 36
+"""A field that is higher is made for fingers."""
 ROW_HEIGHT_PX = 26
-FIELD_PX = 96
-SHORT_TEXT, SHORT_PX = 3, 44
-CHOICE_PX = 132
+FIELD_PX, TOUCH_FIELD_PX = 88, 120
+SHORT_TEXT, SHORT_PX = 3, 32
+CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
 
 
@@ -38,6 +42,7 @@ class ParametersView(QScrollArea):
         super().__init__(parent)
         self._shape: tuple[object, ...] = ()
         self._fields: dict[str, NumberField | Choice] = {}
+        self._rows, self._field_px = ROWS, FIELD_PX
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(LEAST_PX)
@@ -62,8 +67,11 @@ class ParametersView(QScrollArea):
 
     def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
         self._fields = {}
+        self._rows, self._field_px = ROWS, FIELD_PX
+        if self._for_fingers:
+            self._rows, self._field_px = TOUCH_ROWS, TOUCH_FIELD_PX
         content = QWidget()
-        flow = FlowLayout(content, margin_px=8, gap_px=16)
+        flow = FlowLayout(content, margin_px=4, gap_px=12)
         for group in groups:
             flow.addWidget(self._group(group))
         self.setWidget(content)
@@ -75,23 +83,24 @@ class ParametersView(QScrollArea):
         column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for text, name in ((group.title, "heading"), (group.note, "quiet")):
-            if text:
-                label = QLabel(text)
-                label.setObjectName(name)
-                column.addWidget(label)
+        column.addLayout(_heading(group))
         grid = QGridLayout()
-        grid.setHorizontalSpacing(8)
+        grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(4)
-        for row in range(ROWS):
+        for row in range(self._rows):
             grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
-        self._add_offers(grid, group)
-        before = _columns(group)
+        before = self._add_offers(grid, group)
         for number, spec in enumerate(group.fields):
             self._add_field(grid, spec, number, before)
+        grid.setColumnStretch(grid.columnCount(), 1)
         column.addLayout(grid)
         column.addStretch(1)
         return widget
+
+    @property
+    def _for_fingers(self) -> bool:
+        self.ensurePolished()
+        return NumberField("", least=0, greatest=1, step=1).sizeHint().height() > TOUCH_HEIGHT_PX
 
     def _add_field(
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
@@ -99,29 +108,35 @@ class ParametersView(QScrollArea):
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        field.setFixedWidth(CHOICE_PX if isinstance(spec, ChoiceSpec) else FIELD_PX)
+        field.setFixedWidth(CHOICE_PX if isinstance(spec, ChoiceSpec) else self._field_px)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)
         label.setBuddy(field)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        row, column = number % ROWS, before + 2 * (number // ROWS)
+        row, column = number % self._rows, before + 2 * (number // self._rows)
         grid.addWidget(label, row, column)
         grid.addWidget(field, row, column + 1)
 
-    def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> None:
-        cells = [(row, column) for row in range(ROWS) for column in range(_columns(group))]
-        if group.caption:
-            grid.addWidget(QLabel(group.caption), *cells.pop(0))
-        for offer, cell in zip(group.offers, cells, strict=False):
-            button = QPushButton(offer.text)
-            button.setToolTip(offer.tip)
-            button.setAccessibleName(offer.tip or offer.text)
-            button.setProperty("offer", offer.key)
-            if len(offer.text) <= SHORT_TEXT:
-                button.setFixedWidth(SHORT_PX)
-            button.clicked.connect(self._choose)
-            grid.addWidget(button, *cell)
+    def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> int:
+        """Put the buttons before the fields; give the columns that they take."""
+        buttons = [self._button(offer) for offer in group.offers]
+        short = bool(buttons) and all(len(offer.text) <= SHORT_TEXT for offer in group.offers)
+        cells: list[QWidget] = [QLabel(group.caption)] if group.caption else []
+        cells += [_row(buttons)] if short else buttons
+        for number, cell in enumerate(cells):
+            grid.addWidget(cell, number % self._rows, number // self._rows)
+        return (len(cells) + self._rows - 1) // self._rows
+
+    def _button(self, offer: Offer) -> QPushButton:
+        button = QPushButton(offer.text)
+        button.setToolTip(offer.tip)
+        button.setAccessibleName(offer.tip or offer.text)
+        button.setProperty("offer", offer.key)
+        if len(offer.text) <= SHORT_TEXT:
+            button.setFixedWidth(SHORT_PX)
+        button.clicked.connect(self._choose)
+        return button
 
     def _edited(self, value: object) -> None:
         self.field_edited.emit(self.sender().property("key"), value)
@@ -130,9 +145,27 @@ class ParametersView(QScrollArea):
         self.offer_chosen.emit(self.sender().property("offer"))
 
 
-def _columns(group: FieldGroup) -> int:
-    """How many columns the offers take before the fields."""
-    return (len(group.offers) + bool(group.caption) + ROWS - 1) // ROWS
+def _heading(group: FieldGroup) -> QHBoxLayout:
+    """The title and what is to be known, in one line: the fields of all groups begin alike."""
+    row = QHBoxLayout()
+    row.setSpacing(8)
+    for text, name in ((group.title, "heading"), (group.note, "quiet")):
+        if text:
+            label = QLabel(text)
+            label.setObjectName(name)
+            row.addWidget(label)
+    row.addStretch(1)
+    return row
+
+
+def _row(widgets: Sequence[QWidget]) -> QWidget:
+    whole = QWidget()
+    row = QHBoxLayout(whole)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(4)
+    for widget in widgets:
+        row.addWidget(widget)
+    return whole
 
 
 def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | Choice:

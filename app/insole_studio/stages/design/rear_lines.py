@@ -12,6 +12,8 @@ from insole_studio.texts import tr
 from insole_studio.workbench.landmarks import landmarks_of
 
 LEVEL_HALF_MM = 60.0
+BELOW_MM = np.array([0.0, -9.0, -9.0])
+"""Of the angle from its line, seen from below and from behind."""
 BEYOND = 0.25
 """Share of its length that an axis is drawn farther at both ends."""
 
@@ -45,7 +47,9 @@ def rear_lines(record: CaseRecord) -> RearLines | None:
     lean = float(np.degrees(np.arctan2(record.foot.side.medial_sign * way[0], way[2])))
     kind = tr("valgus") if lean > 0 else tr("varus")
     text = tr("{angle}° {kind}").format(angle=f"{abs(lean):.1f}", kind=kind)
-    return RearLines((*lines, level), lines[0][1], text)
+    # Below the lateral end, where neither line nor handle is: those stand at the medial edge.
+    end = level[0] if record.foot.side.medial_sign > 0 else level[1]
+    return RearLines((*lines, level), end + BELOW_MM, text)
 
 
 def _axis(lower: FloatArray, upper: FloatArray) -> FloatArray:

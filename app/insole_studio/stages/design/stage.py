@@ -104,6 +104,8 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False
+        self._fitted: Camera | None = None
+        """What `look` has chosen, until the hand moves it: it follows the size of the views."""
         self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
@@ -126,11 +128,13 @@ class DesignStage(QObject):
                 view.scene.set_camera(view.scene.aim_at(preset, presenter.whole_bounds_mm))
         if self.linked:
             self._link_to_larger()
+        self._fitted = self.foot.scene.camera if self.linked else None
         self._announce_cameras()
 
     def look_at(self, place_mm: tuple[float, float]) -> None:
         """Put a place into the middle of both views."""
         for view, presenter in self._presenters.values():
+            self._fitted = None
             there = np.array(presenter.place(*place_mm))
             view.scene.set_camera(view.scene.camera.centred(there))
 
@@ -173,6 +177,10 @@ class DesignStage(QObject):
         presenter.show_all()
 
     def _follow(self, camera: Camera) -> None:
+        if camera == self._fitted:  # the view has another size, nobody has turned it
+            self.fit()
+            return
+        self._fitted = None
         if not self.linked:
             return
         for view, _ in self._presenters.values():

@@ -17,8 +17,6 @@ from insole_studio.texts import tr
 from insole_studio.tools.box import BoxHand
 
 _SIZE = (1280, 720)
-_DARK = 128
-"""Below this lightness of its windows a theme is dark."""
 
 
 class ReconstructStage(QWidget):
@@ -85,9 +83,9 @@ class ReconstructStage(QWidget):
         self.presenter.open(path, hand_over)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Let the scene follow the theme."""
+        """Let the icons follow the theme."""
         if event.type() == QEvent.Type.PaletteChange and self._is_open:
-            self.view.set_dark(self.palette().window().color().lightness() < _DARK)
+            self.view.renew_icons()
         super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:

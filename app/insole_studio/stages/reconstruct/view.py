@@ -179,12 +179,8 @@ class ReconstructView(QWidget):
         """Give what is said."""
         return self._sentences.text()
 
-    def set_dark(self, dark: bool) -> None:
-        """Change the scheme of the scene."""
-        self.foot.scene.painter.set_dark(dark)
-        if self._bounds is not None:
-            low, high = self._bounds.tolist()
-            self.show_box(Box((low[0], low[1], low[2]), (high[0], high[1], high[2])))
+    def renew_icons(self) -> None:
+        """Draw the icons in the colours of the palette."""
         for button, name in ((self.undo, "undo"), (self.redo, "redo")):
             button.setIcon(icon(name))
 
