@@ -17,7 +17,8 @@ import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
-from insole_core.foot.sole_surface import End, SoleSurface
+from insole_core.foot.sole_surface import SoleSurface
+from insole_core.foot.toe_end import End
 from insole_core.geometry.arrays import FloatArray
 
 HEADS = tuple(f"metatarsal_head_{number}" for number in range(1, 6))
@@ -116,8 +117,8 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     heads = [sole.on_sole(xy) for xy in _head_places(tibiale, fibulare)]
     for name, head in zip(HEADS, heads, strict=True):
         yield name, Landmark(sole.to_insole(head), _LIKELY * _least(ends, "metatarsale"))
-    for name, (tip, seen) in zip(TOE_TIPS, sole.toe_tips(), strict=True):
-        yield name, Landmark(sole.to_insole(tip), _SURE if seen else _GUESS)
+    for name, tip in zip(TOE_TIPS, sole.toe_tips(), strict=True):
+        yield name, Landmark(sole.to_insole(tip.point), tip.confidence)
     apex, rise = _arch_apex(sole, heel, heads[0])
     yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > _ARCH_RISE_MM else _GUESS)
     yield from _axes(foot)
@@ -127,7 +128,7 @@ def _along_foot_axis(foot: Foot) -> SoleSurface:
     """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
     sole, yaw_deg = SoleSurface(foot), 0.0
     for _ in range(2):
-        axis = sole.toe_tips()[1][0] - sole.support(np.array([0.0, -1.0]), _REAR).point
+        axis = sole.toe_tips()[1].point - sole.support(np.array([0.0, -1.0]), _REAR).point
         yaw_deg += float(np.degrees(np.arctan2(axis[0], axis[1])))
         sole = SoleSurface(foot, yaw_deg)
     return sole

@@ -81,6 +81,36 @@ MISSING = {
 }
 
 
+_LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
+_BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
+_STANDS_ON = {
+    "foot_length": _LENGTH,
+    "ball_width": _BALL,
+    "ball_width_across": _BALL,
+    "ball_length": ("pternion", "metatarsale_tibiale"),
+    "heel_width": ("heel_medial", "heel_lateral"),
+    "ball_girth": _BALL,
+    "shoe_size_eu": _LENGTH,
+    "shoe_size_uk": _LENGTH,
+    "shoe_size_us": _LENGTH,
+    "mondopoint": _LENGTH,
+}
+_DOUBTFUL = 0.5
+
+
+def doubts(landmarks: Landmarks) -> dict[str, str]:
+    """Say of each measure that is rather a guess why it is, by the names in `DEFINITIONS`."""
+    found = {}
+    for name, stands_on in _STANDS_ON.items():
+        seen_badly = [
+            mark.replace("_", " ") for mark in stands_on if landmarks[mark].confidence < _DOUBTFUL
+        ]
+        if seen_badly:
+            places = " and ".join(seen_badly)
+            found[name] = f"seen in part only, and continued by the usual shape: {places}"
+    return found
+
+
 def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
     """Measure a foot by its landmarks; keys and units as in `DEFINITIONS`."""
     at = _Along(foot, landmarks)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
@@ -21,14 +21,14 @@ _TURNING = 0.1  # below this cosine nothing tells that the border turns at all
 _WHOLE, _SEEN = 0.97, 0.9  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
 _MOST_MM = 6.0
-_BORDER_RADIUS_MM, _TOE_RADIUS_MM = 16.0, 11.0
+_BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
 _USUAL_MM = 12.0  # so far from its usual place an end must lie a millimetre farther out
 _STRIP_MM, _EVENED_STRIPS, _FRAYED_STRIPS = 2.0, 1.2, 2.5
 _LEAST_POINTS = 6
+_NORMAL_ROUNDS = 4
 _PATCH_MM = 4.0
 _FACING = -0.5
-_SURE, _GUESS = 0.95, 0.3
 _TOE_ACROSS = (0.23, 0.44, 0.165, 0.145, 0.145)
 """In ball widths: of the 1st and 2nd toe from the medial border, of the others from the last."""
 _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
@@ -37,24 +37,11 @@ _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
 
 
-@dataclass(frozen=True, eq=False)
-class End:
-    """The outermost place in a direction.
-
-    Parameters
-    ----------
-    point : (3,) float64, mm
-        Medial = +x.
-    confidence
-        0 to 1.
-    """
-
-    point: FloatArray
-    confidence: float
-
-
 class SoleSurface:
-    """What of a foot lies below `OUTLINE_HEIGHT_MM`, its frayed borders left out.
+    """What of a foot lies below `OUTLINE_HEIGHT_MM`, its frayed borders left out but at the toes.
+
+    Beside the foot a border stands off it by a millimetre or two; before the toes it is all that is
+    seen of their tips.
 
     Parameters
     ----------
@@ -73,6 +60,9 @@ class SoleSurface:
         self.normals = foot.mesh.vertex_normals[keep] @ self._insole2sole.T
         self.back_mm = float(self.points[:, 1].min())
         self.length_mm = foot.length_mm
+        self._toes = foot.mesh.vertices[low] @ self._insole2sole.T
+        evened = smoothed_normals(foot.mesh, _NORMAL_ROUNDS)[low]
+        self._toe_normals = evened @ self._insole2sole.T
         facing = self.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
         self._sole = self.points[facing]
@@ -109,34 +99,38 @@ class SoleSurface:
         points, normals = self.points[region], self.normals[region]
         return _end(points, normals, towards, _BORDER_RADIUS_MM, usual)
 
-    def toe_tips(self) -> list[tuple[FloatArray, bool]]:
-        """Five tips (3,), medial to lateral, and whether each was seen as one."""
+    def toe_tips(self) -> list[End]:
+        """Five tips, medial to lateral; a guess where no toe was seen."""
         share = (self.points[:, 1] - self.back_mm) / self.length_mm
         ball = self.points[np.abs(share - 0.68) < 0.03]
         ball = ball if len(ball) else self.points
         lateral, medial = float(ball[:, 0].min()), float(ball[:, 0].max())
         width = medial - lateral
-        tips: list[tuple[FloatArray, bool]] = []
+        tips: list[End] = []
         for across, reach, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
             # Beyond the 2nd, a toe lies about one toe's breadth beside the one before.
-            from_x = medial if len(tips) < 2 else float(tips[-1][0][0])
+            from_x = medial if len(tips) < 2 else float(tips[-1].point[0])
             usual = np.array([from_x - across * width, self.back_mm + reach * self.length_mm])
             tips.append(self._toe_tip(usual, search * width))
         return tips
 
-    def _toe_tip(self, usual: FloatArray, search_mm: float) -> tuple[FloatArray, bool]:
+    def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
+        guess = End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         x = pulp_line(self._sole, self.length_mm, usual, search_mm)
         if x is None:
-            return np.array([*usual, _TIP_HEIGHT_MM]), False
-        toe = np.abs(self.points[:, 0] - x) < _TOE_HALF_MM
-        toe &= self.points[:, 1] > usual[1] - _BAND * self.length_mm
-        points = self.points[toe]
+            return guess
+        toe = np.abs(self._toes[:, 0] - x) < _TOE_HALF_MM
+        toe &= self._toes[:, 1] > usual[1] - _BAND * self.length_mm
+        points = self._toes[toe]
         if len(points) == 0:
-            return np.array([*usual, _TIP_HEIGHT_MM]), False
-        tip = _end(points, self.normals[toe], np.array([0.0, 1.0, 0.0]), _TOE_RADIUS_MM).point
+            return guess
+        ahead = np.array([0.0, 1.0, 0.0])
+        tip = find_toe_end(
+            points, self._toe_normals[toe], _outermost(points, points[:, 1], ahead, None)
+        )
         depth = points[:, 1] - points[:, 1].max() + _END_DEPTH_MM
-        tip[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
-        return tip, True
+        tip.point[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
+        return tip
 
 
 def _end(
@@ -159,12 +153,12 @@ def _end(
         usual_mm = None  # the border itself was measured, and tells best
     place = points[_outermost(points, along, direction, usual_mm)].copy()
     if faced >= _SEEN or faced < _TURNING or near.sum() < _LEAST_POINTS:
-        reach, confidence = top, _SURE
+        reach, confidence = top, SURE
     else:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
         reach, place[2] = _round_end(points[last], normals[last], direction, radius_mm)
         reach = float(np.clip(reach, top, top + _MOST_MM))
-        confidence = _SURE - (_SURE - _GUESS) * (reach - top) / _MOST_MM
+        confidence = SURE - (SURE - GUESS) * (reach - top) / _MOST_MM
     return End(place + (reach - place @ direction) * direction, confidence)
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.cases.scan import open_scan
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
-from insole_core.foot.measures import DEFINITIONS, measure
+from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
@@ -96,6 +97,33 @@ def test_foot_without_toes_or_heel_gives_guesses_with_little_confidence(left_mes
     if cut == "toes":
         assert max(found[f"toe_tip_{n}"].confidence for n in range(1, 6)) < 0.5
     assert all(v is None or np.isfinite(v) for v in measure(foot, found).values())
+
+
+def test_length_holds_where_the_toe_tips_are_seen_from_below_only(left_mesh, left_foot):
+    whole = measure(left_foot, find_landmarks(left_foot))["foot_length"]
+    ahead, up = left_mesh.vertices[:, 1:].T
+    part = left_mesh.part(~((ahead > 80) & (up > 9)))  # the tips lie higher
+    foot = place_foot(part, Side.LEFT, frame="reference")
+    assert measure(foot, find_landmarks(foot))["foot_length"] == pytest.approx(whole, abs=1.5)
+
+
+def test_measures_that_stand_on_a_badly_seen_place_are_named(left_mesh, left_foot):
+    assert doubts(find_landmarks(left_foot)) == {}
+    cut = place_foot(left_mesh.part(left_mesh.vertices[:, 1] < 55), Side.LEFT, frame="reference")
+    found = doubts(find_landmarks(cut))
+    assert "toe tip 1 and toe tip 2" in found["foot_length"]
+    assert found.keys() >= {"foot_length", "shoe_size_eu", "mondopoint"}
+    assert "heel_width" not in found
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize("session", ["left_a", "right_b"])
+def test_length_of_a_fused_foot(shared_data: Path, session: str):
+    truth = json.loads((shared_data / "sessions" / "landmarks.json").read_text())
+    foot = open_scan(shared_data / "sessions" / session).foot
+    length = measure(foot, find_landmarks(foot))["foot_length"]
+    known = truth[str(foot.side)]["foot_length_along_axis_to_2nd_toe"]
+    assert length == pytest.approx(known, abs=2.0)
 
 
 def test_landmark_set_by_hand_counts(left_foot):

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from insole_core.cases.record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
-from insole_core.foot.measures import DEFINITIONS, measure
+from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import Measure
 from insole_studio.texts import tr
 from insole_studio.tools.key_point import distances
 from insole_studio.workbench.landmarks import landmarks_of
 
+_ABOUT = "≈"  # before a number that is rather a guess; its tip says why
 _NAMES: dict[str, Callable[[], str]] = {
     "foot_length": lambda: tr("Foot length"),
     "ball_width": lambda: tr("Ball width"),
@@ -46,7 +47,8 @@ def measures_of(record: CaseRecord) -> list[Measure]:
     if not record.feet:
         return []
     both = len(record.feet) == 2
-    return [_measure(row, both) for row in table_of(record)]
+    doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in record.feet}
+    return [_measure(row, both, doubtful) for row in table_of(record)]
 
 
 def distances_of(record: CaseRecord) -> list[Measure]:
@@ -62,15 +64,20 @@ def distances_of(record: CaseRecord) -> list[Measure]:
     return rows
 
 
-def _measure(row: MeasureRow, both: bool) -> Measure:
+def _measure(row: MeasureRow, both: bool, doubtful: Mapping[Side, Mapping[str, str]]) -> Measure:
+    doubt = {side: reasons[row.key] for side, reasons in doubtful.items() if row.key in reasons}
     decimals = 2 if "index" in row.key else 1
-    left, right = _number(row.left, decimals), _number(row.right, decimals)
+    left, right = (
+        f"{_ABOUT} {_number(value, decimals)}" if side in doubt else _number(value, decimals)
+        for side, value in ((Side.LEFT, row.left), (Side.RIGHT, row.right))
+    )
     name = _NAMES[row.key]() if row.key in _NAMES else row.key
     unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
     values: tuple[str, ...] = (left or right,)
     if both:
         values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
-    return Measure(name, values, unit, DEFINITIONS[row.key].text)
+    tip = "\n".join((DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
+    return Measure(name, values, unit, tip)
 
 
 def _number(value: float | None, decimals: int, sign: str = "") -> str:
