@@ -135,9 +135,9 @@ def _style_sheet(colors: Colors) -> str:
 
 
 _TOUCH = """
-    QToolButton, QPushButton, QComboBox, QLineEdit, QDoubleSpinBox { min-height: 40px; }
+    QToolButton, QPushButton, QComboBox, QLineEdit, QAbstractSpinBox { min-height: 40px; }
     QToolButton { min-width: 40px; }
-    QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 36px; }
+    QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 36px; }
     QMenu::item, QMenuBar::item { padding: 12px 20px; }
     """
 """Targets that a finger meets."""

@@ -31,7 +31,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.sentences import Sentences, WorkBar
 from insole_studio.workbench.shop_order import OrderChoice
 
-_FORM_PX, _CHECKS_PX = 320, 350
+_FORM_PX, _CHECKS_PX = 320, 376
 
 
 class ExportView(QWidget):
