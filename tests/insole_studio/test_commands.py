@@ -232,10 +232,21 @@ def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
     assert run(["reconstruct", str(out), "--out", str(tmp_path / "foot.ply")]) == 0
 
 
+# A shell starts what runs in its background deaf to SIGINT, and the tests with it.
+HEEDING_INTERRUPTS = ("env", "--default-signal=INT") if sys.platform == "linux" else ()
+
+
 @pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
 def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signals) -> None:
     process = subprocess.Popen(
-        [sys.executable, "-m", "insole_studio", "simulate", str(tmp_path / "session")],
+        [
+            *HEEDING_INTERRUPTS,
+            sys.executable,
+            "-m",
+            "insole_studio",
+            "simulate",
+            str(tmp_path / "session"),
+        ],
         stderr=subprocess.PIPE,
         text=True,
         env={**os.environ, "PYTHONUNBUFFERED": "1"},
