@@ -95,7 +95,7 @@ class EmulatedUsbfs:
         self._environment = {**os.environ, "LD_PRELOAD": PRELOAD, "UMOCKDEV_DIR": root}
 
     def tell(self, verb: str, serial: str) -> None:
-        """Plug a sensor in, or unplug it."""
+        """Plug a sensor in, unplug it, or end the hold of a killed program on it."""
         assert self._server.stdin
         assert self._server.stdout
         self._server.stdin.write(f"{verb} {serial}\n")

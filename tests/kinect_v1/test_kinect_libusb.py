@@ -210,6 +210,7 @@ def test_a_second_program_is_told_and_a_killed_one_leaves_nothing_behind(
             refused = usbfs.run(sys.executable, "-m", "kinect_v1", "info")
             listed = usbfs.run(sys.executable, "-m", "kinect_v1", "list")
             first.kill()
+        usbfs.tell("end", serial)
         found = run_driver(usbfs, "stream", request, tmp_path)
     assert refused.returncode == 1
     assert refused.stderr.count("\n") == 1

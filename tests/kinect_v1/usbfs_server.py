@@ -3,7 +3,7 @@
 Run by the distribution's own Python, because umockdev's bindings live there; so nothing but the
 standard library, GObject, and the emulated device is imported. Reads a scenario (JSON) and prints
 the testbed's folder once everything is plugged in. Commands on standard input, one a line: ``unplug
-SERIAL``, ``plug SERIAL``; end of input ends the program.
+SERIAL``, ``plug SERIAL``, ``end SERIAL`` (of the program that holds it); end of input ends it all.
 """
 
 from __future__ import annotations
@@ -300,6 +300,11 @@ class Testbed:
             node.controller.release(node)
             self.testbed.uevent("/sys" + path, "remove")
             self.testbed.remove_device("/sys" + path)
+
+    def end(self, serial: str) -> None:
+        """The program that held the sensor was killed; a kernel would know by itself."""
+        for _path, _name, node in self.plugged[serial]:
+            node.owner = None
 
     def add_device(self, path: str, name: str, bus: int, address: int, raw: bytes) -> None:
         vendor, product, release = struct.unpack_from("<HHH", raw, 8)
