@@ -53,8 +53,16 @@ class Device:
 
     def distort(self, raw: FloatArray) -> FloatArray:
         """Add the distortion to ideal raw numbers (480, 640)."""
+        return self._distorted(raw, self.distortion_raw)
+
+    def distort_at(self, raw: FloatArray, pixels: FloatArray) -> FloatArray:
+        """Add the distortion to ideal raw numbers (n,) at places (n, 2) in the image, px."""
+        nearest = np.clip(np.rint(pixels).astype(int), 0, [_WIDTH - 1, _HEIGHT - 1])
+        return self._distorted(raw, self.distortion_raw[nearest[:, 1], nearest[:, 0]])
+
+    def _distorted(self, raw: FloatArray, distortion_raw: FloatArray) -> FloatArray:
         decay = np.exp(-_DISTORTION_DECAY * (raw - self.reference_raw))
-        return np.asarray(raw + self.distortion_raw * decay)
+        return np.asarray(raw + distortion_raw * decay)
 
 
 def make_device(

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from typing import Protocol
 
 import numpy as np
 
@@ -20,8 +23,9 @@ from insole_core.recording.session import (
     Session,
     View,
 )
+from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.color_image import ColorRecording, record_color
-from insole_core.simulate.depth_image import DepthRecording, record_depth
+from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape, vary_shape
@@ -67,6 +71,10 @@ class SimulationOptions:
         Width and height of the colour images, px: 1280 x 1024, 1280 x 960 or 640 x 480.
     foot_cell_mm
         Resolution of the foot's surface.
+    matched
+        Whether the sensors' dots and the matching of their windows are simulated too: slower, but
+        fine structure is lost and rims are fattened as in a real sensor. Otherwise the depth has
+        errors of the same size, but no window.
 
     Raises
     ------
@@ -84,6 +92,7 @@ class SimulationOptions:
     half_angle_deg: float = 27.0
     color_size: tuple[int, int] = (1280, 1024)
     foot_cell_mm: float = DEFAULT_CELL_MM
+    matched: bool = False
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -131,6 +140,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     reference_system = load_reference_system()
     caster = RayCaster(build_scene(foot.mesh, reference_system, rng))
 
+    record = _recorder_of_depth(options, foot, reference_system)
     plan = _plan(options.bursts)
     devices = {
         sensor: _device(options, number, sensor) for number, sensor in enumerate(_SENSOR_FACES)
@@ -141,7 +151,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         rng = np.random.default_rng([options.seed, 2, number])
         poses[name] = stand_sensor(sensor, options.distance_mm, options.half_angle_deg, rng)
         recorder = Recorder(
-            record_depth(caster, devices[sensor], poses[name], rng),
+            record(caster, devices[sensor], poses[name], rng),
             record_color(caster, devices[sensor].sensor, poses[name]),
             [options.seed, 3, number],
         )
@@ -195,11 +205,28 @@ def _manifest(
     )
 
 
+class _DepthView(Protocol):
+    """What a depth camera saw of a still scene."""
+
+    def frame(self, rng: np.random.Generator) -> RawArray:
+        """Draw one frame: (480, 640) uint16."""
+        ...
+
+
+def _recorder_of_depth(
+    options: SimulationOptions, foot: FootModel, reference_system: ReferenceSystem
+) -> Callable[[RayCaster, Device, FloatArray, np.random.Generator], _DepthView]:
+    if not options.matched:
+        return record_depth
+    markers = [marker.position_mm for marker in reference_system.markers]
+    return partial(record_matched_depth, things=np.vstack([foot.mesh.vertices, *markers]))
+
+
 @dataclass(frozen=True, eq=False)
 class Recorder:
     """What one sensor recorded; every frame has its own random stream, so any order will do."""
 
-    depth: DepthRecording
+    depth: _DepthView
     color: ColorRecording
     seed: list[int]
 

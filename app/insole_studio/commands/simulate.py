@@ -27,6 +27,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="places each sensor stands in (default 1)",
     )
+    parser.add_argument(
+        "--matched",
+        action="store_true",
+        help="simulate the sensors' dots and block matching too (slower)",
+    )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -39,6 +44,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         side=Side(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
+        matched=arguments.matched,
     )
     simulated = simulate_session(options, progress.part(0.0, 0.8))
     write_session(

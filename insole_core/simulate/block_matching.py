@@ -1,0 +1,190 @@
+"""What a structured-light sensor makes of a scene, from its dots to its raw numbers.
+
+The infrared image of the dots is rendered (speckle, blur, noise), and every 9 x 9 window of it is
+compared with the pattern as it would look at each raw number. So the window's mean, fattened rims,
+and the error that the dots' places leave come about by themselves, as in a real device. Slower
+than the parametric model of `depth_image`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray, RawArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import NO_READING
+from insole_core.simulate.device import Device
+from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
+from insole_core.simulate.ray_caster import Hits, RayCaster
+
+_WINDOW = (9, 9)
+_SUBSAMPLES = 4
+_SPECKLE_CONTRAST = 0.2
+_SHOT_NOISE, _READ_NOISE = 0.27, 0.09
+_BRIGHT_MM = 800.0
+_ALBEDO = 0.8
+_LEAST_CORRELATION = 0.56
+_LEAST_VARIANCE = 1e-4
+_BLIND_COLUMNS = 8
+_SEARCH_RAW = 12
+"""The sensor searches all of its range; beyond what is there it finds nothing but rare outliers."""
+_MARGIN_PX = 14
+
+Region = tuple[slice, slice]
+"""Rows and columns of a depth image."""
+
+
+@dataclass(frozen=True, eq=False)
+class MatchedRecording:
+    """What a sensor sees of a scene, before it is matched.
+
+    Parameters
+    ----------
+    infrared : (height, width) float32
+        The dots, without the camera's noise; about 1 on a wall at 800 mm.
+    region
+        Of the depth image; nothing is measured elsewhere.
+    pattern : (480, columns) float32
+        As the camera sees it, eight columns to a pixel.
+    search_raw
+        First and last raw number that is compared.
+    """
+
+    infrared: Float32Array
+    region: Region
+    pattern: Float32Array
+    search_raw: tuple[int, int]
+    camera: Camera
+
+    def frame(self, rng: np.random.Generator) -> RawArray:
+        """Draw one frame: (480, 640) uint16."""
+        deviation = np.sqrt(_SHOT_NOISE**2 * self.infrared + _READ_NOISE**2)
+        noise = rng.standard_normal(self.infrared.shape, dtype=np.float32)
+        raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
+        raw[self.region] = self._match(self.infrared + deviation * noise)
+        raw[:, :_BLIND_COLUMNS] = NO_READING
+        return raw
+
+    def _match(self, image: Float32Array) -> RawArray:
+        """Find for every window the raw number at which the pattern resembles it most."""
+        mean, spread = _moments(image)
+        best = np.full(image.shape, -np.inf, np.float32)
+        found = np.full(image.shape, NO_READING, np.uint16)
+        for raw, reference, its_mean, its_spread in self._references():
+            covariance = cv2.blur(image * reference, _WINDOW) - mean * its_mean
+            likeness = covariance / its_spread
+            found[likeness > best] = raw
+            np.maximum(best, likeness, out=best)
+        return np.asarray(np.where(best > _LEAST_CORRELATION * spread, found, NO_READING))
+
+    def _references(self) -> Iterator[tuple[int, Float32Array, Float32Array, Float32Array]]:
+        """Every raw number with the pattern that belongs to it, its local mean and spread."""
+        rows, columns = self.region
+        width = columns.stop - columns.start
+        first, last = self.search_raw
+        # Raw numbers that differ by whole pixels show the same picture, shifted.
+        for phase in range(RAW_PER_PX):
+            picture = np.ascontiguousarray(self.pattern[rows, phase::RAW_PER_PX])
+            mean, spread = _moments(picture)
+            for raw in range(first + (phase - first) % RAW_PER_PX, last + 1, RAW_PER_PX):
+                start = columns.start + raw // RAW_PER_PX
+                part = (slice(None), slice(start, start + width))
+                yield raw, picture[part], mean[part], spread[part]
+
+
+def record_matched_depth(
+    caster: RayCaster,
+    device: Device,
+    sensor2reference: FloatArray,
+    rng: np.random.Generator,
+    *,
+    things: FloatArray,
+) -> MatchedRecording:
+    """Look at a scene with a device's depth camera.
+
+    Parameters
+    ----------
+    caster
+        The scene, reference frame.
+    device
+    sensor2reference : (4, 4) float64, mm
+        Depth camera frame to reference frame.
+    rng
+        For the pattern of the device, and the speckle of what it shines on.
+    things : (n, 3) float64, mm, reference frame
+        What is to be measured: the sensor looks only where these places are.
+    """
+    camera = device.sensor.depth_camera
+    region = _region(camera, transform(inverse(sensor2reference), things))
+    pattern = DotPattern.draw(rng)
+    light = _Light(caster, device, sensor2reference, pattern)
+    image, lowest, highest = light.on(region)
+    speckle = rng.gamma(_SPECKLE_CONTRAST**-2, _SPECKLE_CONTRAST**2, image.shape)
+    infrared = cv2.GaussianBlur(image * speckle.astype(np.float32), (0, 0), BLUR_PX)
+    search = (max(int(lowest) - _SEARCH_RAW, 0), min(int(highest) + _SEARCH_RAW, NO_READING - 1))
+    return MatchedRecording(infrared, region, pattern.seen(), search, camera)
+
+
+def _region(camera: Camera, things: FloatArray) -> Region:
+    pixels = camera.project(things)
+    low = np.maximum(np.floor(pixels.min(0)).astype(int) - _MARGIN_PX, 0)
+    high = np.ceil(pixels.max(0)).astype(int) + _MARGIN_PX
+    return slice(low[1], min(high[1], camera.height)), slice(low[0], min(high[0], camera.width))
+
+
+def _moments(image: Float32Array) -> tuple[Float32Array, Float32Array]:
+    """Mean and standard deviation in every window."""
+    mean = cv2.blur(image, _WINDOW)
+    variance = cv2.blur(image * image, _WINDOW) - mean * mean
+    return mean, np.sqrt(np.maximum(variance, _LEAST_VARIANCE))
+
+
+@dataclass(frozen=True, eq=False)
+class _Light:
+    """A projector that shines on a scene, and the camera beside it."""
+
+    caster: RayCaster
+    device: Device
+    sensor2reference: FloatArray
+    pattern: DotPattern
+
+    def on(self, region: Region) -> tuple[Float32Array, float, float]:
+        """Render a region (height, width), and say which raw numbers occur in it."""
+        rows, columns = region
+        shape = (rows.stop - rows.start, columns.stop - columns.start)
+        inside = (np.arange(_SUBSAMPLES) + 0.5) / _SUBSAMPLES - 0.5
+        image = np.zeros(shape, np.float32)
+        lowest, highest = np.inf, -np.inf
+        v, u = (axis.ravel() for axis in np.mgrid[rows, columns].astype(float))
+        for du in inside:
+            for dv in inside:
+                ray, light, raw = self._dots(np.column_stack([u + du, v + dv]))
+                image.flat[ray] += light / _SUBSAMPLES**2
+                lowest, highest = min(lowest, raw.min()), max(highest, raw.max())
+        return image, lowest, highest
+
+    def _dots(self, pixels: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Index, light and raw number of the pixels (n, 2) that show something lit."""
+        camera, pose = self.device.sensor.depth_camera, self.sensor2reference
+        rays = np.c_[camera.normalised(pixels), np.ones(len(pixels))] @ pose[:3, :3].T
+        hits = self.caster.cast(pose[:3, 3], rays)
+        projector = transform(pose, self.device.projector_mm)
+        lit = ~self.caster.is_blocked(hits.points, projector)
+        ray = hits.ray[lit]
+        ideal = self.device.sensor.disparity.raw(hits.distance[lit])
+        u, v = pixels[ray].T
+        raw = self.device.distort_at(ideal, pixels[ray])
+        return ray, _shade(hits, projector)[lit] * self.pattern.brightness(u, v, raw), raw
+
+
+def _shade(hits: Hits, projector: FloatArray) -> FloatArray:
+    """Give the light (n,) that dull surfaces throw back: slant and distance."""
+    ways = projector - hits.points
+    far_mm = np.linalg.norm(ways, axis=1)
+    facing = np.einsum("nc,nc->n", hits.normals, ways) / far_mm
+    return np.asarray(_ALBEDO * np.clip(facing, 0, 1) * (_BRIGHT_MM / far_mm) ** 2)

@@ -1,0 +1,78 @@
+"""The dots that a projector throws, and what the sensor's camera remembers of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import Float32Array, FloatArray
+from insole_core.recording.sensor_json import DEPTH_SIZE
+from insole_core.sensing.disparity import NO_READING
+
+RAW_PER_PX = 8
+"""Raw numbers are eighths of a pixel of disparity (Konolige & Mihelich)."""
+BLUR_PX = 0.5
+"""Spread of a point in the infrared camera."""
+_PX_PER_DOT = 9.0
+_DOT_SIGMA_PX = 0.45
+_JITTER = 0.98
+_ACROSS, _DOWN = RAW_PER_PX, 4
+"""Texels per pixel: across one for each raw unit, so that a reference image needs no resampling."""
+_WIDTH, _HEIGHT = DEPTH_SIZE
+
+
+@dataclass(frozen=True, eq=False)
+class DotPattern:
+    """Even random dots, one to nine pixels, as one projector throws them.
+
+    A surface at the raw number r shows at pixel (u, v) what the pattern has at (u + r / 8, v).
+
+    Parameters
+    ----------
+    texture : (480 * 4, (640 + 256) * 8) float32, 1 on average
+    """
+
+    texture: Float32Array
+
+    @staticmethod
+    def draw(rng: np.random.Generator) -> DotPattern:
+        """Make up the pattern of a device."""
+        width_px, step_px = _WIDTH + (NO_READING + 1) // RAW_PER_PX, np.sqrt(_PX_PER_DOT)
+        nodes = np.meshgrid(np.arange(0, width_px, step_px), np.arange(0, _HEIGHT, step_px))
+        u, v = (node + rng.uniform(-0.5, 0.5, node.shape) * step_px * _JITTER for node in nodes)
+        texture = np.zeros((_HEIGHT * _DOWN, width_px * _ACROSS), np.float32)
+        column, row = np.rint(u * _ACROSS).astype(int), np.rint(v * _DOWN).astype(int)
+        shown = (column >= 0) & (column < texture.shape[1]) & (row >= 0) & (row < len(texture))
+        np.add.at(texture, (row[shown], column[shown]), 1)
+        texture = _blurred(texture, _DOT_SIGMA_PX)
+        return DotPattern(texture / texture.mean())
+
+    def brightness(self, u: FloatArray, v: FloatArray, raw: FloatArray) -> Float32Array:
+        """Light (n,) on surfaces at raw numbers (n,), seen at sub-pixel places u, v (n,)."""
+        across = np.clip(u * _ACROSS + raw, 0, self.texture.shape[1] - 2)
+        row = np.clip(np.rint(v * _DOWN).astype(int), 0, len(self.texture) - 1)
+        column = across.astype(int)
+        share = (across - column).astype(np.float32)
+        return np.asarray(
+            self.texture[row, column] * (1 - share) + self.texture[row, column + 1] * share
+        )
+
+    def seen(self) -> Float32Array:
+        """Give the pattern as the camera sees it: (480, (640 + 256) * 8), rows of whole pixels."""
+        across, down = _box(_ACROSS), _box(_DOWN)
+        image = cv2.sepFilter2D(self.texture, -1, across, down, borderType=cv2.BORDER_REFLECT)
+        return _blurred(np.asarray(image), BLUR_PX)[::_DOWN]
+
+
+def _blurred(texture: Float32Array, sigma_px: float) -> Float32Array:
+    across, down = sigma_px * _ACROSS, sigma_px * _DOWN
+    return np.asarray(cv2.GaussianBlur(texture, (0, 0), sigmaX=across, sigmaY=down))
+
+
+def _box(size: int) -> FloatArray:
+    """Mean over a pixel of so many texels, centred on one: half of the texel at either end."""
+    kernel = np.full(size + 1, 1 / size)
+    kernel[[0, -1]] /= 2
+    return kernel
