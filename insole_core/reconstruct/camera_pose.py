@@ -26,14 +26,21 @@ class SightingNoise:
     Parameters
     ----------
     pixel_px
-        Of its centre in a good colour image, with what the marker system itself is off; where
-        the residuals show more, that counts.
+        Of its centre in a good colour image; where the residuals show more, that counts.
+    place_mm
+        Of its place in the marker system, along an axis.
     depth_mm
         Of its distance, from the depth image.
     """
 
-    pixel_px: float = 0.2
+    pixel_px: float = 0.1
+    place_mm: float = 0.13
     depth_mm: float = 1.0
+
+    def seen_from(self, distance_mm: float, camera: Camera) -> SightingNoise:
+        """Count what the marker system is off as if the picture were."""
+        place_px = self.place_mm * camera.fx / distance_mm
+        return SightingNoise(float(np.hypot(self.pixel_px, place_px)), 0.0, self.depth_mm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +128,8 @@ def fit_camera_pose(
         Reference frame to camera frame, from a closed form.
     noise
     """
-    problem = _Problem(seen, camera, noise)
+    distance_mm = float(transform(start, seen.faces)[:, 2].mean())
+    problem = _Problem(seen, camera, noise.seen_from(distance_mm, camera))
     pose = problem.converged(start)
     problem = problem.as_noisy_as_seen(pose)
     pose = problem.converged(pose)

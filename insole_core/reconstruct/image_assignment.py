@@ -16,6 +16,7 @@ from insole_core.sensing.camera import Camera
 
 _KEPT = 300
 _ROUNDS = 6
+_SETTLING_ROUNDS = 5
 _TABLE = 256
 
 
@@ -43,8 +44,15 @@ class ImageAssignmentLimits:
         blob's centre; a marker without a blob counts as one that just is not near.
     elsewhere_deg
         From this angle on a pose is another one.
+    stray_px
+        A blob that lies farther off than that, and than `strays` times the usual distance, in
+        pixels of an image 1280 wide, is the marker all the same, but only partly seen; it neither
+        counts nor speaks against the pose.
+    strays
+    doubted_px
+        A blob so far off counts half in the pose, in pixels of an image 1280 wide.
     largest_rms_px
-        Of the reprojection errors at last.
+        Of the reprojection errors at last, strays left out.
     triples
         So many triangles of markers are tried.
     """
@@ -59,6 +67,9 @@ class ImageAssignmentLimits:
     noise_px: float = 0.2
     margin: float = 50.0
     elsewhere_deg: float = 2.0
+    stray_px: float = 1.0
+    strays: float = 4.0
+    doubted_px: float = 0.5
     largest_rms_px: float = 0.8
     triples: int = 60
 
@@ -117,10 +128,12 @@ def assign_in_image(
     pairs, explained, squared = matches(poses, sight, near)
     missed = np.where(explained, squared, near**2).sum(1)
     best = int(missed.argmin())
-    most = int(explained[best].sum())
+    found = np.flatnonzero(explained[best])
+    whole = _whole(squared[best, found], limits.stray_px * near / limits.near_px, limits)
+    most = int(whole.sum())
     if most < _needed(len(markers), limits):
         raise ReconstructionError(_too_few(most, len(pixels), len(markers), limits))
-    variance = float(squared[best, explained[best]].mean())
+    variance = float(squared[best, found[whole]].mean())
     rms_px = scale_px * float(np.sqrt(variance))
     if rms_px > limits.largest_rms_px:
         raise ReconstructionError(
@@ -134,12 +147,17 @@ def assign_in_image(
             f"the blue spots fit the markers in two ways, {most} and "
             f"{explained[rival].sum(1).max()} of them; see that more markers are in view"
         )
-    found = np.flatnonzero(explained[best])
     return ImageAssignment(
-        Assignment(pairs[best, found], found, np.ones(most, dtype=bool)),
+        Assignment(pairs[best, found], found, whole),
         rigid(poses.rotations[best], poses.translations[best]),
         rms_px,
     )
+
+
+def _whole(squared: FloatArray, near: float, limits: ImageAssignmentLimits) -> BoolArray:
+    """Tell which pairs (k,) agree with most others, from their squared distances."""
+    usual = np.median(squared) if len(squared) else 0.0
+    return np.asarray(squared <= max(near**2, limits.strays**2 * usual))
 
 
 def _needed(markers: int, limits: ImageAssignmentLimits) -> int:
@@ -184,7 +202,9 @@ def _search(
     widest = limits.rough_share * size / limits.distance_mm[0]
     for tolerance in np.geomspace(widest, near, _ROUNDS):
         poses = improved(poses, sight, float(tolerance))
-    return improved(poses, sight, near)
+    for _ in range(_SETTLING_ROUNDS):
+        poses = improved(poses, sight, near, near * limits.doubted_px / limits.near_px)
+    return poses
 
 
 def _blob_triangles(areas: FloatArray, limits: ImageAssignmentLimits) -> IntArray:

@@ -9,7 +9,11 @@ from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.camera import Camera
 
 _LEAST_TANGENT = 0.25
+_LEAST_OBLIQUE = 6
+"""The width of one marker tells the depth of its flank to a third of a millimetre only."""
 _DEEPEST_MM = 8.0
+_ALONG_AXIS = float(np.cos(np.radians(25)))
+"""Blocks of different heights lift the plane of their centres out of that of their faces so far."""
 
 
 def apparent_centers(
@@ -37,13 +41,12 @@ def apparent_centers(
     them to tell, and then it does not matter
     """
     towards = inverse(reference2color)[:3, 3] - markers
-    normal = np.linalg.svd(markers - markers.mean(0))[2][2]
-    normal = normal * np.sign(towards.mean(0) @ normal)
+    normal = _outward(markers, towards)
     height = towards @ normal
     aside = towards - height[:, None] * normal
     tangent = np.linalg.norm(aside, axis=1) / np.maximum(height, 1e-9)
     oblique = (tangent > _LEAST_TANGENT) & (height > 0)
-    if oblique.sum() < 3:
+    if oblique.sum() < _LEAST_OBLIQUE:
         return markers
     along = aside[oblique] / np.linalg.norm(aside[oblique], axis=1, keepdims=True)
     across = np.cross(normal, along)
@@ -52,6 +55,19 @@ def apparent_centers(
     )
     recess = (width[:, 0] - width[:, 1]) / (2 * tangent[oblique])
     return np.asarray(markers - np.clip(np.median(recess), 0, _DEEPEST_MM) * normal)
+
+
+def _outward(markers: FloatArray, towards: FloatArray) -> FloatArray:
+    """Way (3,) that the faces look: an axis of the reference frame, as a rule.
+
+    The centres (n, 3) lie in one plane only roughly. What that makes of the widths cannot be told
+    from a flank in a single view.
+    """
+    normal = np.linalg.svd(markers - markers.mean(0))[2][2]
+    main = int(np.abs(normal).argmax())
+    if np.abs(normal[main]) > _ALONG_AXIS:
+        normal = np.eye(3)[main]
+    return np.asarray(normal * np.sign(towards.mean(0) @ normal))
 
 
 def _widths_mm(

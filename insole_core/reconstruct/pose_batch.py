@@ -87,22 +87,25 @@ def matches(poses: PoseBatch, sight: Sight, near: float) -> tuple[IntArray, Bool
     return nearest, np.asarray(own & (least < near**2)), least
 
 
-def improved(poses: PoseBatch, sight: Sight, near: float) -> PoseBatch:
+def improved(poses: PoseBatch, sight: Sight, near: float, doubted: float = np.inf) -> PoseBatch:
     """Take one Gauss-Newton step on the reprojection errors of what each pose explains.
 
-    Poses that explain fewer than four markers go.
+    An error of `doubted` counts half (Cauchy's weights). Poses that explain fewer than four
+    markers go.
     """
-    nearest, explained, _ = matches(poses, sight, near)
+    nearest, explained, squared = matches(poses, sight, near)
     enough = explained.sum(1) >= LEAST_EXPLAINED
     if not enough.any():
         return PoseBatch.none()
-    poses, nearest, explained = poses.take(enough), nearest[enough], explained[enough]
+    poses, nearest = poses.take(enough), nearest[enough]
+    weights = (explained / (1 + squared / doubted**2))[enough]
     turned = poses.turned(sight.markers)
     points = turned + poses.translations[:, None]
     residuals = sight.blobs[nearest] - _divided(points)
-    design = _design(turned, points) * explained[..., None, None]
-    normal = np.einsum("tmci,tmcj->tij", design, design)
-    pull = np.einsum("tmci,tmc->ti", design, residuals)
+    design = _design(turned, points)
+    weighted = design * weights[..., None, None]
+    normal = np.einsum("tmci,tmcj->tij", weighted, design)
+    pull = np.einsum("tmci,tmc->ti", weighted, residuals)
     # Turns are in rad and shifts in mm; damped alike against their own size.
     damping = _DAMPING * np.einsum("tii->ti", normal)[..., None] * np.eye(6)
     step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), pull[..., None])[..., 0]

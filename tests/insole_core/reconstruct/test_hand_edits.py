@@ -119,7 +119,7 @@ def test_four_names_alone_say_where_the_sensor_is(place) -> None:
         edits = edits.with_named(NamedSpot(marker, (u + 4, v - 3)))
     edited = place(edits)
     assert len(edited.fixes) == len(usual.fixes)
-    np.testing.assert_allclose(edited.sensor2reference, usual.sensor2reference, atol=1e-6)
+    np.testing.assert_allclose(edited.sensor2reference, usual.sensor2reference, atol=1e-3)
 
 
 def test_names_that_no_place_of_the_sensor_explains_never_count(place) -> None:
