@@ -2,31 +2,39 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Callable
+from dataclasses import replace
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import Landmarks
+from insole_core.foot.landmarks import HEADS, Landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.sampling import sample_triangles
 from insole_core.insole.blending import smooth_step
 from insole_core.insole.design import InsoleDesign, Outline, Place
-from insole_core.insole.outline_curve import closed_curve
+from insole_core.insole.fair_curve import fair_curve
+from insole_core.insole.foot_border import foot_border
+from insole_core.insole.outline_curve import closed_curve, evenly_spread, smoothed_along
 
-_STATIONS = np.array(
-    [0.03, 0.08, 0.14, 0.22, 0.32, 0.42, 0.52, 0.60, 0.67, 0.74, 0.81, 0.88, 0.94, 0.98]
-)
-_BAND = 0.02
-_BORDER_HEIGHT_MM = 30.0  # what lies higher does not widen the outline
+# All in shares of the foot's length.
 _HEEL_TO_BALL = (0.30, 0.55)
 _TOES = (0.75, 1.0)
+_WAIST_BEGIN, _WAIST_END = 0.20, (0.62, 0.46)  # medial, lateral
+
+# Least and greatest curvature, per mm: but at the waist, a fair edge bends outwards everywhere.
+_ROUND, _HOLLOW = (1 / 700, 1 / 19), (-1 / 45, 1 / 19)
+
+# The front edge of a short insole runs along the outer heads, in a bow of a share of its length.
 _BEHIND_HEADS_MM = 8.0
-_PITCH_MM = 1.0
-_CORNER = 0.04  # share of the length over which the front corners are rounded
+_STEEPEST, _SHORTEST = 0.5, 0.35
+_BOW, _FRONT_POINTS = 0.04, 60
+_ROUNDINGS, _ROUNDING_MM, _EVENING_MM, _CORNER_MM = 6, 6.0, 2.0, (25.0, 45.0)
+_HANDLES = 36  # places by which a drawn outline begins
+
+_kept: WeakKeyDictionary[Foot, dict[str, tuple[object, FloatArray]]] = WeakKeyDictionary()
+"""The last outline of a foot in either extent: it is asked for with every change of a design."""
 
 
 def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> FloatArray:
@@ -35,121 +43,125 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
     Returns
     -------
     (n, 2) float64, mm, insole frame
-        A closed curve, counter-clockwise, the first point not repeated.
+        A closed curve, counter-clockwise, the first point not repeated. From foot or shoe size it
+        is hollow at most at the waist; the mirrored foot has the mirrored one.
     """
-    return closed_curve(outline_points(foot, design.outline, landmarks))
+    outline = design.outline
+    if outline.source == "drawn" and outline.points_mm is not None:
+        return closed_curve(outline_points(foot, outline, landmarks))
+    curve = _full(foot, outline)
+    if outline.extent == "three_quarter":
+        curve = _three_quarter(foot, outline, curve, landmarks)
+    if foot.side.medial_sign > 0:
+        return curve
+    return np.roll(curve[::-1], 1, axis=0) * [-1.0, 1.0]
 
 
 def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
     """Give the box (2, 2), mm, about the outline in its full length."""
-    curve = closed_curve(outline_points(foot, replace(outline, extent="full"), {}))
+    curve = insole_outline(
+        foot, InsoleDesign(foot.side, outline=replace(outline, extent="full")), {}
+    )
     return np.stack([curve.min(axis=0), curve.max(axis=0)])
 
 
 def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:
-    """The places that the outline runs through; a drawn one begins with them to be dragged."""
+    """The places of a drawn outline, counter-clockwise; those by which one begins to be dragged."""
     if outline.source == "drawn" and outline.points_mm is not None:
         points = np.array(outline.points_mm)
-        return _places(points if _turns_left(points) else points[::-1])
-    stations = _STATIONS
-    if outline.extent == "three_quarter":
-        end = _three_quarter_end(foot, landmarks)
-        stations = stations[stations < end - _CORNER]
-        left, right = _edges(foot, outline, np.append(stations, end))
-        front = right[-1] + np.array([[0.2], [0.5], [0.8]]) * (left[-1] - right[-1])
-        left, right = left[:-1], right[:-1]
+        points = points if _turns_left(points) else points[::-1]
     else:
-        left, right = _edges(foot, outline, stations)
-        front = np.array([_tip(foot, outline)])
-    heel = np.array([[(left + right)[0, 0] / 2, -outline.heel_allowance_mm]])
-    return _places(np.concatenate([heel, right, front, left[::-1]]))
+        curve = insole_outline(foot, InsoleDesign(foot.side, outline=outline), landmarks)
+        points = curve[:: len(curve) // _HANDLES]
+    return tuple((float(x), float(y)) for x, y in points)
 
 
-def _three_quarter_end(foot: Foot, landmarks: Landmarks) -> float:
-    """Share of the length where an insole ends behind the heads."""
-    heads = min(float(landmarks[f"metatarsal_head_{n}"].point[1]) for n in range(1, 6))
-    return (heads - _BEHIND_HEADS_MM) / foot.length_mm
+def _full(foot: Foot, outline: Outline) -> FloatArray:
+    """The outline about the whole foot, medial = +x."""
+    return _keep(foot, "full", replace(outline, extent="full"), lambda: _about_foot(foot, outline))
 
 
-def _edges(foot: Foot, outline: Outline, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Places (n, 2) of the left and the right edge of the insole."""
-    left, right = _borders(foot, stations)
-    ball = smooth_step(stations, *_HEEL_TO_BALL)
-    heel_mm, ball_mm = outline.heel_allowance_mm, outline.ball_allowance_mm
-    wider, y = heel_mm + (ball_mm - heel_mm) * ball, _stretched(stations, foot.length_mm, outline)
-    return np.column_stack([left - wider, y]), np.column_stack([right + wider, y])
+def _about_foot(foot: Foot, outline: Outline) -> FloatArray:
+    places, share, before_mm = _allowed(foot, outline)
+    waist = (share > _WAIST_BEGIN) & (share < np.where(places[:, 0] > 0, *_WAIST_END))
+    curve = fair_curve(places, np.where(waist[:, None], _HOLLOW, _ROUND))
+    low, high = curve[:, 1].min(), curve[:, 1].max()
+    whole_mm = before_mm + outline.heel_allowance_mm
+    y = (curve[:, 1] - low) / (high - low) * whole_mm - outline.heel_allowance_mm
+    return np.column_stack([curve[:, 0], y])
 
 
-@dataclass(frozen=True, eq=False)
-class _Low:
-    """What of a foot may widen its outline.
+def _allowed(foot: Foot, outline: Outline) -> tuple[FloatArray, FloatArray, float]:
+    """The foot's border with the allowances, its shares of the length, and where it is to end.
 
-    Parameters
-    ----------
-    points : (n, 3) float64, mm, by rising y
-        All vertices, and some within large triangles.
-    length_mm
-        Of the foot.
+    The toes' allowance grows over the toes, a shoe's length over all.
     """
-
-    points: FloatArray
-    length_mm: float
-
-    def near(self, share: float) -> FloatArray:
-        """The x of the points about a share of the length."""
-        y, middle, band = self.points[:, 1], share * self.length_mm, _BAND * self.length_mm
-        first, end = np.searchsorted(y, [middle - band, middle + band])
-        return self.points[first:end, 0]
-
-    @cached_property
-    def tip_x_mm(self) -> float:
-        """Mean x of the foremost points."""
-        y = self.points[:, 1]
-        front = self.points[np.searchsorted(y, y[-1] - _BAND * self.length_mm) :, 0]
-        return float(front.mean())
-
-
-_lows: WeakKeyDictionary[Foot, _Low] = WeakKeyDictionary()
-
-
-def _borders(foot: Foot, stations: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Least and greatest x of the foot about each share of its length."""
-    low = _low(foot)
-    left, right = (np.full(len(stations), np.nan) for _ in range(2))
-    for i, station in enumerate(stations):
-        x = low.near(station)
-        if len(x):
-            left[i], right[i] = x.min(), x.max()
-    known = np.isfinite(left)
-    left, right = (np.interp(stations, stations[known], side[known]) for side in (left, right))
-    return left, right
-
-
-def _low(foot: Foot) -> _Low:
-    """Kept for each foot: an outline that is dragged asks for it again and again."""
-    if foot not in _lows:
-        part = foot.mesh.part(foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM)
-        samples = sample_triangles(part, _PITCH_MM).points
-        points = np.concatenate([part.vertices, samples])
-        _lows[foot] = _Low(points[points[:, 1].argsort()], foot.length_mm)
-    return _lows[foot]
-
-
-def _stretched(stations: FloatArray, length_mm: float, outline: Outline) -> FloatArray:
-    """y of the stations: the toes' allowance grows over the toes, a shoe's length over all."""
+    border, heel_mm = foot_border(foot), outline.heel_allowance_mm
+    share = border.places[:, 1] / foot.length_mm
+    ball = smooth_step(share, *_HEEL_TO_BALL)
+    wider = heel_mm + (outline.ball_allowance_mm - heel_mm) * ball
+    x = border.places[:, 0] + wider * border.outward[:, 0]
     if outline.source == "shoe_size" and outline.shoe_size_eu is not None:
-        return stations * (PARIS_MM * outline.shoe_size_eu - outline.heel_allowance_mm)
-    return stations * length_mm + outline.toe_allowance_mm * smooth_step(stations, *_TOES)
+        before_mm = PARIS_MM * outline.shoe_size_eu - heel_mm
+        y = share * before_mm
+    else:
+        before_mm = foot.length_mm + outline.toe_allowance_mm
+        y = border.places[:, 1] + outline.toe_allowance_mm * smooth_step(share, *_TOES)
+    y = y + heel_mm * np.minimum(border.outward[:, 1], 0)
+    return np.column_stack([x, y]), share, before_mm
 
 
-def _tip(foot: Foot, outline: Outline) -> list[float]:
-    return [_low(foot).tip_x_mm, float(_stretched(np.ones(1), foot.length_mm, outline)[0])]
+def _three_quarter(
+    foot: Foot, outline: Outline, whole: FloatArray, landmarks: Landmarks
+) -> FloatArray:
+    """What of the whole outline lies behind the heads, in a slight bow, its corners rounded."""
+    heads = np.array([landmarks[name].point[:2] for name in HEADS]) * [foot.side.medial_sign, 1.0]
+    key = outline, heads.tobytes()
+    return _keep(foot, "three_quarter", key, lambda: _shortened(whole, heads, foot.length_mm))
+
+
+def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatArray:
+    across, ahead = heads[0] - heads[-1]
+    slope = float(np.clip(ahead / max(across, 1.0), -_STEEPEST, _STEEPEST))
+    edge_mm = float((heads[:, 1] - slope * heads[:, 0]).min()) - _BEHIND_HEADS_MM
+    edge_mm = max(edge_mm, _SHORTEST * length_mm)
+    behind = np.flatnonzero(whole[:, 1] < edge_mm + slope * whole[:, 0])
+    if len(behind) == len(whole):
+        return whole
+    gap = int(np.diff(behind).argmax())
+    medial, lateral = whole[behind[[gap, gap + 1]]]
+    front = _bow(medial, lateral)
+    cut = evenly_spread(np.insert(whole[behind], gap + 1, front, axis=0), len(whole))
+    return _rounded(cut, medial, lateral)
+
+
+def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
+    """Places between two others on a flat parabola that bulges to the right of the way."""
+    share = np.linspace(0, 1, _FRONT_POINTS)[1:-1, None]
+    way = end - start
+    aside = np.array([way[1], -way[0]])
+    return np.asarray(start + share * way + 4 * _BOW * share * (1 - share) * aside)
+
+
+def _rounded(curve: FloatArray, *corners: FloatArray) -> FloatArray:
+    """Round a closed curve at corners, and hardly elsewhere."""
+    curve = smoothed_along(curve, _EVENING_MM)
+    for _ in range(_ROUNDINGS):
+        away_mm = np.min([np.hypot(*(curve - corner).T) for corner in corners], axis=0)
+        rounding = 1 - smooth_step(away_mm, *_CORNER_MM)
+        curve = curve + rounding[:, None] * (smoothed_along(curve, _ROUNDING_MM) - curve)
+        curve = evenly_spread(curve, len(curve))
+    return smoothed_along(curve, _EVENING_MM)
+
+
+def _keep(foot: Foot, extent: str, key: object, make: Callable[[], FloatArray]) -> FloatArray:
+    """The last outline of a foot in an extent, or a new one."""
+    kept = _kept.setdefault(foot, {})
+    if extent not in kept or kept[extent][0] != key:
+        kept[extent] = key, make()
+    return kept[extent][1]
 
 
 def _turns_left(points: FloatArray) -> bool:
     x, y = points.T
     return bool((x * np.roll(y, -1) - y * np.roll(x, -1)).sum() > 0)
-
-
-def _places(points: FloatArray) -> tuple[Place, ...]:
-    return tuple((float(x), float(y)) for x, y in points)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.ndimage import gaussian_filter1d
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
@@ -58,6 +59,24 @@ def inside_curve(curve: FloatArray, places: FloatArray) -> BoolArray:
     with np.errstate(divide="ignore", invalid="ignore"):
         crossing = x1 + (y - y1) / (y2 - y1) * (x2 - x1)
     return np.asarray((spans & (crossing > x)).sum(axis=-1) % 2 == 1)
+
+
+def way_round(curve: FloatArray) -> FloatArray:
+    """Share of the way round at each place of a closed curve, (n + 1,); the last is 1."""
+    steps = np.hypot(*(np.roll(curve, -1, axis=0) - curve).T)
+    return np.concatenate([[0.0], steps.cumsum() / steps.sum()])
+
+
+def evenly_spread(curve: FloatArray, count: int) -> FloatArray:
+    """Give places (count, 2) at even ways along a closed curve; the first is the same."""
+    closed, even = np.vstack([curve, curve[:1]]), np.arange(count) / count
+    return np.column_stack([np.interp(even, way_round(curve), axis) for axis in closed.T])
+
+
+def smoothed_along(curve: FloatArray, sigma_mm: float) -> FloatArray:
+    """Even out an evenly spread closed curve by Gaussian weights along it."""
+    step_mm = float(np.hypot(*(curve[1] - curve[0])))
+    return np.asarray(gaussian_filter1d(curve, sigma_mm / step_mm, axis=0, mode="wrap"))
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

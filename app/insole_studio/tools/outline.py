@@ -11,7 +11,7 @@ from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.design import InsoleDesign, Outline, Place
 from insole_core.insole.limits import LEAST_DRAWN_POINTS
-from insole_core.insole.outline import outline_points
+from insole_core.insole.outline import insole_outline, outline_points
 from insole_core.insole.outline_curve import closed_curve, crosses_itself
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
@@ -101,8 +101,9 @@ class OutlineTool(Tool):
             now = event.place_mm(0.0)
             if start is None or now is None:
                 continue
-            moved = np.array(points[number]) + (now - start)[:2]
-            wanted = _with_point(points, number, place_at(moved))
+            shift = (now - start)[:2]
+            moved = place_at(np.array(points[number]) + shift)
+            wanted = _with_point(points, number, moved) if shift.any() else points
             if not self._refuse_crossing(wanted):
                 kept = wanted
             case.preview(with_drawn(design, kept))
@@ -145,10 +146,17 @@ class OutlineTool(Tool):
 
 
 def points_of(record: CaseRecord) -> tuple[Place, ...]:
-    """Give the points that the insole's outline runs through; none before there is a foot."""
+    """Give the points that the insole's outline is dragged by; none before there is a foot."""
     if record.foot is None or record.design is None:
         return ()
     return outline_points(record.foot, record.design.outline, landmarks_of(record))
+
+
+def curve_of(record: CaseRecord) -> FloatArray:
+    """Give the insole's outline, (n, 2), mm; nothing before there is a foot."""
+    if record.foot is None or record.design is None:
+        return np.zeros((0, 2))
+    return insole_outline(record.foot, record.design, landmarks_of(record))
 
 
 def with_drawn(design: InsoleDesign, points: tuple[Place, ...]) -> InsoleDesign:

@@ -15,7 +15,6 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
-from insole_core.insole.outline_curve import closed_curve
 from insole_core.insole.pads import pad_outline
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
@@ -34,7 +33,7 @@ from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import confidence, point_text, shown_points
 from insole_studio.tools.metatarsal import NEAR_MM, clearance
-from insole_studio.tools.outline import points_of
+from insole_studio.tools.outline import curve_of
 from insole_studio.tools.pelott import selected_pelott
 from insole_studio.tools.tool import MenuOffer
 from insole_studio.workbench.case import Case
@@ -274,7 +273,7 @@ class ModelPresenter:
         return lines[False], lines[True]
 
     def _insole_outline(self) -> FloatArray:
-        curve = closed_curve(points_of(self._case.shown))[::OUTLINE_STRIDE]
+        curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
         return self._on_surface(np.concatenate([curve, curve[:1]]))
 
     def _outline(self, pad: Pelott) -> FloatArray:
