@@ -34,8 +34,10 @@ from insole_studio.shell.exporting import AskPath, Exporting, MayReplace
 from insole_studio.shell.feet import Feet
 from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import Guide
+from insole_studio.shell.keys import key_sections
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.measuring import Measuring
+from insole_studio.shell.navigating import Navigating
 from insole_studio.shell.notices import Notices
 from insole_studio.shell.opening import Opening
 from insole_studio.shell.prescribing import Prescribing
@@ -195,6 +197,7 @@ def build_application(
             case, jobs, dialogue, partial(_make_export, settings, places, case), window
         ),
         editing=Editing(case, hand),
+        navigating=Navigating(case, stage, hand),
         prescribing=Prescribing(case, hand, pads, rules.pelott_usual_behind_heads_mm, dialogue),
         measuring=Measuring(case, dialogue),
         feet=feet,
@@ -222,7 +225,7 @@ def build_application(
             remember=remember,
             parent=window,
         ),
-        guide=Guide(window, stage, settings, remember),
+        guide=Guide(window, stage, settings, remember, key_sections),
         capture=CaptureWindow(partial(_make_capture, settings, places, place)),
         calibrate=StageWindow(
             partial(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QEventLoop
+from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QImage, QPainter
 
 from insole_core.errors import OutputError
@@ -102,6 +102,6 @@ def grab_window(app: Application) -> QImage:
         if view.isVisible():
             picture = view.picture()
             picture.setDevicePixelRatio(image.devicePixelRatio())
-            painter.drawImage(view.mapTo(app.window, view.rect().topLeft()), picture)
+            painter.drawImage(view.surface.mapTo(app.window, QPoint(0, 0)), picture)
     painter.end()
     return image

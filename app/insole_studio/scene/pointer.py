@@ -57,6 +57,8 @@ class PointerEvent:
         Name of the handle under the pointer.
     fine, coarse
         Whether Ctrl or Shift is held.
+    by_key
+        Whether keys lead the pointer, which then means what is selected rather than what it is on.
     """
 
     phase: Phase
@@ -67,6 +69,7 @@ class PointerEvent:
     handle: str | None = None
     fine: bool = False
     coarse: bool = False
+    by_key: bool = False
 
     def on_level(self, z_mm: float) -> FloatArray | None:
         """Give the place (3,) under the pointer at a height; None where one looks along it."""

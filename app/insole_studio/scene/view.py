@@ -8,7 +8,15 @@ from typing import Protocol
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import (
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from insole_core.geometry.arrays import FloatArray, IntArray
@@ -19,26 +27,24 @@ from insole_studio.scene.camera import Camera, Look, Preset, Subject, fitted, lo
 from insole_studio.scene.canvas import make_canvas
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.companion import Companion
+from insole_studio.scene.key_pointer import KeyPointer
 from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
+FRAME_PX = 2
+"""Shows which view the keys act on."""
 GRAB_PX = 14.0
 TOUCH_GRAB_PX = 28.0
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_STEP = 0.88
 
+_TABS = (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 _DARK = 128
 """Below this lightness of its windows a theme is dark."""
-_ARROWS = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, 1),
-    Qt.Key.Key_Down: (0, -1),
-}
 
 
 class Offered(Protocol):
-    """A line of the menu under the pointer."""
+    """A line of the menu under the pointer; one that removes is also meant by the Delete key."""
 
     @property
     def text(self) -> str:
@@ -48,6 +54,11 @@ class Offered(Protocol):
     @property
     def run(self) -> Callable[[], None]:
         """What it does."""
+        ...
+
+    @property
+    def removes(self) -> bool:
+        """Whether it takes away what is there."""
         ...
 
 
@@ -104,6 +115,9 @@ class SceneView(QWidget):
         self.handles: tuple[Handle, ...] = ()
         self.grab_px = GRAB_PX
         """How near the pointer must come to a handle."""
+        self.start: Callable[[], tuple[float, float, float] | None] | None = None
+        """Tells where the pointer of the keys begins."""
+        self.keys = KeyPointer(self)
         self._mesh: TriangleMesh | None = None
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
@@ -112,7 +126,7 @@ class SceneView(QWidget):
         self.painter = Painter(self._canvas.plotter, dark, self.devicePixelRatioF())
         self.companion = Companion(self._canvas.plotter, self.devicePixelRatioF())
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setContentsMargins(FRAME_PX, FRAME_PX, FRAME_PX, FRAME_PX)
         layout.addWidget(self._canvas)
         surface = self._canvas.surface
         surface.setMouseTracking(True)
@@ -158,12 +172,21 @@ class SceneView(QWidget):
         """Show what can be grabbed."""
         self.handles = handles
         self.painter.show_handles(handles)
+        if self.keys.is_shown and not self.keys.holds:
+            self.keys.refresh()
         self.request_render()
 
     def set_camera(self, camera: Camera) -> None:
         """Look through another camera, without telling anybody."""
         self.camera = camera
+        if self.keys.is_shown:
+            self.keys.refresh()
         self.request_render()
+
+    def change_camera(self, camera: Camera) -> None:
+        """Look through another camera."""
+        self.set_camera(camera)
+        self.camera_changed.emit(camera)
 
     def aim_at(self, preset: Preset, bounds_mm: FloatArray) -> Camera:
         """Give the camera of a preset that shows the whole box in this view."""
@@ -191,6 +214,12 @@ class SceneView(QWidget):
             self.request_render()
         super().changeEvent(event)
 
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Frame the view that the keys act on."""
+        has_keys = self._canvas.surface.hasFocus()
+        role = QPalette.ColorRole.Highlight if has_keys else QPalette.ColorRole.Window
+        QPainter(self).fillRect(self.rect(), self.palette().color(role))
+
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Take mouse and keys before the renderer's own interactor sees them."""
         kind = event.type()
@@ -207,8 +236,11 @@ class SceneView(QWidget):
         if isinstance(event, QWheelEvent):
             self._wheeled(event)
             return True
-        if isinstance(event, QKeyEvent) and kind == QEvent.Type.KeyPress:
-            return self._key_pressed(event)
+        if isinstance(event, QKeyEvent):
+            return self._key_event(event)
+        if kind in (QEvent.Type.FocusIn, QEvent.Type.FocusOut):
+            self.keys.let_go()
+            self.update()
         if kind == QEvent.Type.Leave:
             self.left.emit()
         if kind == QEvent.Type.Resize:
@@ -226,6 +258,8 @@ class SceneView(QWidget):
 
     def _pressed(self, event: QMouseEvent) -> None:
         self._canvas.surface.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.keys.let_go()
+        self.keys.forget()
         self._last = event.position()
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.button() == Qt.MouseButton.MiddleButton or (
@@ -233,26 +267,26 @@ class SceneView(QWidget):
         ):
             self._dragging = "pan"
         elif event.button() == Qt.MouseButton.RightButton:
-            self._open_menu(event)
+            self.offer_menu(self._event(Phase.PRESS, event))
         elif event.button() == Qt.MouseButton.LeftButton:
-            taken = self.sink is not None and self.sink.press(self._event(Phase.PRESS, event))
+            taken = self.begin(self._event(Phase.PRESS, event))
             self._dragging = "tool" if taken else "orbit"
 
-    def _open_menu(self, event: QMouseEvent) -> None:
-        """Offer what can be done here; the menu goes with its use."""
-        offers = () if self.sink is None else self.sink.offers(self._event(Phase.PRESS, event))
+    def offer_menu(self, event: PointerEvent) -> None:
+        """Offer what can be done at a place; the menu goes with its use."""
+        offers = () if self.sink is None else self.sink.offers(event)
         if not offers:
             return
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for offer in offers:
             menu.addAction(offer.text).triggered.connect(partial(_run, offer))
-        menu.popup(event.globalPosition().toPoint())
+        menu.popup(self.surface.mapToGlobal(QPointF(*event.pixel)).toPoint())
 
     def _moved(self, event: QMouseEvent) -> None:
-        if self._dragging == "tool" and self.sink is not None:
+        if self._dragging == "tool":
             pointer = self._event(Phase.MOVE, event)
-            self.sink.move(pointer)
+            self.go_on(pointer)
             self.hovered.emit(pointer)
         elif self._dragging is not None:
             self._move_camera(event.position())
@@ -262,9 +296,8 @@ class SceneView(QWidget):
 
     def _released(self, event: QMouseEvent) -> None:
         was_tool, self._dragging = self._dragging == "tool", None
-        if was_tool and self.sink is not None:
-            self.sink.release(self._event(Phase.RELEASE, event))
-            self._picker = None
+        if was_tool:
+            self.go_on(self._event(Phase.RELEASE, event))
         self._hover(event)
 
     def _double_clicked(self, event: QMouseEvent) -> None:
@@ -273,7 +306,7 @@ class SceneView(QWidget):
             return
         hit = pointer.surface_mm
         if hit is not None:
-            self._change_camera(self.camera.centred(hit))
+            self.change_camera(self.camera.centred(hit))
 
     def _wheeled(self, event: QWheelEvent) -> None:
         steps = event.angleDelta().y() / 120
@@ -281,25 +314,19 @@ class SceneView(QWidget):
         if self.sink is not None and self.sink.wheel(pointer, steps):
             return
         about = self.look.point_at(event.position().x(), event.position().y())
-        self._change_camera(self.camera.zoomed(ZOOM_PER_STEP**steps, about))
+        self.change_camera(self.camera.zoomed(ZOOM_PER_STEP**steps, about))
 
-    def _key_pressed(self, event: QKeyEvent) -> bool:
-        if self.sink is None:
+    def _key_event(self, event: QKeyEvent) -> bool:
+        """Take a key; one that nobody here needs goes to the window, not to the renderer."""
+        if event.type() == QEvent.Type.ShortcutOverride:
+            if event.key() == Qt.Key.Key_Delete and self.keys.is_shown:
+                event.accept()
+                return True
             return False
-        if event.key() == Qt.Key.Key_Escape:
-            return self.sink.cancel()
-        if event.key() in _ARROWS:
-            centre = (self.width() / 2, self.height() / 2)
-            pointer = PointerEvent(
-                Phase.MOVE,
-                self.subject,
-                self.look,
-                centre,
-                fine=_holds(event.modifiers(), Qt.KeyboardModifier.ControlModifier),
-                coarse=_holds(event.modifiers(), Qt.KeyboardModifier.ShiftModifier),
-            )
-            return self.sink.nudge(pointer, *_ARROWS[Qt.Key(event.key())])
-        return False
+        if event.type() != QEvent.Type.KeyPress or event.key() in _TABS:
+            return False
+        event.setAccepted(self.keys.take(event))
+        return True
 
     def _hover(self, event: QMouseEvent) -> None:
         pointer = self._event(Phase.MOVE, event)
@@ -312,15 +339,66 @@ class SceneView(QWidget):
         step = position - self._last
         if self._dragging == "orbit":
             azimuth, elevation = -step.x() * ORBIT_DEG_PER_PX, step.y() * ORBIT_DEG_PER_PX
-            self._change_camera(self.camera.orbited(azimuth, elevation))
+            self.change_camera(self.camera.orbited(azimuth, elevation))
         else:
             shown = self.look
             shift = (-step.x() * shown.right + step.y() * shown.up) * shown.mm_per_px
-            self._change_camera(self.camera.centred(shown.focal_mm + shift))
+            self.change_camera(self.camera.centred(shown.focal_mm + shift))
 
-    def _change_camera(self, camera: Camera) -> None:
-        self.set_camera(camera)
-        self.camera_changed.emit(camera)
+    @property
+    def start_mm(self) -> tuple[float, float, float] | None:
+        """Where the pointer of the keys begins; None for amid the picture."""
+        return None if self.start is None else self.start()
+
+    def event_at(
+        self, phase: Phase, pixel: tuple[float, float], handle: str | None, fine: bool, coarse: bool
+    ) -> PointerEvent:
+        """Give a moment of the pointer of the keys."""
+        hit = self._hit(QPointF(*pixel))
+        return PointerEvent(
+            phase, self.subject, self.look, pixel, hit, handle, fine, coarse, by_key=True
+        )
+
+    def begin(self, event: PointerEvent) -> bool:
+        """Begin a gesture; False when nobody takes it."""
+        return self.sink is not None and self.sink.press(event)
+
+    def go_on(self, event: PointerEvent) -> None:
+        """Continue a gesture, or end it with a release."""
+        if self.sink is not None and event.phase is Phase.RELEASE:
+            self.sink.release(event)
+            self._picker = None
+        elif self.sink is not None:
+            self.sink.move(event)
+
+    def give_up(self) -> bool:
+        """Give the gesture up; False when there is none."""
+        return self.sink is not None and self.sink.cancel()
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
+        """Move what is selected; False when there is nothing."""
+        return self.sink is not None and self.sink.nudge(event, right, up)
+
+    def lift(self, event: PointerEvent, steps: float) -> bool:
+        """Raise what is selected; False when there is nothing."""
+        return self.sink is not None and self.sink.wheel(event, steps)
+
+    def remove(self, event: PointerEvent) -> bool:
+        """Take away what the pointer is on; False when it cannot be."""
+        offers = () if self.sink is None else self.sink.offers(event)
+        removing = next((offer for offer in offers if offer.removes), None)
+        if removing is not None:
+            removing.run()
+        return removing is not None
+
+    def show_pointer(self, lines: tuple[FloatArray, ...], event: PointerEvent | None) -> None:
+        """Draw the pointer of the keys, and tell where it is."""
+        self.painter.show_lines("pointer", lines, self.painter.scheme.alarm, 2.5)
+        self.request_render()
+        if event is not None:
+            self.hovered.emit(event)
+        else:
+            self.left.emit()
 
     def _event(self, phase: Phase, event: QMouseEvent | QWheelEvent) -> PointerEvent:
         position = event.position()

@@ -17,6 +17,7 @@ from insole_studio.scene.camera import Preset
 from insole_studio.settings import Language
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.shell.foot_actions import FOOT_ACTIONS
+from insole_studio.shell.navigation_actions import NAVIGATION_ACTIONS
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.texts import tr
 
@@ -93,6 +94,7 @@ def _preset(preset: Preset, number: int, text: Callable[[], str]) -> ActionRecor
 
 ACTIONS: tuple[ActionRecord, ...] = (
     *FOOT_ACTIONS,
+    *NAVIGATION_ACTIONS,
     ActionRecord(
         "new_case",
         lambda: tr("New case"),

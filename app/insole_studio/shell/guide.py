@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow, QMessageBox
@@ -11,6 +11,7 @@ from insole_studio.settings import Settings
 from insole_studio.shell.tour_stops import tour_stops
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
+from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
 
 
@@ -23,18 +24,24 @@ class Guide(QObject):
         stage: DesignStage,
         settings: Settings,
         remember: Callable[[], None],
+        keys: Callable[[], Iterable[tuple[str, list[Line]]]],
     ) -> None:
         super().__init__(window)
         self._window = window
         self._stage = stage
         self._settings = settings
         self._remember = remember
+        self._keys = keys
 
     def begin_tour(self) -> None:
         """Show the window in five steps."""
         tour = Tour(tour_stops(self._stage), self._window)
         tour.ended.connect(self._end_tour)
         tour.begin()
+
+    def show_keys(self) -> None:
+        """List all that the keys do."""
+        KeyHelp(self._keys(), self._window).show()
 
     def show_about(self) -> None:
         """Say what this program is."""

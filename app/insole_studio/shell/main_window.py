@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QResizeEvent
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
@@ -22,6 +22,7 @@ from insole_studio.shell.menus import (
     MAP_KEYS,
     MAPS,
     MENUS,
+    PADS,
     RECENT,
     SEPARATOR,
     STRIP,
@@ -31,6 +32,7 @@ from insole_studio.shell.status_bar import StatusBar
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.tab_order import go_on
 
 PATIENT_PX = 248
 PARAMETERS_PX = 152
@@ -44,16 +46,18 @@ class MainWindow(QMainWindow):
     close_requested = Signal()
     recent_chosen = Signal(str)
     pad_chosen = Signal(int)
+    back_requested = Signal()
     layout_changed = Signal()
 
     def __init__(self, stage: DesignStage, status: StatusBar, pads: Sequence[str]) -> None:
         super().__init__()
         self._may_close = False
+        self._panels = stage.panels
         self.setStatusBar(status)
         self.actions_by_key = {record.key: self._make_action(record) for record in ACTIONS}
         self._group_actions()
-        self._make_menus()
         self._pads = pads
+        self._make_menus()
         self._worded: list[QToolButton] = []
         """Buttons of the toolbar that bear their name as long as there is room."""
         self._make_strip(stage)
@@ -138,6 +142,17 @@ class MainWindow(QMainWindow):
         self._may_close = True
         self.close()
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape, where nobody else needs it, leads back."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.back_requested.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Let Tab go through the panels in the order of reading."""
+        return go_on(self._panels, forward)
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Let the studio decide."""
         if not self._may_close:
@@ -185,6 +200,8 @@ class MainWindow(QMainWindow):
                     menu.addSeparator()
                 elif key == RECENT:
                     self._recent = menu.addMenu(tr("Open recent"))
+                elif key == PADS:
+                    menu.addMenu(self._pad_menu(menu))
                 else:
                     menu.addAction(self.actions_by_key[key])
 
@@ -242,7 +259,7 @@ class MainWindow(QMainWindow):
             button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
     def _pad_menu(self, parent: QWidget) -> QMenu:
-        menu = QMenu(parent)
+        menu = QMenu(tr("Pad of the library"), parent)
         for number, text in enumerate(self._pads):
             action = menu.addAction(text)
             action.setData(number)

@@ -9,6 +9,8 @@ from insole_studio.texts import tr
 SEPARATOR = ""
 MAPS = "maps"
 """Where the toolbar offers the colour maps."""
+PADS = "pads"
+"""Where the menu offers the pads of the library."""
 RECENT = "recent"
 """Where the menu lists what was open lately."""
 
@@ -46,7 +48,20 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "quit",
         ),
     ),
-    (lambda: tr("&Edit"), ("undo", "redo", SEPARATOR, "remove", SEPARATOR, "author")),
+    (
+        lambda: tr("&Edit"),
+        (
+            "undo",
+            "redo",
+            SEPARATOR,
+            "next_correction",
+            "previous_correction",
+            "edit_values",
+            "remove",
+            SEPARATOR,
+            "author",
+        ),
+    ),
     (
         lambda: tr("&View"),
         (
@@ -64,6 +79,9 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "contours",
             "ghost",
             "wireframe",
+            SEPARATOR,
+            "next_panel",
+            "previous_panel",
             SEPARATOR,
             "dark",
             "touch",
@@ -85,6 +103,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "add_heel_lift",
             "add_heel_cup",
             "add_arch_raise",
+            PADS,
             SEPARATOR,
             "confirm_landmarks",
             "find_landmarks",
@@ -116,7 +135,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "variant_delete",
         ),
     ),
-    (lambda: tr("&Help"), ("tour", "about")),
+    (lambda: tr("&Help"), ("tour", "keys", SEPARATOR, "about")),
 )
 
 TOOLBAR: tuple[tuple[str, ...], ...] = (

@@ -17,6 +17,7 @@ from insole_studio.shell.feet import Feet
 from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import Guide
 from insole_studio.shell.measuring import Measuring
+from insole_studio.shell.navigating import Navigating
 from insole_studio.shell.notices import Notices
 from insole_studio.shell.opening import Opening
 from insole_studio.shell.prescribing import Prescribing
@@ -41,6 +42,7 @@ class Rooms:
     saving: Saving
     exporting: Exporting
     editing: Editing
+    navigating: Navigating
     prescribing: Prescribing
     measuring: Measuring
     feet: Feet

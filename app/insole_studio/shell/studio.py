@@ -61,6 +61,7 @@ class Studio(QObject):
 
     def run_action(self, key: str, checked: bool) -> None:
         """Do what an action says; what the user can put right is shown as a sentence."""
+        self.rooms.stage.end_keys()
         try:
             self._actions[key].run(self.rooms, checked)
         except InsoleError as error:
@@ -76,6 +77,7 @@ class Studio(QObject):
         window.action_triggered.connect(self.run_action)
         window.close_requested.connect(self.quit)
         window.recent_chosen.connect(self._open_recent)
+        window.back_requested.connect(rooms.navigating.go_back)
         window.pad_chosen.connect(rooms.prescribing.take_pad)
         window.layout_changed.connect(rooms.appearance.note_layout)
         self._recent.changed.connect(self._show_recent)

@@ -121,6 +121,11 @@ def _style_sheet(colors: Colors) -> str:
     QPushButton#primary:focus {{ border: 2px solid {colors.text}; padding: 6px 14px; }}
     QToolButton#step {{ border: none; padding: 3px 6px; color: {colors.quiet}; }}
     QToolButton#step[state="current"] {{ color: {colors.text}; font-weight: 600; }}
+    QToolButton:focus, QPushButton#row:focus, QToolButton#step:focus,
+    QToolButton#warning-row:focus {{ border: 2px solid {colors.accent}; border-radius: 4px; }}
+    QToolButton:checked:focus, QPushButton#row:checked:focus {{ border-color: {colors.text}; }}
+    QCheckBox:focus, QRadioButton:focus, QLabel:focus {{ border: 2px solid {colors.accent};
+                                                        border-radius: 4px; }}
     QToolButton#step[state="done"] {{ color: {colors.text}; }}
     QToolButton#warning-row {{ background: {colors.warning}; color: {colors.on_warning};
                                border-radius: 4px; padding: 3px 8px; text-align: left; }}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,11 +13,13 @@ from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, Tool, rounded
+from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool, rounded
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.landmarks import SHOWN, landmarks_of
 
 PREFIX = "point:"
+TOUCHED_MM = 12.0
+"""A landmark nearer than this to the skin under the pointer is dragged over the skin."""
 _NAMES: dict[str, Callable[[], str]] = {
     "pternion": lambda: tr("Rearmost point"),
     "heel_centre": lambda: tr("Heel centre"),
@@ -53,13 +56,35 @@ class KeyPointTool(Tool):
 
     def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Grab a landmark or mark a point."""
-        if event.surface_mm is None or event.subject is not Subject.FOOT:
+        if event.subject is not Subject.FOOT:
             return None
         if event.handle is not None:
             name = event.handle.removeprefix(PREFIX)
             sentence = tr("Move: {name}").format(name=point_text(name))
             return _carry(case, event, name, sentence)
+        if event.surface_mm is None:
+            return None
         return _carry(case, event, next_name(case.record.annotations), tr("Mark a point"))
+
+    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+        """Offer to forget the point under the pointer."""
+        if event.handle is None or event.subject is not Subject.FOOT:
+            return ()
+        return _forget_offers(case, event.handle.removeprefix(PREFIX))
+
+
+def _forget_offers(case: Case, name: str) -> tuple[MenuOffer, ...]:
+    """Offer to take away a further point, or to let a landmark be found again."""
+    annotations = case.record.annotations
+    kept = tuple(point for point in annotations.key_points if point.name != name)
+    if kept == annotations.key_points:
+        return ()
+    text = tr("Find this landmark anew") if name in NAMES else tr("Remove this point")
+
+    def forget() -> None:
+        case.apply(replace(annotations, key_points=kept), text)
+
+    return (MenuOffer(text, forget, removes=True),)
 
 
 def shown_points(case: Case) -> dict[str, tuple[float, float, float]]:
@@ -107,21 +132,35 @@ def distances(annotations: Annotations) -> list[tuple[str, str, float]]:
     ]
 
 
-def _carry(case: Case, event: PointerEvent, name: str, sentence: str) -> Gesture:
-    annotations = case.record.annotations
-    marked = _marked(annotations, name, event.surface_mm)
-    case.preview(marked)
-    while event.phase is not Phase.RELEASE:
-        event = yield
-        if event.surface_mm is not None:
-            marked = _marked(annotations, name, event.surface_mm)
+def _carry(case: Case, press: PointerEvent, name: str, sentence: str) -> Gesture:
+    annotations, event = case.record.annotations, press
+    start = shown_points(case).get(name)
+    on_skin = _is_touched(press, start)
+    while True:
+        place = event.surface_mm if on_skin else _shifted(start, press, event)
+        if place is not None:
+            marked = annotations.with_key_point(KeyPoint(name, _place(place)))
             case.preview(marked)
+        if event.phase is Phase.RELEASE:
+            break
+        event = yield
     case.apply(marked, sentence)
 
 
-def _marked(annotations: Annotations, name: str, place: FloatArray | None) -> Annotations:
-    assert place is not None
-    return annotations.with_key_point(KeyPoint(name, _place(place)))
+def _is_touched(press: PointerEvent, start: tuple[float, float, float] | None) -> bool:
+    """Whether the skin under the pointer is that of the point: it may lie behind, or at the rim."""
+    if start is None:
+        return True
+    hit = press.surface_mm
+    return hit is not None and bool(np.linalg.norm(hit - np.array(start)) < TOUCHED_MM)
+
+
+def _shifted(
+    start: tuple[float, float, float] | None, press: PointerEvent, event: PointerEvent
+) -> FloatArray:
+    """Move a point along the picture, as far as the pointer went."""
+    look = press.look
+    return np.array(start) + look.point_at(*event.pixel) - look.point_at(*press.pixel)
 
 
 def _place(point: FloatArray) -> tuple[float, float, float]:

@@ -9,9 +9,10 @@ import numpy as np
 from insole_core.cases.record import CaseRecord
 from insole_core.insole.clearance import Clearance
 from insole_core.insole.clearance import clearance as pad_clearance
-from insole_core.insole.design import Pelott
+from insole_core.insole.design import Pelott, Place
+from insole_core.insole.pad_places import placed_pad
 from insole_studio.tools.tool import place_at
-from insole_studio.workbench.landmarks import metatarsal_line
+from insole_studio.workbench.landmarks import landmarks_of, metatarsal_line
 
 USUAL_MM = 8.0
 """Front edge behind the heads 2 – 4, where FIELD.md puts a pelott by default."""
@@ -24,6 +25,14 @@ def clearance(record: CaseRecord, pad: Pelott) -> Clearance | None:
     """Measure a pad against the line of the heads; None where it has nothing to do with it."""
     line = metatarsal_line(record) if pad.shape in SNAPPING else None
     return None if line is None else pad_clearance(pad, line[:, :2])
+
+
+def usual_place(record: CaseRecord, pad: Pelott) -> Place | None:
+    """Give where a pad lies by default, behind the middle heads; None before there is a foot."""
+    landmarks, side = landmarks_of(record), record.side
+    if not landmarks or side is None:
+        return None
+    return placed_pad(pad, "metatarsal_line", side, landmarks, USUAL_MM).centre_mm
 
 
 def snapped(record: CaseRecord, pad: Pelott) -> Pelott:

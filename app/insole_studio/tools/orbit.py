@@ -9,9 +9,11 @@ from insole_studio.tools.pelott import (
     nudge_pelott,
     pelott_at,
     pelott_handles,
+    pelott_offers,
+    raise_pelott,
     selected_pelott,
 )
-from insole_studio.tools.tool import Gesture, Ground, Tool
+from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool
 from insole_studio.workbench.case import Case
 
 
@@ -29,6 +31,14 @@ class OrbitTool(Tool):
     def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return pelott_handles(case, ground)
+
+    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+        """Offer to remove the pad at a place."""
+        return pelott_offers(case, event)
+
+    def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
+        """Raise the selected pad by keys; the wheel is the camera's."""
+        return event.by_key and raise_pelott(case, event, steps)
 
     def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Grab a handle; select or leave what is under the pointer, and let the camera turn."""

@@ -72,7 +72,8 @@ class OutlineTool(Tool):
         number, place = _number(event), event.place_mm(0.0)
         found = []
         if number is not None:
-            found.append(MenuOffer(tr("Remove this point"), lambda: self._remove(case, number)))
+            text = tr("Remove this point")
+            found.append(MenuOffer(text, lambda: self._remove(case, number), removes=True))
         elif place is not None and is_near(points_of(case.record), place[:2]):
             here = place_at(place)
             found.append(MenuOffer(tr("Add a point here"), lambda: self._add(case, here)))

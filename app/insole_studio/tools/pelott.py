@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import InsoleDesign, Pelott
+from insole_core.insole.design import InsoleDesign, Pelott, Place
 from insole_core.insole.limits import CORRECTION_RANGES
 from insole_core.insole.outline_curve import inside_curve
 from insole_core.insole.pad_shapes import local_outline, pad2insole
@@ -18,10 +19,11 @@ from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
-from insole_studio.tools.metatarsal import NEAR_MM, clearance, snapped
+from insole_studio.tools.metatarsal import NEAR_MM, clearance, snapped, usual_place
 from insole_studio.tools.tool import (
     Gesture,
     Ground,
+    MenuOffer,
     Tool,
     nudge_mm,
     place_at,
@@ -58,6 +60,14 @@ class PelottTool(Tool):
     def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return pelott_handles(case, ground)
+
+    def start(self, case: Case) -> Place | None:
+        """Begin where such a pad usually lies."""
+        return usual_place(case.record, self.template)
+
+    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+        """Offer to remove the pad at a place."""
+        return pelott_offers(case, event)
 
     def press(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
         """Grab a handle or a pad, or place a new one."""
@@ -130,10 +140,12 @@ def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
 
 
 def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
-    """Raise the selected pad that is under the pointer by half a millimetre a step."""
+    """Raise the selected pad by half a millimetre a step; the wheel only where it lies."""
     design = case.record.design
     pad = selected_pelott(case)
-    if design is None or pad is None or pelott_at(design, event) != pad:
+    if design is None or pad is None:
+        return False
+    if not event.by_key and pelott_at(design, event) != pad:
         return False
     step = 0.1 if event.fine else HEIGHT_STEP_MM
     raised = replace(
@@ -154,6 +166,17 @@ def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
     return True
 
 
+def pelott_offers(case: Case, event: PointerEvent) -> tuple[MenuOffer, ...]:
+    """Offer to remove the pad at a place, or the selected one where a handle was chosen."""
+    design = case.record.design
+    if design is None:
+        return ()
+    pad = pelott_at(design, event) if event.handle is None else selected_pelott(case)
+    if pad is None:
+        return ()
+    return (MenuOffer(tr("Remove the pad"), partial(_remove, case, pad), removes=True),)
+
+
 def clearance_text(case: Case) -> str:
     """Say how far behind the metatarsal heads the selected pad ends; empty far from them."""
     pad = selected_pelott(case)
@@ -168,6 +191,12 @@ def clearance_text(case: Case) -> str:
 def seen_from_above(event: PointerEvent) -> bool:
     """Whether the back of the foot is in front, where nothing of the insole can lie."""
     return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
+
+
+def _remove(case: Case, pad: Pelott) -> None:
+    design = case.record.design
+    if design is not None:
+        case.apply(design.with_removed(pad.id), tr("Remove a correction"))
 
 
 def _spots(pad: Pelott) -> dict[str, FloatArray]:

@@ -59,6 +59,8 @@ class PostingTool(Tool):
         return True
 
     def _part(self, case: Case, event: PointerEvent) -> str:
+        if event.by_key:
+            return "rearfoot"
         if event.surface_mm is None or case.foot is None:
             return ""
         behind = event.surface_mm[1] < BORDER_SHARE * case.foot.length_mm

@@ -9,7 +9,15 @@ import numpy as np
 
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, Tool, nudge_mm, place_at, rounded
+from insole_studio.tools.tool import (
+    Gesture,
+    Ground,
+    MenuOffer,
+    Tool,
+    nudge_mm,
+    place_at,
+    rounded,
+)
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.section import Section, SectionPlane
 
@@ -55,6 +63,13 @@ class SectionTool(Tool):
         turn = plane.turn_deg if plane is not None else 0.0
         put = SectionPlane(place_at(event.surface_mm, PLACE_STEP_MM), turn)
         return self._drag(event, put, _moved)
+
+    def offers(self, _case: Case, _event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+        """Offer to look at the whole again."""
+        if self._section.plane is None:
+            return ()
+        text = tr("Remove the section")
+        return (MenuOffer(text, lambda: self._section.show(None), removes=True),)
 
     def nudge(self, _case: Case, event: PointerEvent, right: int, up: int) -> bool:
         """Move the section by half a millimetre."""

@@ -29,10 +29,14 @@ Gesture = Generator[None, PointerEvent, None]
 
 @dataclass(frozen=True)
 class MenuOffer:
-    """One line of the menu under the pointer: its text and what it does."""
+    """One line of the menu under the pointer: its text and what it does.
+
+    What `removes` is also meant by the Delete key.
+    """
 
     text: str
     run: Callable[[], None]
+    removes: bool = False
 
 
 class Ground(Protocol):
@@ -69,6 +73,10 @@ class Tool:
     def handles(self, _case: Case, _ground: Ground) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return ()
+
+    def start(self, _case: Case) -> Place | None:
+        """Give where the pointer of the keys begins; None for amid the picture."""
+        return None
 
     @property
     def sketch(self) -> tuple[Place, ...]:

@@ -63,7 +63,10 @@ class NumberField(QDoubleSpinBox):
         return super().valueFromText(self._localised(text))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Nudge by the arrow keys."""
+        """Nudge by the arrow keys; Escape leaves the value as it was."""
+        if event.key() == Qt.Key.Key_Escape:
+            event.setAccepted(self._forget_typed())  # the next one leads back to the view
+            return
         direction = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
         if direction is None:
             super().keyPressEvent(event)
@@ -75,6 +78,15 @@ class NumberField(QDoubleSpinBox):
         turn = event.angleDelta().y() or event.angleDelta().x()
         self._nudge(turn / 120, event.modifiers())
         event.accept()
+
+    def _forget_typed(self) -> bool:
+        """Show the value again in the place of what is being typed; False when that is the same."""
+        shown = self.textFromValue(self.value())
+        if self.cleanText() == shown:
+            return False
+        self.lineEdit().setText(f"{self.prefix()}{shown}{self.suffix()}")
+        self.selectAll()
+        return True
 
     def _nudge(self, steps: float, modifiers: Qt.KeyboardModifier) -> None:
         factor = 1.0

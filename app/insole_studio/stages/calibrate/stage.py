@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QFileDialog, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QVBoxLayout
 
 from insole_studio.capture.client import CaptureService
 from insole_studio.capture.place import Place
@@ -17,13 +17,14 @@ from insole_studio.stages.calibrate.live_presenter import LivePresenter
 from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.view import CalibrateView
 from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
 from insole_studio.workbench.sensor_store import SensorStore
 
 _SIZE = (1180, 680)
 _TICK_MS = 50
 
 
-class CalibrateStage(QWidget):
+class CalibrateStage(StageFrame):
     """Leads through the calibration of a sensor with live pictures, or pictures from folders.
 
     Parameters

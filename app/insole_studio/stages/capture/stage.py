@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout
 
 from insole_studio.capture.client import CaptureService
 from insole_studio.capture.left_drafts import newest_left_draft
@@ -19,12 +19,13 @@ from insole_studio.stages.capture.presenter import TILT_STEP_DEG, CapturePresent
 from insole_studio.stages.capture.rows import CaptureOptions
 from insole_studio.stages.capture.view import CaptureView
 from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
 
 _TICK_MS = 50
 _SIZE = (1200, 720)
 
 
-class CaptureStage(QWidget):
+class CaptureStage(StageFrame):
     """Sensors are in use, and their emitters on, from construction to closing.
 
     Parameters

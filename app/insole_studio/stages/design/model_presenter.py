@@ -139,6 +139,12 @@ class ModelPresenter:
         """Put a place of the insole frame onto what is shown."""
         raise NotImplementedError
 
+    def start(self) -> tuple[float, float, float] | None:
+        """Begin the pointer of the keys where the tool asks, or at what is selected."""
+        pad = selected_pelott(self._case)
+        place = self._hand.tool.start(self._case) or (None if pad is None else pad.centre_mm)
+        return None if place is None else self.place(*place)
+
     def covers(self, x_mm: float, y_mm: float) -> bool:
         """Whether the insole lies under a place."""
         return self._surface.covers(x_mm, y_mm)

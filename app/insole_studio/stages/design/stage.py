@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QWidget
 
 from insole_core.insole.rules import Rules
 from insole_studio.scene.camera import Camera, Preset, Subject
@@ -121,6 +122,24 @@ class DesignStage(QObject):
         hand.tool_changed.connect(self._ask_for_section)
         case.opened.connect(self._forget_section)
 
+    @property
+    def panels(self) -> tuple[QWidget, ...]:
+        """The panels in the order of reading."""
+        return (
+            self.steps,
+            self.notices,
+            self.patient,
+            self.insole,
+            self.foot,
+            self.parameters,
+            self.section,
+        )
+
+    def focus_view(self) -> None:
+        """Give the keys to the foot; to the insole while the foot is hidden."""
+        shown = self.foot if self.foot.isVisible() else self.insole
+        shown.scene.surface.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
     def look(self, preset: Preset) -> None:
         """Look at both subjects from a named direction, whole."""
         for view, presenter in self._presenters.values():
@@ -141,6 +160,11 @@ class DesignStage(QObject):
     def fit(self) -> None:
         """Show everything from where one looks now."""
         self.look(self.foot.scene.camera.preset)
+
+    def end_keys(self) -> None:
+        """Let what the arrow keys have begun be done."""
+        for view, _ in self._presenters.values():
+            view.scene.keys.let_go()
 
     def set_linked(self, linked: bool) -> None:
         """Let the cameras move together, or each for itself."""
@@ -169,6 +193,8 @@ class DesignStage(QObject):
 
     def _connect(self, view: ModelView, presenter: ModelPresenter) -> None:
         view.scene.sink = presenter
+        view.scene.start = presenter.start
+        self._hand.tool_changed.connect(view.scene.keys.forget)
         view.scene.camera_changed.connect(self._follow)
         view.scene.hovered.connect(self._point)
         view.scene.left.connect(self._point_nowhere)
@@ -200,6 +226,7 @@ class DesignStage(QObject):
     def _fit_later(self) -> None:
         self._fit_when_shown = True
         self.look(Preset.PLANTAR)
+        self.focus_view()
         self._show_hint()
 
     def _fit_insole_once(self) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.solids.shop import Shop
 from insole_studio.jobs import Jobs
@@ -15,6 +15,7 @@ from insole_studio.stages.export.order_form import Stock
 from insole_studio.stages.export.presenter import ExportPresenter
 from insole_studio.stages.export.view import ExportView
 from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.export_rules import ExportRules
 from insole_studio.workbench.order_memory import OrderMemory
@@ -22,7 +23,7 @@ from insole_studio.workbench.order_memory import OrderMemory
 _SIZE = (1280, 700)
 
 
-class ExportStage(QWidget):
+class ExportStage(StageFrame):
     """Check & export.
 
     Parameters

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -71,6 +72,8 @@ class ExportView(QWidget):
         self.cancel.clicked.connect(self.cancel_requested)
         self.export = QPushButton(tr("Export…"))
         self.export.setDefault(True)
+        self.export.setShortcut(QKeySequence("Ctrl+Return"))
+        self.export.setToolTip(tr("Write the files for the shop") + " (Ctrl+Enter)")
         self.export.clicked.connect(self.export_requested)
         self._bounds: FloatArray | None = None
         self._side: Side | None = None

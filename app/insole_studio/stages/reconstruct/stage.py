@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.reconstruct import RegistrationLimits
 from insole_studio.jobs import Jobs
@@ -15,11 +15,12 @@ from insole_studio.stages.reconstruct.presenter import ReconstructPresenter
 from insole_studio.stages.reconstruct.view import ReconstructView
 from insole_studio.texts import tr
 from insole_studio.tools.box import BoxHand
+from insole_studio.widgets.tab_order import StageFrame
 
 _SIZE = (1280, 720)
 
 
-class ReconstructStage(QWidget):
+class ReconstructStage(StageFrame):
     """Shows how a foot comes about, and lets the hand correct it.
 
     Parameters

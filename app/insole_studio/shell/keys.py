@@ -1,0 +1,48 @@
+"""All that the keys do: what the actions say, and what views and fields add."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from insole_studio.shell.actions import ACTIONS
+from insole_studio.shell.menus import MENUS
+from insole_studio.texts import tr
+from insole_studio.widgets.key_help import Line
+
+VIEW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
+    (lambda: tr("Move what is selected by 0.5 mm; Shift 5 mm, Ctrl 0.05 mm"), "← → ↑ ↓"),
+    (lambda: tr("Raise or lower what is selected; with Ctrl finely. Else zoom"), "+  −"),
+    (
+        lambda: tr("Choose the next or previous handle or landmark; arrows drag it"),
+        "PgDn  PgUp",
+    ),
+    (lambda: tr("Click where the cross is; end the drag; confirm the chosen landmark"), "Enter"),
+    (lambda: tr("Press and hold where the cross is, or let go: draw, brush"), "Space"),
+    (lambda: tr("The cross to where the tool is usually used"), "Home"),
+    (lambda: tr("What can be done here"), "Shift+F10"),
+    (lambda: tr("Remove what is chosen, else the selected correction"), "Del"),
+    (lambda: tr("Undo the drag; nothing chosen; nothing selected; the Orbit tool"), "Esc"),
+    (lambda: tr("Turn the view; with Shift, shift it"), "Alt+← → ↑ ↓"),
+)
+FIELD_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
+    (lambda: tr("One step more or less; with Shift ten, with Ctrl a tenth"), "↑ ↓"),
+    (lambda: tr("Take the number that was typed"), "Enter"),
+    (lambda: tr("Leave the number as it was; back to the view"), "Esc"),
+    (lambda: tr("The next field, the one before"), "Tab  Shift+Tab"),
+)
+WINDOW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
+    (lambda: tr("Open a menu by its underlined letter"), "Alt+…"),
+    (lambda: tr("Close the window of a stage"), "Ctrl+W"),
+    (lambda: tr("Export, in Check & export"), "Ctrl+Enter"),
+)
+
+
+def key_sections() -> Iterator[tuple[str, list[Line]]]:
+    """Give the lines of the list under their headings."""
+    yield tr("In the views"), [(text(), keys) for text, keys in VIEW_KEYS]
+    yield tr("In the fields"), [(text(), keys) for text, keys in FIELD_KEYS]
+    yield tr("In every window"), [(text(), keys) for text, keys in WINDOW_KEYS]
+    records = {record.key: record for record in ACTIONS}
+    for title, menu in MENUS:
+        shown = [records[key] for key in menu if key in records and records[key].shortcut]
+        yield title().replace("&", ""), [(r.text().replace("&&", "&"), r.shortcut) for r in shown]

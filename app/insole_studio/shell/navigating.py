@@ -1,0 +1,60 @@
+"""Getting about without a mouse: from panel to panel, to the values, to the next correction."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QApplication, QWidget
+
+from insole_studio.stages.design.stage import DesignStage
+from insole_studio.tools.hand import Hand
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.tab_order import give_focus, tab_stops
+from insole_studio.workbench.case import Case
+
+
+class Navigating:
+    """Gives the focus to what the user asks for."""
+
+    def __init__(self, case: Case, stage: DesignStage, hand: Hand) -> None:
+        self._case = case
+        self._stage = stage
+        self._hand = hand
+
+    def go_to_panel(self, step: int) -> None:
+        """Go to the next panel, or to the one before."""
+        panels = [p for p in self._stage.panels if next(tab_stops(p), None) is not None]
+        focused = QApplication.focusWidget()
+        at = next((n for n, p in enumerate(panels) if _holds(p, focused)), -1 if step > 0 else 0)
+        if panels:
+            give_focus(next(tab_stops(panels[(at + step) % len(panels)])))
+
+    def edit_values(self) -> None:
+        """Go to the first number of the parameters, ready to be typed over."""
+        stops = tab_stops(self._stage.parameters)
+        field = next((stop for stop in stops if isinstance(stop, NumberField)), None)
+        if field is not None:
+            give_focus(field)
+            field.selectAll()
+
+    def select_next(self, step: int) -> None:
+        """Select the next correction of the list, or the one before."""
+        design = self._case.record.design
+        ids = [c.id for c in design.corrections] if design is not None else []
+        if not ids:
+            return
+        at = ids.index(self._case.selection) if self._case.selection in ids else None
+        start = at if at is not None else (-1 if step > 0 else 0)
+        self._case.select(ids[(start + step) % len(ids)])
+
+    def go_back(self) -> None:
+        """Escape: to the view, then to nothing selected, then to the tool that only looks."""
+        views = (self._stage.foot.scene.surface, self._stage.insole.scene.surface)
+        if QApplication.focusWidget() not in views:
+            self._stage.focus_view()
+        elif self._case.selection is not None:
+            self._case.select(None)
+        else:
+            self._hand.take("orbit")
+
+
+def _holds(panel: QWidget, focused: QWidget | None) -> bool:
+    return focused is not None and (panel is focused or panel.isAncestorOf(focused))

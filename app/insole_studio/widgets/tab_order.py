@@ -1,0 +1,100 @@
+"""Where Tab goes: from control to control in the order of reading, whatever was made when.
+
+Qt follows the order in which widgets were made; rows that come later would be the last. Here the
+layouts say the order, each time anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
+
+
+def tab_stops(root: QWidget) -> Iterator[QWidget]:
+    """Give what Tab stops at inside a widget, in the order of reading."""
+    if not root.isVisible():
+        return
+    if _is_stop(root):
+        yield root
+        return
+    for part in _parts(root):
+        yield from tab_stops(part)
+
+
+def go_on(roots: Sequence[QWidget], forward: bool) -> bool:
+    """Give the focus to the next stop, or to the one before; False when there is none."""
+    stops = [stop for root in roots for stop in tab_stops(root)]
+    if not stops:
+        return False
+    at = _place_of(QApplication.focusWidget(), stops)
+    step = 1 if forward else -1
+    start = at if at is not None else (-1 if forward else 0)
+    reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
+    give_focus(stops[(start + step) % len(stops)], reason)
+    return True
+
+
+def give_focus(
+    widget: QWidget, reason: Qt.FocusReason = Qt.FocusReason.ShortcutFocusReason
+) -> None:
+    """Give a widget the focus, and scroll to it."""
+    widget.setFocus(reason)
+    above = widget.parentWidget()
+    while above is not None:
+        if isinstance(above, QScrollArea):
+            above.ensureWidgetVisible(widget, 8, 8)
+        above = above.parentWidget()
+
+
+class StageFrame(QWidget):
+    """A stage in a window of its own: Tab goes in the order of reading, Ctrl+W closes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Go on in the order of reading."""
+        return go_on([self], forward) if self.isWindow() else super().focusNextPrevChild(forward)
+
+
+def _is_stop(widget: QWidget) -> bool:
+    takes_tab = widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+    return bool(takes_tab) and widget.isEnabled() and not isinstance(widget, QScrollArea)
+
+
+def _parts(widget: QWidget) -> list[QWidget]:
+    if isinstance(widget, QScrollArea):
+        content = widget.widget()
+        return [] if content is None else [content]
+    if isinstance(widget, QSplitter):
+        parts = (widget.widget(number) for number in range(widget.count()))
+        return [part for part in parts if part is not None]
+    layout = widget.layout()
+    if layout is not None:
+        return list(_laid_out(layout))
+    children = widget.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    return sorted(children, key=lambda child: (child.y(), child.x()))
+
+
+def _laid_out(layout: QLayout) -> Iterator[QWidget]:
+    for number in range(layout.count()):
+        item = layout.itemAt(number)
+        if item is None:
+            continue
+        inner, widget = item.layout(), item.widget()
+        if inner is not None:
+            yield from _laid_out(inner)
+        elif widget is not None:
+            yield widget
+
+
+def _place_of(focused: QWidget | None, stops: Sequence[QWidget]) -> int | None:
+    """Number of the stop that holds the focus."""
+    for number, stop in enumerate(stops):
+        if focused is stop or (focused is not None and stop.isAncestorOf(focused)):
+            return number
+    return None
