@@ -33,7 +33,7 @@ FIELD_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
 WINDOW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
     (lambda: tr("Open a menu by its underlined letter"), "Alt+…"),
     (lambda: tr("Close the window of a stage"), "Ctrl+W"),
-    (lambda: tr("Export, in Check & export"), "Ctrl+Enter"),
+    (lambda: tr("Go on from a stage: to the design; export"), "Ctrl+Enter"),
 )
 
 

@@ -54,7 +54,7 @@ class StageFrame(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
+        QShortcut(QKeySequence("Ctrl+W"), self, self.close)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Go on in the order of reading."""

@@ -1,10 +1,15 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
+
+from PySide6.QtWidgets import QLineEdit, QTreeWidget
 
 from insole_studio.bootstrap import Application
 from insole_studio.shell.actions import ACTIONS
+from insole_studio.shell.keys import key_sections
 from insole_studio.shell.menus import MAPS, MENUS, PADS, RECENT, SEPARATOR, TOOLBAR
+from insole_studio.widgets.key_help import KeyHelp
 
 KEYS = [record.key for record in ACTIONS]
 
@@ -55,3 +60,32 @@ def test_exactly_one_tool_is_checked(opened: Application) -> None:
             ]
             assert checked == [record.key]
             assert record.key == f"tool_{opened.hand.tool.key}"
+
+
+def test_the_manual_lists_every_key() -> None:
+    page = (Path(__file__).parents[3] / "docs/manual/keyboard.md").read_text("utf-8")
+    missing = [
+        text
+        for _, lines in key_sections()
+        for text, keys in lines
+        if f"| {text} | {keys} |" not in page
+    ]
+    assert missing == []
+
+
+def test_the_help_shows_every_key_and_finds_it(app: Application) -> None:
+    app.window.actions_by_key["keys"].trigger()
+    (shown,) = app.window.findChildren(KeyHelp)
+    tree, search = shown.findChild(QTreeWidget), shown.findChild(QLineEdit)
+    assert isinstance(tree, QTreeWidget)
+    assert isinstance(search, QLineEdit)
+    count = sum(len(lines) for _, lines in key_sections())
+    assert _visible_lines(tree) == count
+    search.setText("pelott")
+    assert 0 < _visible_lines(tree) < count
+    shown.close()
+
+
+def _visible_lines(tree: QTreeWidget) -> int:
+    sections = [tree.invisibleRootItem().child(i) for i in range(tree.topLevelItemCount())]
+    return sum(not s.child(i).isHidden() for s in sections for i in range(s.childCount()))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -82,6 +83,8 @@ class ReconstructView(QWidget):
         self.cancel = QPushButton(tr("Cancel"))
         self.go_on = QPushButton(tr("Go on to design"))
         self.go_on.setObjectName("primary")
+        self.go_on.setShortcut(QKeySequence("Ctrl+Return"))
+        self.go_on.setToolTip(tr("Work on this foot") + " (Ctrl+Enter)")
         self._name = QLabel()
         self._name.setObjectName("heading")
         self._sentences = Sentences("warning")

@@ -1,0 +1,168 @@
+"""The standard case by keys alone, through the real window: no mouse, no call of an action."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
+
+from insole_core.insole.design import Pelott, Posting
+from insole_studio.bootstrap import Places
+from insole_studio.scripted import ScriptedStudio
+from insole_studio.tools.key_point import confidence, shown_points
+
+KEY = Qt.Key
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+PATIENCE_MS = 60_000
+NONE = Qt.KeyboardModifier.NoModifier
+
+
+class Keyboard:
+    """Strikes keys; they go where the focus is, as those of a user do."""
+
+    def __init__(self, studio: ScriptedStudio, qtbot: QtBot) -> None:
+        self.studio = studio
+        self._qtbot = qtbot
+        self.app = studio.app
+
+    def strike(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = NONE, times: int = 1) -> None:
+        for _ in range(times):
+            QTest.keyClick(_active().windowHandle(), key, modifiers)
+            self.studio.settle()
+
+    def type(self, text: str) -> None:
+        for letter in text:
+            QTest.keyClick(_active().windowHandle(), letter)
+        self.strike(KEY.Key_Return)
+
+    def answering_file(self, path: Path) -> None:
+        """Type a path into the file dialog that comes next."""
+        QTimer.singleShot(100, lambda: _type_path(path))
+
+    def wait_for(self, is_done: Callable[[], bool]) -> None:
+        self._qtbot.waitUntil(is_done, timeout=PATIENCE_MS)
+        self.studio.settle()
+
+
+def _active() -> QWidget:
+    window = QApplication.activeWindow()
+    assert window is not None
+    return window
+
+
+def _type_path(path: Path) -> None:
+    """Type into the dialog once it is there, and press Enter until it is gone."""
+    dialog = QApplication.activeModalWidget()
+    if isinstance(dialog, QFileDialog) and dialog.isVisible():
+        field = dialog.focusWidget()
+        assert isinstance(field, QLineEdit)  # one can type at once
+        if field.text() != str(path):
+            field.selectAll()
+            QTest.keyClicks(field, str(path))
+        QTest.keyClick(field, KEY.Key_Return)
+        if not dialog.isVisible():
+            return
+    QTimer.singleShot(100, lambda: _type_path(path))
+
+
+@pytest.fixture
+def keyboard(qapp: QApplication, qtbot: QtBot, places: Places) -> Iterator[Keyboard]:
+    with ScriptedStudio(places, (1366, 768)) as studio:
+        studio.app.window.activateWindow()
+        QTest.qWaitForWindowActive(studio.app.window)
+        yield Keyboard(studio, qtbot)
+
+
+def test_the_standard_case_by_keys_alone(
+    keyboard: Keyboard, small_session: Path, tmp_path: Path
+) -> None:
+    app, case, strike = keyboard.app, keyboard.app.case, keyboard.strike
+    keyboard.answering_file(small_session)
+    strike(KEY.Key_M, CTRL)
+    keyboard.wait_for(lambda: case.foot is not None)
+    strike(KEY.Key_Return, CTRL)  # the foot stage has nothing to be put right
+    keyboard.wait_for(lambda: _active() is app.window)
+    assert QApplication.focusWidget() is app.stage.foot.scene.surface
+
+    strike(KEY.Key_K)
+    strike(KEY.Key_PageDown, times=3)
+    name = "metatarsal_head_1"
+    assert app.stage.foot.scene.keys.handle == f"point:{name}"
+    before = shown_points(case)[name]
+    strike(KEY.Key_Up, times=4)
+    strike(KEY.Key_Return)
+    assert shown_points(case)[name][1] == pytest.approx(before[1] + 2.0, abs=0.02)
+    assert len(case.history) == 1  # what the arrows did is one step
+    strike(KEY.Key_K, CTRL)
+    assert confidence(case, "heel_centre") == 1.0
+
+    strike(KEY.Key_P)
+    strike(KEY.Key_Return)
+    pad = _only_pad(keyboard)
+    strike(KEY.Key_Left)
+    strike(KEY.Key_Up, SHIFT)
+    strike(KEY.Key_Plus)
+    strike(KEY.Key_Minus, CTRL)
+    moved = _only_pad(keyboard)
+    x, y = pad.centre_mm
+    right = app.stage.foot.scene.look.right[0]
+    assert moved.centre_mm == pytest.approx((x - 0.5 * right, y + 5.0), abs=0.011)
+    assert moved.height_mm == pytest.approx(pad.height_mm + 0.4)
+
+    strike(KEY.Key_T)
+    strike(KEY.Key_Escape)  # the pad is no longer selected
+    strike(KEY.Key_F2)
+    keyboard.type("4")
+    strike(KEY.Key_Escape)
+    strike(KEY.Key_O)
+    strike(KEY.Key_F2)
+    _go_to(keyboard, "insole.thickness_mm")
+    keyboard.type("4,5")
+    strike(KEY.Key_Escape)
+
+    strike(KEY.Key_S)
+    strike(KEY.Key_Return)
+    assert app.stage.section.isVisible()
+    before_mm = app.stage.insole_presenter._section.plane
+    strike(KEY.Key_Up, times=2)
+    assert app.stage.insole_presenter._section.plane != before_mm
+
+    strike(KEY.Key_E, CTRL)
+    stage = app.studio.rooms.exporting.checking.stage
+    assert stage is not None
+    keyboard.wait_for(lambda: stage.view.export.isEnabled() and _active() is stage)
+    keyboard.answering_file(tmp_path / "insole.stl")
+    strike(KEY.Key_Return, CTRL)
+    keyboard.wait_for(lambda: case.record is app.studio.rooms.exporting.exported)
+    strike(KEY.Key_W, CTRL)
+    assert app.studio.rooms.exporting.checking.stage is None
+
+    design = case.record.design
+    assert design is not None
+    posting = design.corrections[1]
+    assert isinstance(posting, Posting)
+    assert (posting.rearfoot_deg, design.thickness_mm) == (4.0, 4.5)
+    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+
+
+def _only_pad(keyboard: Keyboard) -> Pelott:
+    design = keyboard.app.case.record.design
+    assert design is not None
+    (pad,) = design.corrections
+    assert isinstance(pad, Pelott)
+    return pad
+
+
+def _go_to(keyboard: Keyboard, key: str) -> None:
+    """Tab on to a field."""
+    for _ in range(30):
+        focused = QApplication.focusWidget()
+        if focused is not None and focused.property("key") == key:
+            return
+        keyboard.strike(KEY.Key_Tab)
+    raise AssertionError(f"Tab does not lead to {key}")
