@@ -70,6 +70,7 @@ from insole_studio.tools.plane import PlaneTool
 from insole_studio.tools.posting import PostingTool
 from insole_studio.tools.section import SectionTool
 from insole_studio.tools.tool import Tool
+from insole_studio.tools.turn import TurnTool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import Counterpart
@@ -328,6 +329,7 @@ def make_tools(section: Section) -> tuple[Tool, ...]:
     return (
         OrbitTool(),
         KeyPointTool(),
+        TurnTool(),
         PelottTool(),
         FreeHandTool(),
         PostingTool(),

@@ -139,6 +139,8 @@ def test_the_standard_case_by_keys_alone(
     keyboard.answering_file(tmp_path / "insole.stl")
     strike(KEY.Key_Return, CTRL)
     keyboard.wait_for(lambda: case.record is app.studio.rooms.exporting.exported)
+    stage.activateWindow()  # as a window manager does when a dialog is gone
+    keyboard.wait_for(lambda: _active() is stage)
     strike(KEY.Key_W, CTRL)
     assert app.studio.rooms.exporting.checking.stage is None
 

@@ -154,6 +154,12 @@ class Painter:
         self._surface.Modified()
         return True
 
+    def show_moved(self, step: FloatArray | None) -> None:
+        """Show the surface where a transform (4, 4) puts it; None for where it is."""
+        actor = self._plotter.actors.get("surface")
+        if actor is not None:
+            actor.user_matrix = np.eye(4) if step is None else step
+
     def show_wireframe(self, shown: bool) -> None:
         """Show the triangles' edges alone, or the whole surface."""
         self._wireframe = shown

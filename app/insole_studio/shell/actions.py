@@ -205,6 +205,13 @@ ACTIONS: tuple[ActionRecord, ...] = (
     _tool(
         "key_point", lambda: tr("Landmarks"), lambda: tr("Put right the landmarks of the foot"), "K"
     ),
+    _tool(
+        "turn",
+        lambda: tr("Turn the foot"),
+        lambda: tr("Turn the foot by rings; type its angles, or align it by the landmarks"),
+        "A",
+        lambda: tr("Turn foot"),
+    ),
     _tool("pelott", lambda: tr("Pelott"), lambda: tr("Place and shape pelotts"), "P"),
     _tool(
         "free_hand",

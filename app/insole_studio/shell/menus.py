@@ -19,6 +19,7 @@ BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (
     "tool_orbit",
     "tool_key_point",
+    "tool_turn",
     "tool_pelott",
     "tool_free_hand",
     "tool_posting",

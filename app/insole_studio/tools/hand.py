@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from inspect import GEN_RUNNING, getgeneratorstate
 
 from PySide6.QtCore import QObject, Signal
 
@@ -58,8 +59,8 @@ class Hand(QObject):
 
     def cancel(self) -> bool:
         """Give the gesture up, as if it had never begun; False when there is none."""
-        if self._gesture is None:
-            return False
+        if self._gesture is None or getgeneratorstate(self._gesture) == GEN_RUNNING:
+            return False  # what it has just done may tell of another foot
         self._gesture.close()
         self._gesture = None
         self._case.end_preview()

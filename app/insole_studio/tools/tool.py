@@ -83,6 +83,11 @@ class Tool:
         """What the hand is drawing just now, in the insole frame."""
         return ()
 
+    @property
+    def foot_step(self) -> FloatArray | None:
+        """How the hand is moving the foot just now, (4, 4); None when it does not."""
+        return None
+
     def press(self, _case: Case, _event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Begin a gesture; None leaves the press to the camera."""
         return None

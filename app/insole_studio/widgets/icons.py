@@ -16,6 +16,7 @@ _NAMES = {
     "redo": "mdi6.redo",
     "orbit": "mdi6.rotate-orbit",
     "key_point": "mdi6.map-marker-outline",
+    "turn": "mdi6.axis-z-rotate-counterclockwise",
     "pelott": "mdi6.egg-outline",
     "outline": "mdi6.vector-curve",
     "copy": "mdi6.content-copy",

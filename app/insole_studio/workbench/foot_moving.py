@@ -6,12 +6,28 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import Annotations, FootRecord, KeyPoint, Variant
+from insole_core.cases.record import Annotations, CaseRecord, FootRecord, KeyPoint, Variant
+from insole_core.foot.aligning import PoseAngles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.insole.design import Correction, InsoleDesign, Pelott, Place
 from insole_core.insole.mirroring import with_places
+from insole_studio.workbench.landmarks import confirmed, landmarks_of
+
+
+def turned_record(record: CaseRecord, angles: PoseAngles) -> FootRecord:
+    """Let the foot at hand lie at these angles; who turns it by its landmarks has accepted them.
+
+    Raises
+    ------
+    InputError
+        When the landmarks stand where they do on no foot.
+    """
+    current = record.current
+    assert current is not None, "only a foot can be turned"
+    anew = turned(current.foot, landmarks_of(record), angles)
+    return lying_anew(replace(current, annotations=confirmed(record)), anew)
 
 
 def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:

@@ -20,6 +20,10 @@
             <translation>Stäng ett stegs fönster</translation>
         </message>
         <message>
+            <source>Drag a ring to turn the foot; hold Ctrl for small steps</source>
+            <translation>Dra i en ring för att vrida foten; håll Ctrl för små steg</translation>
+        </message>
+        <message>
             <source>Export, in Check &amp; export</source>
             <translation>Exportera, i Kontroll &amp; export</translation>
         </message>
@@ -140,8 +144,24 @@
             <translation>Korset till verktygets vanliga plats</translation>
         </message>
         <message>
+            <source>The landmarks stand where they do on no foot; put them right first</source>
+            <translation>Landmärkena står som på ingen fot; rätta dem först</translation>
+        </message>
+        <message>
             <source>The next field, the one before</source>
             <translation>Nästa fält, föregående fält</translation>
+        </message>
+        <message>
+            <source>Turn foot</source>
+            <translation>Vrid foten</translation>
+        </message>
+        <message>
+            <source>Turn the foot</source>
+            <translation>Vrid foten</translation>
+        </message>
+        <message>
+            <source>Turn the foot by rings; type its angles, or align it by the landmarks</source>
+            <translation>Vrid foten med ringar; skriv dess vinklar, eller rikta den efter landmärkena</translation>
         </message>
         <message>
             <source>Turn the view; with Shift, shift it</source>
@@ -166,6 +186,10 @@
         <message>
             <source>Write the files for the shop</source>
             <translation>Skriv filerna till verkstaden</translation>
+        </message>
+        <message>
+            <source>{angle}: drag along the ring</source>
+            <translation>{angle}: dra längs ringen</translation>
         </message>
     </context>
 </TS>

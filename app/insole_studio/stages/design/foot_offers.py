@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from insole_core.cases.record import KeyPoint
 from insole_core.errors import InputError
-from insole_core.foot.aligning import PoseAngles, pose_angles, turned
+from insole_core.foot.aligning import PoseAngles, pose_angles
 from insole_core.foot.measures import measure
 from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import Pelott, Posting
@@ -20,8 +20,8 @@ from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.key_point import point_text
 from insole_studio.tools.posting import posting_of, with_posting
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.foot_moving import lying_anew
-from insole_studio.workbench.landmarks import confirmed, landmarks_of
+from insole_studio.workbench.foot_moving import turned_record
+from insole_studio.workbench.landmarks import landmarks_of
 from insole_studio.workbench.pen_marks import PenMark, PenMarks
 
 _ANGLE = Range(-45, 45, "degrees")
@@ -41,6 +41,10 @@ class FootOffers:
         marks = self._marks.of(self._case.record)
         groups = (self._mark_group(number, mark) for number, mark in enumerate(marks))
         return [self._pose_group(), *groups]
+
+    def pose_groups(self) -> list[FieldGroup]:
+        """Give the pose of the foot alone."""
+        return [self._pose_group()]
 
     def posting_note(self) -> str:
         """Say how the Achilles axis leans against the sole; empty where it was not scanned."""
@@ -80,14 +84,9 @@ class FootOffers:
         self._lay(PoseAngles(), tr("Align the foot by the landmarks"))
 
     def _lay(self, angles: PoseAngles, sentence: str, merge_key: str = "") -> None:
-        """Turn the foot; who turns it by its landmarks has accepted them."""
-        record = self._case.record
-        foot, current = record.foot, record.current
-        if foot is None or current is None:
-            return
-        anew = turned(foot, landmarks_of(record), angles)
-        accepted = replace(current, annotations=confirmed(record))
-        self._case.apply(lying_anew(accepted, anew), sentence, merge_key)
+        """Let the foot lie at other angles."""
+        if self._case.foot is not None:
+            self._case.apply(turned_record(self._case.record, angles), sentence, merge_key)
 
     def _propose(self, _name: str) -> None:
         design = self._case.record.design

@@ -38,6 +38,7 @@ class ModelPanel(Protocol):
     def show_guide(  # noqa: D102
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None: ...
+    def show_turned(self, step: FloatArray | None) -> None: ...  # noqa: D102
     def show_axes(self, axes: RearLines | None) -> None: ...  # noqa: D102
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]

@@ -28,7 +28,7 @@ from insole_studio.stages.design.beside import (
 )
 from insole_studio.stages.design.maps import MapKind, color_by, color_foot, numbers_text
 from insole_studio.stages.design.model_panel import ModelPanel
-from insole_studio.stages.design.rear_lines import RearLines, rear_lines
+from insole_studio.stages.design.rear_lines import axes_of
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
 from insole_studio.tools.key_point import confidence, point_text, shown_points
@@ -45,8 +45,7 @@ from insole_studio.workbench.variants import choose_variant
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 CONTOUR_MM = 1.0
-_AXES_OF = ("posting", "key_point")
-_NOTHING = (object(),) * 6
+_NOTHING = (object(),) * 7
 
 
 class ModelPresenter:
@@ -169,15 +168,26 @@ class ModelPresenter:
             return
         record = self._case.shown
         tool, plane = self._hand.tool, self._section.plane
-        state = (record, self._case.selection, tool, tool.sketch, self._surface.contact, plane)
+        turn = tool.foot_step
+        state = (
+            record,
+            self._case.selection,
+            tool,
+            tool.sketch,
+            self._surface.contact,
+            plane,
+            turn,
+        )
         if all(a is b for a, b in zip(state, self._marked, strict=True)):
             return
         self._marked = state
         self.panel.show_outlines(*self._outlines())
         self.panel.show_handles(self._hand.tool.handles(self._case, self))
-        self.panel.show_key_points(self._points() if self.subject is Subject.FOOT else ())
+        is_foot = self.subject is Subject.FOOT
+        self.panel.show_key_points(self._points() if is_foot else ())
         self._show_guide()
-        self.panel.show_axes(self._axes())
+        self.panel.show_axes(axes_of(self._case, tool) if is_foot else None)
+        self.panel.show_turned(tool.foot_step if is_foot else None)
         self._show_plane(record.annotations.plane)
         self.panel.show_section(self._section_line())
         self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
@@ -248,14 +258,6 @@ class ModelPresenter:
         way = self._on_surface(np.stack([found.front, found.nearest]))
         lines = self._on_surface(found.line), way
         self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
-
-    def _axes(self) -> RearLines | None:
-        """What pronation is read from, on the foot while a tool is in hand that is about it."""
-        tool = self._hand.tool.key
-        if self.subject is not Subject.FOOT or tool not in _AXES_OF:
-            return None
-        found = rear_lines(self._case.shown)
-        return found if found is None or tool == "posting" else found.axes_alone()
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane

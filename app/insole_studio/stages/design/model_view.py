@@ -140,6 +140,11 @@ class ModelView(QWidget):
         self.scene.painter.show_label(place, text)
         self.scene.request_render()
 
+    def show_turned(self, step: FloatArray | None) -> None:
+        """Show the surface moved by a transform (4, 4), as long as the hand turns it."""
+        self.scene.painter.show_moved(step)
+        self.scene.request_render()
+
     def show_axes(self, axes: RearLines | None) -> None:
         """Draw the lines seen from behind, and their angle."""
         lines = () if axes is None else axes.lines

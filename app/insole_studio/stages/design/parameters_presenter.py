@@ -261,6 +261,7 @@ def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
 _TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
     "outline": lambda _presenter: [],
     "plane": ParametersPresenter._plane_groups,
+    "turn": lambda presenter: presenter._foot_offers.pose_groups(),
     "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
 }
 """Of the tools that show their own values, whatever is selected."""

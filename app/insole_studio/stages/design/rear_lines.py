@@ -1,4 +1,4 @@
-"""The lines seen from behind: Achilles axis, bisection of the calcaneus, and the sole's level."""
+"""The lines a tool works with: axes of the rearfoot and the sole's level, or rings to turn by."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ import numpy as np
 from insole_core.cases.record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.texts import tr
+from insole_studio.tools.tool import Tool
+from insole_studio.tools.turn import TurnTool, ring_centre
+from insole_studio.workbench.case import Case
 from insole_studio.workbench.landmarks import landmarks_of
 
 LEVEL_HALF_MM = 60.0
@@ -29,6 +32,25 @@ class RearLines:
     def axes_alone(self) -> RearLines:
         """Leave out the sole's level and the angle."""
         return RearLines(self.lines[:-1], self.place, "")
+
+
+def axes_of(case: Case, tool: Tool) -> RearLines | None:
+    """Give the lines that a tool works with: those seen from behind, or the rings of turning."""
+    if isinstance(tool, TurnTool):
+        return _rings(case, tool)
+    if tool.key not in ("posting", "key_point"):
+        return None
+    found = rear_lines(case.shown)
+    return found if found is None or tool.key == "posting" else found.axes_alone()
+
+
+def _rings(case: Case, tool: TurnTool) -> RearLines | None:
+    """What turns the foot, and the angle of now beyond the toes."""
+    rings, foot = tool.rings(case), case.foot
+    if foot is None or not rings:
+        return None
+    x, _, z = ring_centre(foot)
+    return RearLines(rings, np.array([x, foot.mesh.bounds_mm[1, 1], z]), tool.text)
 
 
 def rear_lines(record: CaseRecord) -> RearLines | None:

@@ -1,0 +1,130 @@
+"""The foot turned and the reference plane placed by dragging, through real mouse events."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from insole_core.foot.aligning import pose_angles
+from insole_studio.bootstrap import Application
+from insole_studio.scene.view import SceneView
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.workbench.landmarks import landmarks_of
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def foot(opened: Application) -> SceneView:
+    opened.window.actions_by_key["tool_turn"].trigger()
+    return opened.stage.foot.scene
+
+
+def pixel(view: SceneView, place: tuple[float, ...]) -> QPoint:
+    x, y = view.look.pixels_of(np.array(place))[0]
+    return QPoint(round(x), round(y))
+
+
+def handle(view: SceneView, name: str) -> tuple[float, float, float]:
+    return next(h.position_mm for h in view.handles if h.name == name)
+
+
+def move(view: SceneView, way: list[QPoint]) -> None:
+    QTest.mousePress(view.surface, LEFT, pos=way[0])
+    for place in way[1:]:
+        QTest.mouseMove(view.surface, place)
+        QApplication.processEvents()
+
+
+def pose(app: Application) -> tuple[float, float, float]:
+    assert app.case.foot is not None
+    angles = pose_angles(app.case.foot, landmarks_of(app.case.record))
+    return angles.pitch_deg, angles.roll_deg, angles.yaw_deg
+
+
+def carried(view: SceneView, name: str, turn_deg: float) -> list[QPoint]:
+    """The way of a handle of the ring that lies in the picture, round the middle of the rings."""
+    start = np.array(handle(view, name))
+    ends = [np.array(h.position_mm) for h in view.handles if h.name == name]
+    centre = np.mean(ends, axis=0)
+    way = []
+    for share in (0.0, 0.5, 1.0):
+        angle = np.radians(share * turn_deg)
+        x, y, z = start - centre
+        turned = np.array(
+            [x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle), z]
+        )
+        way.append(pixel(view, tuple(centre + turned)))
+    return way
+
+
+def test_the_ring_in_the_picture_turns_by_the_angle_of_the_pointer(
+    opened: Application, foot: SceneView, settle: Callable[[], None]
+) -> None:
+    before, steps = pose(opened), len(opened.case.history)
+    way = carried(foot, "turn-yaw_deg", 10.0)
+    move(foot, way)
+    assert "°" in opened.hand.tool.hint(opened.case)  # the angle is told while it changes
+    assert opened.hand.tool.foot_step is not None
+    assert len(opened.case.history) == steps
+    QTest.mouseRelease(foot.surface, LEFT, pos=way[-1])
+    settle()
+    pitch, roll, yaw = pose(opened)
+    # The toes of a left foot that turns counter-clockwise, seen from above, go laterally.
+    assert yaw == pytest.approx(before[2] - 10.0, abs=0.8)
+    assert (pitch, roll) == pytest.approx(before[:2], abs=0.3)
+    assert len(opened.case.history) == steps + 1
+    opened.window.actions_by_key["undo"].trigger()
+    assert pose(opened) == pytest.approx(before, abs=1e-6)
+
+
+@pytest.mark.parametrize(("name", "number"), [("turn-pitch_deg", 0), ("turn-roll_deg", 1)])
+def test_a_ring_seen_from_its_edge_turns_along_the_drag(
+    opened: Application, foot: SceneView, name: str, number: int
+) -> None:
+    before = pose(opened)
+    start = pixel(foot, handle(foot, name))
+    end = start + (QPoint(0, -20) if number == 0 else QPoint(20, 0))
+    move(foot, [start, end])
+    QTest.mouseRelease(foot.surface, LEFT, pos=end)
+    after = pose(opened)
+    assert abs(after[number] - before[number]) > 2.0
+    others = [i for i in range(3) if i != number]
+    assert [after[i] for i in others] == pytest.approx([before[i] for i in others], abs=0.3)
+
+
+def test_escape_lets_the_foot_lie_as_it_did(opened: Application, foot: SceneView) -> None:
+    record = opened.case.record
+    move(foot, carried(foot, "turn-yaw_deg", 15.0))
+    QTest.keyClick(foot.surface, Qt.Key.Key_Escape)
+    assert opened.case.record is record
+    assert opened.hand.tool.foot_step is None
+
+
+def test_the_angle_can_be_typed_as_well(opened: Application, foot: SceneView) -> None:
+    fields = opened.stage.parameters.findChildren(NumberField)
+    field = next(f for f in fields if f.property("key") == "pose.yaw_deg")
+    field.setValue(5.0)
+    assert pose(opened)[2] == pytest.approx(5.0, abs=0.01)
+
+
+def test_the_plane_is_placed_and_turned_by_dragging(opened: Application, foot: SceneView) -> None:
+    opened.window.actions_by_key["tool_plane"].trigger()
+    way = [pixel(foot, (0.0, 100.0, 0.0)), pixel(foot, (10.0, 120.0, 0.0))]
+    move(foot, way)
+    QTest.mouseRelease(foot.surface, LEFT, pos=way[-1])
+    plane = opened.case.record.annotations.plane
+    assert plane is not None
+    assert plane.origin_mm[:2] == pytest.approx((10.0, 120.0), abs=1.0)
+    start = pixel(foot, handle(foot, "plane-pitch"))
+    move(foot, [start, start - QPoint(0, 20)])
+    QTest.mouseRelease(foot.surface, LEFT, pos=start - QPoint(0, 20))
+    turned = opened.case.record.annotations.plane
+    assert turned is not None
+    assert turned.pitch_deg > 2.0
+    assert len(opened.case.history) == 2
