@@ -178,6 +178,7 @@ def _correction(
         offset=to_pixels(solved.offset, blocks.shape).astype(np.float32),
         slope=(to_pixels(solved.slope, blocks.shape) / SPAN_RAW).astype(np.float32),
         reference_raw=solved.reference_raw,
+        decay=solved.decay / SPAN_RAW,
         raw_range=(float(low - options.extrapolate_raw), float(high + options.extrapolate_raw)),
         coverage=np.kron(coverage, np.ones((BLOCK_PX, BLOCK_PX), np.uint8)),
         deviation=np.maximum(to_pixels(solved.deviation, blocks.shape), 0).astype(np.float32),

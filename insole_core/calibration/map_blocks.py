@@ -29,7 +29,7 @@ class Blocks:
     weight : (n, blocks) float64
         Share of the block that shows the wall.
     level : (n, blocks) float64, raw units
-        The expected raw number.
+        The measured raw number, since that is what a correction is applied at.
     rows : (blocks, 3) float64
         The row (x, y, 1) at each block's centre.
     free_plane : (n,) bool
@@ -50,11 +50,12 @@ def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> Blocks:
     """Average the residuals of the captures over blocks."""
     weight = np.stack([_means(wall.wall.astype(float)) for wall in walls])
     residual = np.stack([_means(np.nan_to_num(wall.residual_raw)) for wall in walls])
-    level = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
+    expected = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
+    residual = np.divide(residual, weight, out=np.zeros_like(weight), where=weight > 0)
     return Blocks(
-        residual=np.divide(residual, weight, out=np.zeros_like(weight), where=weight > 0),
+        residual=residual,
         weight=weight,
-        level=level,
+        level=expected + residual,
         rows=np.stack([_means(rows[..., axis]) for axis in range(3)], axis=-1),
         free_plane=np.array([wall.capture.plane is None for wall in walls]),
         shape=(rows.shape[0] // BLOCK_PX, rows.shape[1] // BLOCK_PX),

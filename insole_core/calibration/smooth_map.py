@@ -1,12 +1,13 @@
 """Least squares for a smooth map that varies with disparity, together with every wall's plane.
 
 The unknowns are, for each block of pixels, an offset D and its change S with the raw number
-(Herrera, Kannala and Heikkilä 2012, to first order), and for each wall whose plane is not known
+(Herrera, Kannala and Heikkilä 2012), and for each wall whose plane is not known
 three corrections q of that plane. A wall i measures in block b
 
-    residual_ib = D_b + S_b t_ib + row_b · q_i + noise,    t = (level - reference) / 100,
+    residual_ib = D_b + S_b t_ib + row_b · q_i + noise,    t = (1 - exp(-k l)) / k,
 
-the bending of D and S is kept small, and outliers lose their weight (Tukey).
+where l = (level - reference) / 100 and k is the decay that all blocks have in common: S = -k D is
+Herrera's D exp(-k l). The bending of D and S is kept small, and outliers lose their weight (Tukey).
 """
 
 from __future__ import annotations
@@ -20,10 +21,13 @@ from scipy.sparse.linalg import splu
 
 from insole_core.calibration.map_blocks import Blocks, bending
 from insole_core.geometry.arrays import FloatArray
+from insole_core.sensing.correction import decay_lever
 
 SPAN_RAW = 100.0
-"""Raw units per unit of t."""
+"""Raw units per unit of l."""
 _ROUNDS = 4
+_MOST_DECAY = 1.0
+"""A distortion that falls faster than to a third in a hundred raw units is no lens's."""
 _GAUGE = 1e-4
 """Holds the one plane that walls of unknown position cannot tell from a distortion."""
 _CUT = 6.0
@@ -65,8 +69,7 @@ class BlockMap:
     noise_raw
         Robust standard deviation of a block.
     decay
-        The slope that all blocks have in common, per `SPAN_RAW`, as a share of the offset:
-        Herrera's exponent.
+        The k that bends the slope, per `SPAN_RAW`: Herrera's exponent.
     remaining : (n, blocks) float64, raw units
         What the map and the planes leave of the residuals.
     """
@@ -87,13 +90,15 @@ class _Factor(Protocol):
 def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
     """Solve for map and planes, with weights that follow the remaining errors."""
     reference = float(np.average(blocks.level, weights=blocks.weight))
-    t = (blocks.level - reference) / SPAN_RAW
+    level = (blocks.level - reference) / SPAN_RAW
     stiffness = bending(blocks.shape)
     weight = blocks.weight
     count = blocks.weight.shape[1]
-    decay = 0.0
+    offset, slope = np.zeros(count), np.zeros(count)
     planes = np.zeros((len(weight), 3))
     for number in range(_ROUNDS):
+        decay = _common_decay(offset, slope)
+        t = decay_lever(level, decay)
         factor = _factor(weight, t, stiffness, smoothing, decay)
         # The planes hardly move while the weights settle, and they are the costly part.
         if number in (0, _ROUNDS - 1):
@@ -102,7 +107,6 @@ def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
             unknowns = _solve_map_alone(factor, blocks.residual - planes @ blocks.rows.T, weight, t)
         offset, slope = unknowns[:count], unknowns[count:]
         remaining = blocks.residual - offset - slope * t - planes @ blocks.rows.T
-        decay = _common_decay(offset, slope)
         noise = _noise(remaining, blocks.weight)
         cut = _CUT * max(noise, _LEAST_NOISE_RAW)
         weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
@@ -205,7 +209,7 @@ def _noise(remaining: FloatArray, weight: FloatArray) -> float:
 def _common_decay(offset: FloatArray, slope: FloatArray) -> float:
     """Give the k of S = -k D that fits all blocks best; a distortion never grows with raw."""
     power = float(offset @ offset)
-    return max(-float(slope @ offset) / power, 0.0) if power > 0 else 0.0
+    return float(np.clip(-(slope @ offset) / power, 0, _MOST_DECAY)) if power > 0 else 0.0
 
 
 def _deviation(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:

@@ -17,7 +17,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
 from insole_core.sensing.disparity import DisparityModel
 
-VERSION = 1
+VERSION = 2
 _SHAPE = (480, 640)
 _ARRAYS = ("slope", "deviation")
 
@@ -56,15 +56,20 @@ class CorrectionRecord:
 class DisparityCorrection:
     """What is subtracted from every raw number: a map, and how it changes with the raw number.
 
-    The correction of a raw number r is ``offset + slope * (clip(r, raw_range) - reference_raw)``:
-    thesis (16) with a first order of Herrera's dependence on the disparity.
+    The correction of a raw number r is ``offset + slope * lever``, where ``lever`` is
+    `decay_lever` of ``clip(r, raw_range) - reference_raw``: thesis (16) with Herrera's dependence on
+    the disparity. Where ``slope = -decay * offset`` it is his ``offset * exp(-decay * …)``.
 
     Parameters
     ----------
     offset : (480, 640) float32, raw units
         The correction at `reference_raw`; all that other programs need to know.
     slope : (480, 640) float32, raw units per raw unit, optional
+        At `reference_raw`.
     reference_raw
+    decay
+        How fast the correction dies away as a whole, per raw unit; 0 = it changes evenly (files of
+        version 1).
     raw_range
         The correction is not extrapolated beyond these raw numbers.
     coverage : (480, 640) uint8, optional
@@ -77,6 +82,7 @@ class DisparityCorrection:
     offset: Float32Array
     slope: Float32Array | None = None
     reference_raw: float = 0.0
+    decay: float = 0.0
     raw_range: tuple[float, float] = (0.0, 2047.0)
     coverage: ByteArray | None = None
     deviation: Float32Array | None = None
@@ -86,7 +92,8 @@ class DisparityCorrection:
         """Give the correction (480, 640) of a raw image, in raw units."""
         if self.slope is None:
             return self.offset.astype(float)
-        return self.offset + self.slope * (np.clip(raw, *self.raw_range) - self.reference_raw)
+        beyond_raw = np.clip(raw, *self.raw_range) - self.reference_raw
+        return self.offset + self.slope * decay_lever(beyond_raw, self.decay)
 
     def corrected(self, raw: FloatArray) -> FloatArray:
         """Subtract the correction from a raw image (480, 640), NaN = no reading."""
@@ -117,11 +124,17 @@ class DisparityCorrection:
         arrays: dict[str, Any] = {
             "offset": self.offset.astype(np.float32),
             "reference_raw": np.float64(self.reference_raw),
+            "decay": np.float64(self.decay),
             "raw_range": np.array(self.raw_range),
             "record": np.array(json.dumps(asdict(self.record))),
         }
         optional = {"slope": self.slope, "deviation": self.deviation, "coverage": self.coverage}
         return arrays | {name: array for name, array in optional.items() if array is not None}
+
+
+def decay_lever(beyond: FloatArray, decay: float) -> FloatArray:
+    """Give what a slope counts by: ``beyond`` itself, or bent so that its change dies away."""
+    return np.asarray(-np.expm1(-decay * beyond) / decay) if decay else beyond
 
 
 def load_correction(path: Path) -> DisparityCorrection:
@@ -196,6 +209,7 @@ def _assemble(arrays: dict[str, Any], record: CorrectionRecord) -> DisparityCorr
     return DisparityCorrection(
         arrays["offset"].astype(np.float32),
         reference_raw=float(arrays.get("reference_raw", 0.0)),
+        decay=float(arrays.get("decay", 0.0)),
         raw_range=(float(low), float(high)),
         record=record,
         **maps,
