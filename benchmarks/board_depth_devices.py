@@ -1,13 +1,16 @@
-"""Boards in colour and depth on simulated devices: the error of the pose against what is stated.
+"""Boards on simulated devices: the error of the depth camera against what is stated.
 
 Run as ``python benchmarks/board_depth_devices.py SEED …``. Every device has its own cameras, pose,
-distortion of 7 mm at 800 mm, noise, six walls of ten frames, and 40 boards; all options are those
-of the product. Each seed is a fresh device: do not choose anything by the outcome.
+distortion of 7 mm at 800 mm, and noise, and is calibrated as the instruction says: six walls of ten
+frames from 500 to 1050 mm, and 48 boards tilted by 40 to 55° to four sides. Of the infrared way the
+first 15 boards. All options are those of the product. Each seed is a fresh device: do not choose
+anything by the outcome.
 """
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -15,22 +18,28 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/calibration"))
 from simulated_board import COLOR_CAMERA, sight, spread_poses
-from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, smooth_distortion
+from simulated_device import CAMERA, DISPARITY, SimulatedDevice, smooth_distortion, wall
 
-from insole_core.calibration.board import Chequerboard
-from insole_core.calibration.board_depth import BoardDepthCalibration, calibrate_board_depth
+from insole_core.calibration.board import Chequerboard, Sighting, shifted
+from insole_core.calibration.board_depth import calibrate_board_depth
 from insole_core.calibration.boards_in_depth import BoardInDepth, board_planes
+from insole_core.calibration.captures import capture_from_frames
 from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.intrinsics import calibrate_camera
+from insole_core.calibration.intrinsics import calibrate_camera, with_shift
+from insole_core.calibration.stereo import IR_TO_DEPTH_PX, StereoCalibration, calibrate_stereo
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.nominal import BURRUS, DEPTH_CAMERA
 
-BOARD, BOARDS, CORNER_PX = Chequerboard(10, 7, 30), 40, 0.1
+BOARD, BOARDS, INFRARED_BOARDS, CORNER_PX = Chequerboard(10, 7, 30), 48, 15, 0.1
+WALLS = (
+    wall(500, 2, -3), wall(580, -4, 2), wall(670, 3, 4), wall(780, -2, -5), wall(900, 4, 1),
+    wall(1050, -3, 4),
+)  # fmt: skip
 FRAMES = 10
-RMS_RAW = 7 / (DISPARITY.depth_mm(np.array([651.0])) - DISPARITY.depth_mm(np.array([650.0])))[0]
+RMS_RAW = 7 / (DISPARITY.depth_mm(np.array([678.1])) - DISPARITY.depth_mm(np.array([677.1])))[0]
 NAMES = ("fx", "fy", "cx", "cy")
 
 
@@ -46,12 +55,12 @@ class Device:
 
 
 def main() -> None:
-    """Print both cases of every seed."""
-    print("distortion | seed | error x, y, z, mm | stated, mm | norm, mm | angle, ° | in stated sd")
+    """Print all three cases of every seed."""
+    print("from | seed | error x, y, z, mm | stated, mm | norm, mm | angle, ° | in stated sd")
     for seed in map(int, sys.argv[1:]):
-        for name, rms_raw in (("none", 0.0), ("7 mm, removed", abs(float(RMS_RAW)))):
-            device = draw_device(seed, rms_raw)
-            report(name, device, calibrate(device))
+        calibrate_infrared(draw_device(seed, 0.0))
+        for name, rms_raw in (("depth", 0.0), ("depth, 7 mm removed", abs(float(RMS_RAW)))):
+            calibrate_depth(name, draw_device(seed, rms_raw))
 
 
 def draw_device(seed: int, rms_raw: float) -> Device:
@@ -73,31 +82,64 @@ def draw_device(seed: int, rms_raw: float) -> Device:
     return Device(seed, rigid(turn, shift), color, depth, correction)
 
 
-def calibrate(device: Device) -> BoardDepthCalibration:
+def calibrate_infrared(device: Device) -> None:
+    """Do as the commands do: both cameras from their pictures, then both together."""
+    infrared = with_shift(CAMERA, (-IR_TO_DEPTH_PX[0], -IR_TO_DEPTH_PX[1]))
+    poses = spread_poses(device.seed, INFRARED_BOARDS, BOARD, device.depth2color)
+    seen = [
+        sight(f"ir_{i}", BOARD, placed, infrared, CORNER_PX, 1000 * device.seed + 500 + i)
+        for i, placed in enumerate(poses)
+    ]
+    depth, color = [shifted(one, IR_TO_DEPTH_PX) for one in seen], sight_all(device, poses)
+    cameras = [calibrate_camera(sightings).camera for sightings in (depth, color)]
+    found = calibrate_stereo(depth, color, *cameras)
+    named = {name: (found.values[f"depth {name}"], found.deviations[f"depth {name}"])
+             for name in NAMES}  # fmt: skip
+    report("infrared", device, found.stereo, named)
+
+
+def calibrate_depth(name: str, device: Device) -> None:
     """Do as the commands do: the colour camera from its pictures, the rest from the nominal."""
+    poses = spread_poses(device.seed, BOARDS, BOARD, device.depth2color)
+    color = sight_all(device, poses)
     boards = []
-    for i, placed in enumerate(spread_poses(device.seed, BOARDS, BOARD, device.depth2color)):
-        board2color = device.depth2color @ placed
-        plane = board_planes(board2color[None], device.depth2color)[0]
-        seed = 1000 * device.seed + i
-        seen = sight(f"{i}", BOARD, board2color, device.color_camera, CORNER_PX, seed)
-        raw = np.asarray(next(device.depth.frames(plane, 1)), dtype=float)
+    for placed, seen in zip(poses, color, strict=True):
+        (plane,) = board_planes((device.depth2color @ placed)[None], device.depth2color)
+        raw = capture_from_frames(seen.name, device.depth.frames(plane, FRAMES)).raw
         boards.append(BoardInDepth(seen, device.correction.corrected(raw)))
-    color = calibrate_camera([board.color for board in boards]).camera
-    return calibrate_board_depth(boards, DEPTH_CAMERA, color, BURRUS)
+    camera = calibrate_camera(color).camera
+    found = calibrate_board_depth(boards, DEPTH_CAMERA, camera, BURRUS)
+    named = {name: (found.values[name], found.deviations[name]) for name in NAMES}
+    report(name, device, found.stereo, named)
 
 
-def report(name: str, device: Device, found: BoardDepthCalibration) -> None:
-    """Print the errors, and the worst of them in standard deviations."""
-    error = found.stereo.depth2color[:3, 3] - device.depth2color[:3, 3]
-    stated = found.stereo.translation_deviation_mm
-    between = (found.stereo.depth2color @ inverse(device.depth2color))[:3, :3]
-    cells = [f"{error.round(2)}", f"{stated.round(2)}", f"{np.linalg.norm(error):.2f}"]
-    cells.append(f"{rotation_angle_deg(between):.3f}")
+def sight_all(device: Device, poses: Sequence[FloatArray]) -> list[Sighting]:
+    """Sight the boards in colour."""
+    return [
+        sight(
+            f"color_{i}", BOARD, device.depth2color @ placed, device.color_camera, CORNER_PX,
+            1000 * device.seed + i,
+        )
+        for i, placed in enumerate(poses)
+    ]  # fmt: skip
+
+
+def report(
+    name: str,
+    device: Device,
+    found: StereoCalibration,
+    intrinsics: Mapping[str, tuple[float, float]],
+) -> None:
+    """Print the errors, and each of them in standard deviations."""
+    error = found.depth2color[:3, 3] - device.depth2color[:3, 3]
+    stated = found.translation_deviation_mm
+    between = (found.depth2color @ inverse(device.depth2color))[:3, :3]
     ratios = {axis: one / sd for axis, one, sd in zip("xyz", error, stated, strict=True)}
-    for key in NAMES:
-        ratios[key] = (found.values[key] - getattr(CAMERA, key)) / found.deviations[key]
-    cells.append(" ".join(f"{key} {ratio:+.1f}" for key, ratio in ratios.items()))
+    for key, (value, deviation) in intrinsics.items():
+        ratios[key] = (value - getattr(CAMERA, key)) / deviation
+    cells = [f"{error.round(2)}", f"{stated.round(2)}", f"{np.linalg.norm(error):.2f}"]
+    cells += [f"{rotation_angle_deg(between):.3f}"]
+    cells += [" ".join(f"{key} {ratio:+.1f}" for key, ratio in ratios.items())]
     print(" | ".join([name, str(device.seed), *cells]), flush=True)
 
 

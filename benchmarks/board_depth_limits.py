@@ -11,8 +11,8 @@ import numpy as np
 
 from insole_core.calibration.adjustment import Blocks, pose, pose_vector
 from insole_core.calibration.board import Chequerboard
-from insole_core.calibration.board_depth import DepthSensor
 from insole_core.calibration.boards_in_depth import board_planes
+from insole_core.calibration.depth_sensor import DepthSensor
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.sensing.camera import Camera

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
@@ -20,6 +20,8 @@ from insole_core.progress import SILENT, Progress
 from insole_core.sensing.camera import Camera
 
 PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
+LENS = PARAMETERS[:8]
+"""What is uncertain of every camera; k3 and skew are held where nobody asks for them."""
 _LEAST_PICTURES = 3
 _GOOD_PICTURES = 10
 _LEAST_TILT_DEG = 10.0
@@ -101,6 +103,13 @@ def parameters_of(camera: Camera) -> dict[str, float]:
     k1, k2, p1, p2, k3 = camera.distortion
     values = (camera.fx, camera.fy, camera.cx, camera.cy, k1, k2, p1, p2, k3, camera.skew)
     return dict(zip(PARAMETERS, values, strict=True))
+
+
+def with_parameters(camera: Camera, values: Mapping[str, float]) -> Camera:
+    """Give a camera with some of its `PARAMETERS` replaced."""
+    fx, fy, cx, cy, *lens, skew = (parameters_of(camera) | dict(values)).values()
+    k1, k2, p1, p2, k3 = lens
+    return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
 def find_boards(

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
 
 from insole_core.calibration.adjustment import Adjustment, Blocks, adjust, pose, pose_vector
 from insole_core.calibration.board import Sighting
+from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform
@@ -21,6 +23,11 @@ from insole_core.sensing.camera import Camera
 
 IR_TO_DEPTH_PX = (-4.8, -3.9)
 """Depth pixel minus infrared pixel of a Kinect v1: half of its correlation window."""
+_CORNER_PX = 0.2
+"""What weighs corners against what the cameras were known by."""
+_SPREAD = np.tile([20.0, 20.0, 20.0, 20.0, 0.2, 0.5, 0.02, 0.02], 2)
+"""How far `LENS` of either camera may move: only what the boards do not tell feels it."""
+_SHARED = 6 + 2 * len(LENS)
 _LEAST_PAIRS = 3
 _LEAST_COMMON = 8
 
@@ -60,16 +67,41 @@ class StereoCalibration:
         return rotation_angle_deg(self.depth2color[:3, :3])
 
 
+@dataclass(frozen=True, eq=False)
+class PairCalibration:
+    """Both cameras and the pose between them.
+
+    Parameters
+    ----------
+    stereo
+    depth_camera, color_camera
+    values, deviations
+        Both cameras' `LENS` and their standard deviations, as ``depth fx`` … ``color p2``.
+    """
+
+    stereo: StereoCalibration
+    depth_camera: Camera
+    color_camera: Camera
+    values: dict[str, float]
+    deviations: dict[str, float]
+
+
 def calibrate_stereo(
     depth: Sequence[Sighting], color: Sequence[Sighting], depth_camera: Camera, color_camera: Camera
-) -> StereoCalibration:
-    """Fit the pose between the cameras to boards that both see.
+) -> PairCalibration:
+    """Fit the pose between the cameras to boards that both see, and both cameras with it.
+
+    A camera that is fitted alone places the boards a little too near or aside, where they look the
+    same to it. That the two stand still to each other tells; so both are refined together.
 
     Parameters
     ----------
     depth, color
         Sightings of the same board positions, in the same order; those of the depth camera in the
         pixels of `depth_camera` (see `board.shifted`).
+    depth_camera, color_camera
+        As they were found alone: where the fit begins, and, as far as the boards do not tell,
+        stays.
 
     Raises
     ------
@@ -83,27 +115,76 @@ def calibrate_stereo(
             f"The board is seen by both cameras in {len(pairs)} pairs of pictures, but "
             f"{_LEAST_PAIRS} are needed; take infrared and colour pictures of the same positions."
         )
-    boards = [board_pose(a, depth_camera) for a, _ in pairs]
-    between = [
-        board_pose(b, color_camera) @ inverse(p) for (_, b), p in zip(pairs, boards, strict=True)
-    ]
-    first = min(between, key=lambda one: sum(float(np.abs(one - other).sum()) for other in between))
-
-    def residuals(unknowns: FloatArray) -> FloatArray:
-        depth2color = pose(unknowns[:6])
-        parts = []
-        for (a, b), vector in zip(pairs, unknowns[6:].reshape(-1, 6), strict=True):
-            points = transform(pose(vector), a.points_mm)
-            parts.append((a.pixels - depth_camera.project(points)).ravel())
-            parts.append((b.pixels - color_camera.project(transform(depth2color, points))).ravel())
-        return np.concatenate(parts)
-
-    start = np.concatenate([pose_vector(first), *[pose_vector(board) for board in boards]])
-    lengths = tuple(4 * len(a.pixels) for a, _ in pairs)
-    found = adjust(residuals, start, Blocks(lengths, 6))
+    problem = _Pairs(tuple(pairs), depth_camera, color_camera)
+    found = adjust(problem.residuals, problem.start(), problem.blocks())
+    fitted_depth, fitted_color = problem.cameras(found.values)
     # Of a corner, like the errors of the single cameras: two residuals each.
-    rms = float(np.sqrt((found.residuals**2).mean() * 2))
-    return as_stereo(found, rms, "px", tuple(a.name for a, _ in pairs))
+    left_px = found.residuals[: -len(_SPREAD)] * _CORNER_PX
+    rms = float(np.sqrt((left_px**2).mean() * 2))
+    names = [f"{kind} {name}" for kind in ("depth", "color") for name in LENS]
+    return PairCalibration(
+        as_stereo(found, rms, "px", tuple(a.name for a, _ in pairs)),
+        fitted_depth,
+        fitted_color,
+        dict(zip(names, found.values[6:_SHARED].tolist(), strict=True)),
+        dict(zip(names, found.deviations[6:_SHARED].tolist(), strict=True)),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Pairs:
+    """What the unknowns mean: the pose of the cameras, both lenses, and a pose per board."""
+
+    pairs: tuple[tuple[Sighting, Sighting], ...]
+    depth_camera: Camera
+    color_camera: Camera
+
+    @cached_property
+    def usual(self) -> FloatArray:
+        """Both lenses as they were given."""
+        given = [parameters_of(camera) for camera in (self.depth_camera, self.color_camera)]
+        return np.array([known[name] for known in given for name in LENS])
+
+    def start(self) -> FloatArray:
+        boards = [board_pose(a, self.depth_camera) for a, _ in self.pairs]
+        between = [
+            board_pose(b, self.color_camera) @ inverse(placed)
+            for (_, b), placed in zip(self.pairs, boards, strict=True)
+        ]
+        first = min(between, key=lambda one: sum(float(np.abs(one - o).sum()) for o in between))
+        return np.concatenate([pose_vector(first), self.usual, *map(pose_vector, boards)])
+
+    def cameras(self, unknowns: FloatArray) -> tuple[Camera, Camera]:
+        of_depth, of_color = np.split(unknowns[6:_SHARED], 2)
+        return (
+            with_parameters(self.depth_camera, dict(zip(LENS, of_depth.tolist(), strict=True))),
+            with_parameters(self.color_camera, dict(zip(LENS, of_color.tolist(), strict=True))),
+        )
+
+    def residuals(self, unknowns: FloatArray) -> FloatArray:
+        """Errors of all corners, board by board, then of what the lenses were known by."""
+        depth_camera, color_camera = self.cameras(unknowns)
+        depth2color = pose(unknowns[:6])
+        points = np.concatenate(
+            [
+                transform(pose(vector), a.points_mm)
+                for (a, _), vector in zip(
+                    self.pairs, unknowns[_SHARED:].reshape(-1, 6), strict=True
+                )
+            ]
+        )
+        seen = np.concatenate([np.hstack([a.pixels, b.pixels]) for a, b in self.pairs])
+        expected = [
+            depth_camera.project(points),
+            color_camera.project(transform(depth2color, points)),
+        ]
+        corners = (seen - np.hstack(expected)).ravel() / _CORNER_PX
+        return np.concatenate([corners, (unknowns[6:_SHARED] - self.usual) / _SPREAD])
+
+    def blocks(self) -> Blocks:
+        lengths = [4 * len(a.pixels) for a, _ in self.pairs]
+        lengths[-1] += len(_SPREAD)  # what the lenses were known by depends on no board
+        return Blocks(tuple(lengths), _SHARED)
 
 
 def as_stereo(

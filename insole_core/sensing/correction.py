@@ -57,8 +57,8 @@ class DisparityCorrection:
     """What is subtracted from every raw number: a map, and how it changes with the raw number.
 
     The correction of a raw number r is ``offset + slope * lever``, where ``lever`` is
-    `decay_lever` of ``clip(r, raw_range) - reference_raw``: thesis (16) with Herrera's dependence on
-    the disparity. Where ``slope = -decay * offset`` it is his ``offset * exp(-decay * …)``.
+    `decay_lever` of ``clip(r, raw_range) - reference_raw``: thesis (16) with Herrera's dependence
+    on the disparity. Where ``slope = -decay * offset`` it is his ``offset * exp(-decay * …)``.
 
     Parameters
     ----------

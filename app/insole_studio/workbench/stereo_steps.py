@@ -7,12 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.calibration.board import Board, picture_paths
-from insole_core.calibration.board_depth import (
-    BoardDepthOptions,
-    add_tilt,
-    calibrate_board_depth,
-)
+from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
 from insole_core.calibration.boards_in_depth import read_boards_in_depth
+from insole_core.calibration.depth_sensor import add_tilt
 from insole_core.calibration.intrinsics import find_boards
 from insole_core.calibration.stereo import StereoCalibration, calibrate_stereo
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
@@ -44,15 +41,27 @@ def calibrate_stereo_step(
         Also when the colour camera was not calibrated before.
     """
     if any(path.name.startswith(INFRARED) for path in picture_paths(folder)):
-        pairs = find_infrared_pairs(folder, board, progress)
-        check_color_camera(sensor, [in_color for _, in_color in pairs])
-        stereo = calibrate_stereo(
-            [in_depth for in_depth, _ in pairs],
-            [in_color for _, in_color in pairs],
-            sensor.depth_camera,
-            sensor.color_camera,
-        )
-        return _stereo_result(sensor, stereo, "infrared and colour pictures")
+        return _from_infrared(folder, board, sensor, progress)
+    return _from_depth(folder, board, sensor, progress)
+
+
+def _from_infrared(folder: Path, board: Board, sensor: Sensor, progress: Progress) -> StepResult:
+    pairs = find_infrared_pairs(folder, board, progress.part(0, 0.8))
+    check_color_camera(sensor, [in_color for _, in_color in pairs])
+    progress.step(0.8, f"Fitting both cameras to {len(pairs)} boards")
+    found = calibrate_stereo(
+        [in_depth for in_depth, _ in pairs],
+        [in_color for _, in_color in pairs],
+        sensor.depth_camera,
+        sensor.color_camera,
+    )
+    depth_camera, color_camera = found.depth_camera, found.color_camera
+    better = replace(sensor, depth_camera=depth_camera, color_camera=color_camera)
+    numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
+    return _stereo_result(better, found.stereo, "infrared and colour pictures", numbers)
+
+
+def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) -> StepResult:
     color, _ = find_boards(board_pictures(folder, COLOR), board, progress.part(0, 0.5))
     check_color_camera(sensor, color)
     progress.step(0.5, "Reading the depth of the boards")

@@ -34,14 +34,19 @@ def board_poses(
     return poses
 
 
-def spread_poses(
-    seed: int, count: int, board: Board, depth2color: FloatArray, tilt_deg: float = 50
-) -> list[FloatArray]:
-    """Poses ``board2depth`` 570 to 1000 mm away, in all parts of the colour picture."""
+def spread_poses(seed: int, count: int, board: Board, depth2color: FloatArray) -> list[FloatArray]:
+    """Poses ``board2depth`` as the instruction asks for them.
+
+    Tilted by 40 to 55° to one of four sides in turn, wholly 500 to 1050 mm away, in all parts of
+    the colour picture.
+    """
     generator, center = np.random.default_rng(seed), board.points_mm.mean(0)
     poses: list[FloatArray] = []
     while len(poses) < count:
-        tilts = generator.uniform(-tilt_deg, tilt_deg, 2)
+        tilts = np.array([generator.uniform(40, 55), generator.uniform(-15, 15)])
+        tilts[0] *= (-1) ** len(poses)
+        if len(poses) % 4 < 2:
+            tilts = tilts[::-1]
         rotation = (
             rotation_about(np.array([1.0, 0, 0]), tilts[0])
             @ rotation_about(np.array([0, 1.0, 0]), tilts[1])
@@ -50,8 +55,10 @@ def spread_poses(
         depth_mm = 1 / generator.uniform(1 / 1000, 1 / 570)
         place = depth_mm * np.array([*generator.uniform([-0.4, -0.3], [0.4, 0.3]), 1])
         pose = rigid(rotation, place - rotation @ center)
-        pixels = COLOR_CAMERA.project(transform(depth2color @ pose, board.points_mm))
-        if ((pixels > 5) & (pixels < (COLOR_CAMERA.width - 5, COLOR_CAMERA.height - 5))).all():
+        points = transform(pose, board.points_mm)
+        pixels = COLOR_CAMERA.project(transform(depth2color, points))
+        inside = (pixels > 5) & (pixels < (COLOR_CAMERA.width - 5, COLOR_CAMERA.height - 5))
+        if inside.all() and points[:, 2].min() > 500 and points[:, 2].max() < 1050:
             poses.append(pose)
     return poses
 

@@ -10,17 +10,14 @@ from simulated_board import COLOR_CAMERA, board_poses, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
 from insole_core.calibration.board import Chequerboard, Sighting, shifted
-from insole_core.calibration.board_depth import (
-    BoardDepthOptions,
-    add_tilt,
-    calibrate_board_depth,
-)
+from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
 from insole_core.calibration.boards_in_depth import (
     BoardInDepth,
     board_planes,
     read_boards_in_depth,
 )
-from insole_core.calibration.intrinsics import calibrate_camera
+from insole_core.calibration.depth_sensor import add_tilt
+from insole_core.calibration.intrinsics import calibrate_camera, parameters_of
 from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
@@ -55,21 +52,28 @@ def pairs(count: int, tilt_deg: float = 30) -> tuple[list[Sighting], list[Sighti
 def test_pose_from_infrared_and_colour() -> None:
     ir, color = pairs(15)
     depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
-    result = calibrate_stereo(depth, color, CAMERA, COLOR_CAMERA)
+    alone = [calibrate_camera(sightings).camera for sightings in (depth, color)]
+    found = calibrate_stereo(depth, color, *alone)
+    result = found.stereo
     shift, turn = pose_error(result.depth2color)
-    assert shift < 0.5
-    assert turn < 0.1
-    assert (np.abs(result.depth2color[:3, 3] - DEPTH2COLOR[:3, 3])
-            < 3.5 * result.translation_deviation_mm).all()  # fmt: skip
-    assert result.baseline_mm == pytest.approx(np.linalg.norm(DEPTH2COLOR[:3, 3]), abs=0.5)
+    assert shift < 0.25
+    assert turn < 0.05
+    off = np.abs(result.depth2color[:3, 3] - DEPTH2COLOR[:3, 3])
+    assert (off < 3 * result.translation_deviation_mm).all()
+    assert result.baseline_mm == pytest.approx(np.linalg.norm(DEPTH2COLOR[:3, 3]), abs=0.25)
     assert result.rms == pytest.approx(0.1 * np.sqrt(2), rel=0.1)
+    for kind, camera in (("depth", CAMERA), ("color", COLOR_CAMERA)):
+        for name in ("fx", "fy", "cx", "cy", "k1", "k2"):
+            error = found.values[f"{kind} {name}"] - parameters_of(camera)[name]
+            assert abs(error) < 3 * found.deviations[f"{kind} {name}"]
+    assert found.depth_camera.fx == found.values["depth fx"]
 
 
 def test_corners_are_matched_by_their_place_on_the_board() -> None:
     ir, color = pairs(6)
     depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
     part = [replace(s, points_mm=s.points_mm[20:], pixels=s.pixels[20:]) for s in color]
-    shift, turn = pose_error(calibrate_stereo(depth, part, CAMERA, COLOR_CAMERA).depth2color)
+    shift, turn = pose_error(calibrate_stereo(depth, part, CAMERA, COLOR_CAMERA).stereo.depth2color)
     assert shift < 1
     assert turn < 0.1
 

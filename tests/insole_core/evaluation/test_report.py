@@ -76,7 +76,7 @@ def report() -> Report:
         "2026-11-21T10:00:00Z",
         (
             camera_section(calibrate_camera(color)),
-            stereo_section(calibrate_stereo(depth, color, CAMERA, COLOR_CAMERA)),
+            stereo_section(calibrate_stereo(depth, color, CAMERA, COLOR_CAMERA).stereo),
             disparity_section(fit_linear_inverse(DISPARITY.raw(known), known)),
             distortion_section(distortion),
             reference_section(system, check_reference_system(system)),

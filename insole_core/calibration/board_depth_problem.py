@@ -1,0 +1,217 @@
+"""What the unknowns of boards in colour and depth mean, and what they leave of the measurements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.calibration.adjustment import Adjustment, Blocks, pose, pose_vector
+from insole_core.calibration.board import Sighting
+from insole_core.calibration.boards_in_depth import board_planes
+from insole_core.calibration.depth_sensor import DepthSensor
+from insole_core.calibration.disparity_fit import linear_inverse_near
+from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.transforms import rigid
+from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import LinearInverseDisparity
+
+USUAL_POSE = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
+_LOOSE = np.inf
+_SPREAD = {
+    "pose": (_LOOSE, _LOOSE, _LOOSE, 5.0, 3.0, 3.0),
+    "disparity": (_LOOSE, _LOOSE),
+    "centre": (10.0, 10.0),
+    "focal": (6.0, 6.0),
+    "tilt": (2.0, 2.0),
+}
+"""How far the sensors of a kind lie from the usual one (mm, px, raw units): both cameras sit on one
+bar. It keeps apart what a few boards cannot tell from each other, such as focal length and shift
+along the axis."""
+CORNER, _DEPTH, _USUAL = 0, 1, 2
+"""Kinds of residuals."""
+_CHI2_MEDIAN = 0.455
+"""Median of a squared normal variable: a root mean square that outliers do not reach."""
+NUMBERS = {
+    "disparity": ("a", "b"),
+    "centre": ("cx", "cy"),
+    "focal": ("fx", "fy"),
+    "tilt": ("tilt_x", "tilt_y"),
+}
+"""The unknowns of each option, by name."""
+
+
+@dataclass(frozen=True)
+class Errors:
+    """The usual errors of a corner, and of a raw number averaged over 8 x 8 pixels.
+
+    They are taken from what the fit leaves, but never below those of a Kinect: what errs together
+    over a whole board does not show in what is left.
+    """
+
+    corner_px: float = 0.1
+    depth_raw: float = 0.2
+
+
+LEAST_ERRORS = Errors()
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """All corners (n) and all depth patches (k), one after the other, each with its board."""
+
+    boards: int
+    corner_board: IntArray
+    points_mm: FloatArray
+    corners: FloatArray
+    patch_board: IntArray
+    pixels: FloatArray
+    raw: FloatArray
+
+
+def measured_of(
+    sightings: Sequence[Sighting], patches: Sequence[tuple[FloatArray, FloatArray]]
+) -> Measured:
+    """Put the corners of all boards one after the other, and their depth patches."""
+    numbers = np.arange(len(sightings))
+    return Measured(
+        len(sightings),
+        np.repeat(numbers, [len(sighting.pixels) for sighting in sightings]),
+        np.concatenate([sighting.points_mm for sighting in sightings]),
+        np.concatenate([sighting.pixels for sighting in sightings]),
+        np.repeat(numbers, [len(raw) for _, raw in patches]),
+        np.concatenate([pixels for pixels, _ in patches]),
+        np.concatenate([raw for _, raw in patches]),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What the unknowns mean: pose of the cameras, the numbers of `names`, a pose per board.
+
+    The boards' own poses are free, so that the colour camera's uncertainty about them counts. The
+    numbers of the colour camera stand after those of `names` where it is free too.
+    """
+
+    measured: Measured
+    color_camera: Camera
+    guess: DepthSensor
+    names: tuple[str, ...]
+    errors: Errors
+    color_free: bool = False
+
+    @property
+    def shared(self) -> int:
+        """How many unknowns act on all boards."""
+        return self.fitted + (len(LENS) if self.color_free else 0)
+
+    @property
+    def color_values(self) -> FloatArray:
+        """Give the colour camera's own numbers, as `LENS` names them."""
+        known = parameters_of(self.color_camera)
+        return np.array([known[name] for name in LENS])
+
+    @property
+    def fitted(self) -> int:
+        """How many of those there are without the colour camera's."""
+        return 6 + len(self.names)
+
+    @cached_property
+    def usual(self) -> FloatArray:
+        """Where the shared unknowns begin and, as far as the spread says, stay."""
+        camera, model = (
+            self.guess.camera,
+            linear_inverse_near(self.guess.disparity, self.measured.raw),
+        )
+        known = {"a": model.a, "b": model.b, "cx": camera.cx, "cy": camera.cy}
+        known |= {"fx": camera.fx, "fy": camera.fy, "tilt_x": 0.0, "tilt_y": 0.0}
+        return np.array([*pose_vector(USUAL_POSE), *(known[name] for name in self.names)])
+
+    @cached_property
+    def spread(self) -> FloatArray:
+        """How far from there they lie."""
+        named = {
+            name: spread
+            for option, names in NUMBERS.items()
+            for name, spread in zip(names, _SPREAD[option], strict=True)
+        }
+        return np.array([*_SPREAD["pose"], *(named[name] for name in self.names)])
+
+    def start(
+        self, depth2color: FloatArray, numbers: FloatArray, board2color: Sequence[FloatArray]
+    ) -> FloatArray:
+        """Put the unknowns together."""
+        poses = [pose_vector(placed) for placed in board2color]
+        return np.concatenate([pose_vector(depth2color), numbers, *poses])
+
+    def read(self, unknowns: FloatArray) -> DepthSensor:
+        """Give the depth sensor that the unknowns stand for."""
+        values = dict(zip(self.names, unknowns[6 : self.fitted].tolist(), strict=True))
+        camera = {key: values[key] for key in ("cx", "cy", "fx", "fy") if key in values}
+        disparity = self.guess.disparity
+        if "a" in values:
+            disparity = LinearInverseDisparity(values["a"], values["b"])
+        tilt_raw = values.get("tilt_x", 0.0), values.get("tilt_y", 0.0)
+        return DepthSensor(replace(self.guess.camera, **camera), disparity, tilt_raw)
+
+    def _color(self, unknowns: FloatArray) -> Camera:
+        if not self.color_free:
+            return self.color_camera
+        values = unknowns[self.fitted : self.shared].tolist()
+        return with_parameters(self.color_camera, dict(zip(LENS, values, strict=True)))
+
+    def residuals(self, unknowns: FloatArray) -> FloatArray:
+        """Errors of all corners and raw numbers, each against its usual size, board by board."""
+        here, depth = self.measured, self.read(unknowns)
+        placed = np.array([pose(vector) for vector in unknowns[self.shared :].reshape(-1, 6)])
+        of_corner = placed[here.corner_board]
+        points = (of_corner[:, :3, :3] @ here.points_mm[..., None])[..., 0] + of_corner[:, :3, 3]
+        corners = here.corners - self._color(unknowns).project(points)
+        planes = board_planes(placed, pose(unknowns))[here.patch_board]
+        raw = here.raw - depth.raw(planes, here.pixels)
+        both = (corners.ravel() / self.errors.corner_px, raw / self.errors.depth_raw)
+        unusual = (unknowns[: self.fitted] - self.usual) / self.spread
+        return np.concatenate([np.concatenate(both)[self._order], unusual])
+
+    def blocks(self) -> Blocks:
+        """Tell which residuals depend on which unknowns."""
+        lengths = np.bincount(self._boards, minlength=self.measured.boards)
+        lengths[-1] += self.fitted  # what is unusual depends on no board: it closes the last block
+        return Blocks(tuple(lengths.tolist()), self.shared)
+
+    def found_errors(self, found: Adjustment) -> Errors:
+        """Root mean squares of the residuals, that outliers do not reach."""
+        kinds, left = self.kinds, found.residuals
+        return Errors(
+            max(_typical(left[kinds == CORNER]) * self.errors.corner_px, LEAST_ERRORS.corner_px),
+            max(_typical(left[kinds == _DEPTH]) * self.errors.depth_raw, LEAST_ERRORS.depth_raw),
+        )
+
+    def noise(self, left: FloatArray) -> FloatArray:
+        """Standard deviation (m,) of every residual, by what is left of its kind."""
+        kinds = self.kinds
+        of_kind = [_typical(left[kinds == CORNER]), _typical(left[kinds == _DEPTH]), 1.0]
+        return np.asarray(of_kind)[kinds]
+
+    @cached_property
+    def kinds(self) -> IntArray:
+        """(m,) whether a residual is of a corner, of depth, or of what is usual."""
+        here = self.measured
+        seen = np.repeat([CORNER, _DEPTH], [2 * len(here.corners), len(here.raw)])[self._order]
+        return np.concatenate([seen, np.full(self.fitted, _USUAL)])
+
+    @property
+    def _boards(self) -> IntArray:
+        """The board of every residual: first two of each corner, then those of the patches."""
+        return np.concatenate([np.repeat(self.measured.corner_board, 2), self.measured.patch_board])
+
+    @cached_property
+    def _order(self) -> IntArray:
+        return np.argsort(self._boards, kind="stable")
+
+
+def _typical(left: FloatArray) -> float:
+    return float(np.sqrt(np.median(left**2) / _CHI2_MEDIAN))
