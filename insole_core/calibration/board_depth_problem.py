@@ -52,8 +52,8 @@ class Errors:
     over a whole board does not show in what is left.
     """
 
-    corner_px: float = 0.1
-    depth_raw: float = 0.2
+    corner_px: float = 0.2
+    depth_raw: float = 0.4
 
 
 LEAST_ERRORS = Errors()

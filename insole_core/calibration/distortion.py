@@ -244,7 +244,7 @@ def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
         advice.append(f"Only {len(figures)} walls were used; six distances or more are better.")
     if max(distances) < 1.2 * min(distances):
         advice.append(
-            "All walls lie at almost the same distance; capture 600 to 1000 mm to learn how the "
+            "All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the "
             "distortion changes."
         )
     if covered < 0.95:

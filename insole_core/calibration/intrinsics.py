@@ -112,6 +112,16 @@ def with_parameters(camera: Camera, values: Mapping[str, float]) -> Camera:
     return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
+def nominal_normal(sighting: Sighting) -> FloatArray:
+    """Give the normal (3,) of a board, away from a camera with the usual field of view."""
+    width, height = sighting.size
+    focal = 0.82 * width
+    nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
+    _, turn, _ = cv2.solvePnP(sighting.points_mm, sighting.pixels, nominal, None)
+    normal = cv2.Rodrigues(turn)[0][:, 2]
+    return np.asarray(normal * np.sign(normal[2] or 1))
+
+
 def find_boards(
     paths: Sequence[Path], board: Board, progress: Progress = SILENT
 ) -> tuple[list[Sighting], dict[str, str]]:
@@ -282,23 +292,13 @@ def _check_count(count: int) -> None:
 
 def _check_poses(sightings: Sequence[Sighting]) -> None:
     """Boards that are all parallel leave the focal length open (Zhang 2000)."""
-    normals = [_nominal_normal(sighting) for sighting in sightings]
+    normals = [nominal_normal(sighting) for sighting in sightings]
     widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
     if widest < _LEAST_TILT_DEG:
         raise CalibrationError(
             "The board was held the same way in all pictures; tilt it by 20 to 40 degrees to all "
             "sides and take more."
         )
-
-
-def _nominal_normal(sighting: Sighting) -> FloatArray:
-    """Normal of the board for a camera with the usual field of view."""
-    width, height = sighting.size
-    focal = 0.82 * width
-    nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
-    _, turn, _ = cv2.solvePnP(sighting.points_mm, sighting.pixels, nominal, None)
-    normal = cv2.Rodrigues(turn)[0][:, 2]
-    return np.asarray(normal * np.sign(normal[2] or 1))
 
 
 def _angle_deg(a: FloatArray, b: FloatArray) -> float:

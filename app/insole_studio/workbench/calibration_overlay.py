@@ -14,7 +14,7 @@ _AMBER = np.array([255, 176, 32])
 _GREEN, _WHITE, _DARK = (90, 220, 90), (255, 255, 255), (24, 24, 24)
 _TINT = 0.28
 _BAR_PX = 34
-_RANGE_MM = (550.0, 1050.0)
+_RANGE_MM = (450.0, 1050.0)
 
 
 def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:

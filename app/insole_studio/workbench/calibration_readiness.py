@@ -11,6 +11,12 @@ import cv2
 import numpy as np
 
 from insole_core.calibration.board import Board, Sighting, read_grey
+from insole_core.calibration.board_plan import (
+    EACH_WITH_DEPTH,
+    EACH_WITH_INFRARED,
+    missing_turns,
+    turn_of,
+)
 from insole_core.calibration.captures import WallCapture, read_captures
 from insole_core.calibration.coverage import count_corners, missing_regions
 from insole_core.calibration.wall_plane import WallFit, fit_wall, plane_rows
@@ -19,10 +25,10 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArr
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_steps import board_pictures
+from insole_studio.workbench.calibration_steps import COLOR, board_pictures, has_infrared
 
 GOOD_PICTURES = 10
-WALL_DISTANCES_MM = (600, 700, 800, 900, 1000)
+WALL_DISTANCES_MM = (500, 600, 700, 800, 900, 1000)
 _NEAR_MM = 60.0
 CELLS = (6, 8)
 _WIDTH_PX = 640
@@ -83,14 +89,33 @@ def inspect_boards(folder: Path, kind: str, board: Board, progress: Progress = S
     InputError
         When the folder or a picture cannot be read.
     """
+    looks, sightings = _look_at_boards(folder, kind, board, progress)
+    return Readiness(looks, _missing_boards(sightings), count_corners(sightings))
+
+
+def inspect_pairs(folder: Path, board: Board, progress: Progress = SILENT) -> Readiness:
+    """Look for the board in every colour picture of a folder that has depth or infrared as well.
+
+    Raises
+    ------
+    InputError
+        When the folder or a picture cannot be read.
+    """
+    looks, sightings = _look_at_boards(folder, COLOR, board, progress)
+    each = EACH_WITH_INFRARED if has_infrared(folder) else EACH_WITH_DEPTH
+    return Readiness(looks, _missing_pairs(sightings, each), count_corners(sightings))
+
+
+def _look_at_boards(
+    folder: Path, kind: str, board: Board, progress: Progress
+) -> tuple[tuple[Look, ...], list[Sighting]]:
     paths = board_pictures(folder, kind)
     found: list[tuple[Look, Sighting | None]] = []
     for done, path in enumerate(paths):
         progress.step(done / len(paths), f"Looking at {path.name}")
         found.append(_look_at_file(path, path.stat().st_mtime_ns, board))
     sightings = [sighting for _, sighting in found if sighting is not None]
-    looks = tuple(look for look, _ in found)
-    return Readiness(looks, _missing_boards(sightings), count_corners(sightings))
+    return tuple(look for look, _ in found), sightings
 
 
 @lru_cache(maxsize=128)
@@ -117,7 +142,10 @@ def look_at_board(
         sighting = board.find(name, grey)
     except CalibrationError as error:
         return Look(name, False, str(error), small(shown)), None
-    sentence = tr("{count} corners").format(count=len(sighting.pixels))
+    turn_deg, side = turn_of(sighting)
+    sentence = tr("{count} corners, turned {turn:.0f}° {side}").format(
+        count=len(sighting.pixels), turn=turn_deg, side=_side_texts()[side]
+    )
     return Look(name, True, sentence, _with_corners(shown, sighting)), sighting
 
 
@@ -171,13 +199,28 @@ def _missing_boards(sightings: Sequence[Sighting]) -> tuple[str, ...]:
                 "time."
             ).format(count=GOOD_PICTURES - len(sightings))
         )
-    if regions := missing_regions(count_corners(sightings)):
+    return (*missing, *_missing_parts(sightings))
+
+
+def _missing_pairs(sightings: Sequence[Sighting], each: int) -> tuple[str, ...]:
+    missing = []
+    if turns := missing_turns(sightings, each):
+        sides = [f"{count} × {_side_texts()[side]}" for side, count in turns.items()]
         missing.append(
-            tr("Hold the board in these parts of the picture: {regions}.").format(
-                regions=_listed(regions)
-            )
+            tr("Turn the board strongly, by 40 to 55°: {sides}.").format(sides=", ".join(sides))
         )
-    return tuple(missing)
+    return (*missing, *_missing_parts(sightings))
+
+
+def _missing_parts(sightings: Sequence[Sighting]) -> tuple[str, ...]:
+    regions = missing_regions(count_corners(sightings))
+    if not regions:
+        return ()
+    return (
+        tr("Hold the board in these parts of the picture: {regions}.").format(
+            regions=_listed(regions)
+        ),
+    )
 
 
 def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
@@ -197,6 +240,15 @@ def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
             )
         )
     return tuple(missing)
+
+
+def _side_texts() -> dict[str, str]:
+    return {
+        "left": tr("to the left"),
+        "right": tr("to the right"),
+        "up": tr("upwards"),
+        "down": tr("downwards"),
+    }
 
 
 def _listed(regions: Sequence[str]) -> str:

@@ -64,6 +64,11 @@ def board_pictures(folder: Path, kind: str) -> list[Path]:
     return named or paths
 
 
+def has_infrared(folder: Path) -> bool:
+    """Tell whether a folder holds infrared pictures by their names."""
+    return any(path.name.startswith(INFRARED) for path in picture_paths(folder))
+
+
 def depth_images(folder: Path) -> list[Path]:
     """List the raw depth images of a folder: those named depth_…, or all PNG images.
 

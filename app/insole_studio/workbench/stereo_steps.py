@@ -6,8 +6,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from insole_core.calibration.board import Board, picture_paths
+import numpy as np
+
+from insole_core.calibration.board import Board, Sighting
 from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
+from insole_core.calibration.board_plan import (
+    EACH_WITH_DEPTH,
+    EACH_WITH_INFRARED,
+    missing_turns,
+)
 from insole_core.calibration.boards_in_depth import read_boards_in_depth
 from insole_core.calibration.depth_sensor import add_tilt
 from insole_core.calibration.intrinsics import find_boards
@@ -19,12 +26,15 @@ from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
 from insole_studio.workbench.calibration_steps import (
     COLOR,
-    INFRARED,
     StepResult,
     board_pictures,
     check_color_camera,
     find_infrared_pairs,
+    has_infrared,
 )
+
+_GOOD_MM = 0.5
+"""How well the place of the depth camera is to be known."""
 
 
 def calibrate_stereo_step(
@@ -40,7 +50,7 @@ def calibrate_stereo_step(
     CalibrationError, InputError
         Also when the colour camera was not calibrated before.
     """
-    if any(path.name.startswith(INFRARED) for path in picture_paths(folder)):
+    if has_infrared(folder):
         return _from_infrared(folder, board, sensor, progress)
     return _from_depth(folder, board, sensor, progress)
 
@@ -58,7 +68,9 @@ def _from_infrared(folder: Path, board: Board, sensor: Sensor, progress: Progres
     depth_camera, color_camera = found.depth_camera, found.color_camera
     better = replace(sensor, depth_camera=depth_camera, color_camera=color_camera)
     numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
-    return _stereo_result(better, found.stereo, "infrared and colour pictures", numbers)
+    result = _stereo_result(better, found.stereo, "infrared and colour pictures", numbers)
+    color = [in_color for _, in_color in pairs]
+    return replace(result, advice=_advice(found.stereo, color, EACH_WITH_INFRARED))
 
 
 def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) -> StepResult:
@@ -83,13 +95,26 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
         )
     numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
     result = _stereo_result(better, found.stereo, "colour pictures and depth", numbers)
-    if correction is not None:
-        return result
-    advice = (
-        "The distortion of the depth was not corrected yet, which turns the cameras by a degree or "
-        "two; calibrate the distortion first.",
-    )
+    advice = _advice(found.stereo, color, EACH_WITH_DEPTH)
+    if correction is None:
+        advice += (
+            "The distortion of the depth was not corrected yet, which turns the cameras by a "
+            "degree or two; calibrate the distortion first.",
+        )
     return replace(result, advice=advice)
+
+
+def _advice(stereo: StereoCalibration, color: Sequence[Sighting], each: int) -> tuple[str, ...]:
+    """Say which positions would help, where the place is not known well enough."""
+    known_mm = float(np.linalg.norm(stereo.translation_deviation_mm))
+    missing = missing_turns(color, each)
+    if known_mm <= _GOOD_MM or not missing:
+        return ()
+    sides = ", ".join(f"{count} × {side}" for side, count in missing.items())
+    return (
+        f"The place of the depth camera is known within {known_mm:.1f} mm only; for {_GOOD_MM} mm "
+        f"take more positions with the board turned by 40 to 55° ({sides}).",
+    )
 
 
 def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepResult:

@@ -24,8 +24,8 @@
             <translation>Färgkamera</translation>
         </message>
         <message>
-            <source>Cover the emitter, light the board well, and take 15 infrared pictures of it. Where the sensor gives no infrared pictures this step is left out.</source>
-            <translation>Täck projektorn, belys brädet väl och ta 15 infraröda bilder av det. Där sensorn inte ger infraröda bilder utelämnas steget.</translation>
+            <source>Cover the emitter, light the board well, and take 16 infrared pictures of it: turned by 20 to 40° to all sides, in all parts of the picture. Where the sensor gives no infrared pictures this step is left out.</source>
+            <translation>Täck projektorn, belys brädet väl och ta 16 infraröda bilder av det: vridet 20 till 40° åt alla håll, i alla delar av bilden. Där sensorn inte ger infraröda bilder utelämnas steget.</translation>
         </message>
         <message>
             <source>Depth camera (infrared)</source>
@@ -64,8 +64,8 @@
             <translation>Sparar bilden</translation>
         </message>
         <message>
-            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of several distances from 600 to 1000 mm.</source>
-            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av flera avstånd från 600 till 1000 mm.</translation>
+            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of six distances from 500 to 1000 mm, a little askew each time.</source>
+            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av sex avstånd från 500 till 1000 mm, lite snett varje gång.</translation>
         </message>
         <message>
             <source>Live picture</source>
@@ -116,10 +116,6 @@
             <translation>Starta direktbilden, eller välj mappen med dessa bilder.</translation>
         </message>
         <message>
-            <source>Take 15 to 40 colour pictures of the board together with infrared pictures or the depth of the same positions, 600 to 1000 mm away, in all parts of the picture, tilted by up to 50° about both sides.</source>
-            <translation>Ta 15 till 40 färgbilder av brädet tillsammans med infraröda bilder eller djupet i samma lägen, 600 till 1000 mm bort, i alla delar av bilden, lutat upp till 50° kring båda sidorna.</translation>
-        </message>
-        <message>
             <source>Take by itself</source>
             <translation>Ta av sig själv</translation>
         </message>
@@ -144,6 +140,14 @@
             <translation>Sensorn är kalibrerad.</translation>
         </message>
         <message>
+            <source>Turn the board strongly, by 40 to 55°, in turn to the left, to the right, upwards and downwards, 600 to 900 mm away and in all parts of the picture: 12 positions to each side in colour and depth, or 4 to each side in colour and infrared (emitter covered).</source>
+            <translation>Vrid brädet kraftigt, 40 till 55°, i tur och ordning åt vänster, åt höger, uppåt och nedåt, 600 till 900 mm bort och i alla delar av bilden: 12 lägen åt varje håll i färg och djup, eller 4 åt varje håll i färg och infrarött (täckt projektor).</translation>
+        </message>
+        <message>
+            <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
+            <translation>Vrid brädet kraftigt, 40 till 55°: {sides}.</translation>
+        </message>
+        <message>
             <source>Waiting for the first picture.</source>
             <translation>Väntar på den första bilden.</translation>
         </message>
@@ -162,6 +166,10 @@
         <message>
             <source>done on {day}</source>
             <translation>gjort {day}</translation>
+        </message>
+        <message>
+            <source>downwards</source>
+            <translation>nedåt</translation>
         </message>
         <message>
             <source>lower centre</source>
@@ -196,6 +204,14 @@
             <translation>att göra</translation>
         </message>
         <message>
+            <source>to the left</source>
+            <translation>åt vänster</translation>
+        </message>
+        <message>
+            <source>to the right</source>
+            <translation>åt höger</translation>
+        </message>
+        <message>
             <source>upper centre</source>
             <translation>uppe i mitten</translation>
         </message>
@@ -208,8 +224,12 @@
             <translation>uppe till höger</translation>
         </message>
         <message>
-            <source>{count} corners</source>
-            <translation>{count} hörn</translation>
+            <source>upwards</source>
+            <translation>uppåt</translation>
+        </message>
+        <message>
+            <source>{count} corners, turned {turn:.0f}° {side}</source>
+            <translation>{count} hörn, vridet {turn:.0f}° {side}</translation>
         </message>
         <message>
             <source>{step} is saved for sensor {serial}.</source>

@@ -37,10 +37,10 @@ def pose_error(found: FloatArray) -> tuple[float, float]:
     return float(shift), rotation_angle_deg(difference[:3, :3])
 
 
-def pairs(count: int, tilt_deg: float = 30) -> tuple[list[Sighting], list[Sighting]]:
+def pairs(count: int) -> tuple[list[Sighting], list[Sighting]]:
     """The board in infrared pixels and in colour."""
     infrared = replace(CAMERA, cx=CAMERA.cx - IR_TO_DEPTH_PX[0], cy=CAMERA.cy - IR_TO_DEPTH_PX[1])
-    poses = board_poses(7, count, CENTER, tilt_deg=tilt_deg)
+    poses = spread_poses(7, count, BOARD, DEPTH2COLOR)
     ir = [sight(f"ir_{i}", BOARD, p, infrared, 0.1, i) for i, p in enumerate(poses)]
     color = [
         sight(f"color_{i}", BOARD, DEPTH2COLOR @ p, COLOR_CAMERA, 0.1, 99 + i)
@@ -50,7 +50,7 @@ def pairs(count: int, tilt_deg: float = 30) -> tuple[list[Sighting], list[Sighti
 
 
 def test_pose_from_infrared_and_colour() -> None:
-    ir, color = pairs(15)
+    ir, color = pairs(16)
     depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
     alone = [calibrate_camera(sightings).camera for sightings in (depth, color)]
     found = calibrate_stereo(depth, color, *alone)

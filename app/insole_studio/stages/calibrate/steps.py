@@ -12,7 +12,12 @@ from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
 from insole_studio.texts import tr
 from insole_studio.workbench.calibration_pictures import LiveKind
-from insole_studio.workbench.calibration_readiness import Readiness, inspect_boards, inspect_walls
+from insole_studio.workbench.calibration_readiness import (
+    Readiness,
+    inspect_boards,
+    inspect_pairs,
+    inspect_walls,
+)
 from insole_studio.workbench.calibration_steps import COLOR, INFRARED, StepResult
 from insole_studio.workbench.camera_step import Which, calibrate_camera_step
 from insole_studio.workbench.stereo_steps import calibrate_stereo_step
@@ -82,7 +87,7 @@ STEPS = (
         lambda: tr("Distortion of the depth"),
         lambda: tr(
             "Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture "
-            "ten frames at each of several distances from 600 to 1000 mm."
+            "ten frames at each of six distances from 500 to 1000 mm, a little askew each time."
         ),
         lambda folder, _board, sensor, progress: inspect_walls(folder, sensor, progress),
         _distortion,
@@ -93,8 +98,9 @@ STEPS = (
         "depth_camera",
         lambda: tr("Depth camera (infrared)"),
         lambda: tr(
-            "Cover the emitter, light the board well, and take 15 infrared pictures of it. Where "
-            "the sensor gives no infrared pictures this step is left out."
+            "Cover the emitter, light the board well, and take 16 infrared pictures of it: turned "
+            "by 20 to 40° to all sides, in all parts of the picture. Where the sensor gives no "
+            "infrared pictures this step is left out."
         ),
         partial(_inspect_pictures, INFRARED),
         partial(_camera, "depth"),
@@ -105,11 +111,11 @@ STEPS = (
         "stereo",
         lambda: tr("Depth to colour"),
         lambda: tr(
-            "Take 15 to 40 colour pictures of the board together with infrared pictures or the "
-            "depth of the same positions, 600 to 1000 mm away, in all parts of the picture, tilted "
-            "by up to 50° about both sides."
+            "Turn the board strongly, by 40 to 55°, in turn to the left, to the right, upwards and "
+            "downwards, 600 to 900 mm away and in all parts of the picture: 12 positions to each "
+            "side in colour and depth, or 4 to each side in colour and infrared (emitter covered)."
         ),
-        partial(_inspect_pictures, COLOR),
+        lambda folder, board, _sensor, progress: inspect_pairs(folder, board, progress),
         calibrate_stereo_step,
     ),
 )

@@ -72,9 +72,9 @@ def test_a_board_that_stands_still_is_taken_once(
     stage.view.live.click()
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
     assert stage.view.serial_line.text() == "SIM1"
-    assert stage.view.looks.item(0).text() == "✓  color_000.png: 54 corners"
+    assert stage.view.looks.item(0).text() == "✓  color_000.png: 54 corners, turned TT"
     assert "Take 9 more pictures" in stage.view.next_text()
-    qtbot.waitUntil(lambda: stage.view.live_text() == "54 corners", timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: stage.view.live_text().startswith("54 corners, turned"), timeout=PATIENCE_MS)
     (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
     assert {path.name for path in (day / "camera").iterdir()} == {
         "color_000.png", "depth_000.png", "depth_000",
@@ -97,7 +97,7 @@ def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_pat
     stage.view.take.click()
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
     text = stage.view.next_text()
-    assert "Capture the wall at about these distances: 600, 800, 900, 1000 mm." in text
+    assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
     stage.view.steps.setCurrentRow(2)
     qtbot.waitUntil(lambda: "no infrared picture" in stage.view.live_text(), timeout=PATIENCE_MS)
     assert not stage.view.take.isEnabled()

@@ -1,0 +1,34 @@
+"""Which positions of a board tell the depth camera: what is asked for, and what is missing.
+
+What limits the pose is how well the corners tell the board's distance, so how strongly it is turned
+(`benchmarks/board_depth_limits.py`); turned to one side only, a shift looks like a turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from insole_core.calibration.board import Sighting
+from insole_core.calibration.intrinsics import nominal_normal
+
+SIDES = ("left", "right", "up", "down")
+LEAST_TURN_DEG = 35.0
+EACH_WITH_DEPTH, EACH_WITH_INFRARED = 12, 4
+"""Positions to each side, for half a millimetre."""
+
+
+def turn_of(sighting: Sighting) -> tuple[float, str]:
+    """Give the angle between board and picture, and to which of `SIDES` the board looks most."""
+    x, y, z = (-nominal_normal(sighting)).tolist()  # towards the camera
+    angle_deg = float(np.degrees(np.arctan2(np.hypot(x, y), abs(z))))
+    across, along = ("left" if x < 0 else "right"), ("up" if y < 0 else "down")
+    return angle_deg, across if abs(x) > abs(y) else along
+
+
+def missing_turns(sightings: Sequence[Sighting], each: int) -> dict[str, int]:
+    """Count how many positions are missing to each side; sides that have enough are left out."""
+    turns = [turn_of(sighting) for sighting in sightings]
+    strong = [side for angle_deg, side in turns if angle_deg >= LEAST_TURN_DEG]
+    return {side: each - strong.count(side) for side in SIDES if strong.count(side) < each}
