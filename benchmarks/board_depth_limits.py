@@ -5,9 +5,14 @@ Run as ``python benchmarks/board_depth_limits.py``.
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/calibration"))
+from simulated_board import spread_poses
 
 from insole_core.calibration.adjustment import Blocks, pose, pose_vector
 from insole_core.calibration.board import Chequerboard
@@ -30,11 +35,23 @@ PLANS = ((15, 600, 1500, 30), (15, 600, 1000, 45), (30, 600, 1000, 45), (40, 570
 
 def main() -> None:
     """Print the bound of each plan, the mean of three draws."""
-    print("| boards | distance, mm | tilted up to | shift, mm | angle, ° |\n|---|---|---|---|---|")
+    print("| boards | distance, mm | tilted | shift, mm | angle, ° |\n|---|---|---|---|---|")
     for count, near, far, tilt in PLANS:
-        bounds = [bound(draw_poses(seed, count, near, far, tilt)) for seed in (1, 2, 3)]
-        shift, angle = np.mean(bounds, axis=0)
-        print(f"| {count} | {near} – {far} | {tilt}° | {shift:.2f} | {angle:.3f} |")
+        print_bound(
+            f"| {count} | {near} – {far} | up to {tilt}°",
+            [draw_poses(seed, count, near, far, tilt) for seed in (1, 2, 3)],
+        )
+    for count in (24, 48):
+        print_bound(f"| {count} | 500 – 1050 | 40 – 55° to four sides", [
+            [DEPTH2COLOR @ placed for placed in spread_poses(seed, count, BOARD, DEPTH2COLOR)]
+            for seed in (1, 2, 3)
+        ])  # fmt: skip
+
+
+def print_bound(plan: str, draws: list[list[FloatArray]]) -> None:
+    """Print the mean bound of some draws of a plan."""
+    shift, angle = np.mean([bound(poses) for poses in draws], axis=0)
+    print(f"{plan} | {shift:.2f} | {angle:.3f} |", flush=True)
 
 
 def draw_poses(seed: int, count: int, near: float, far: float, tilt_deg: float) -> list[FloatArray]:

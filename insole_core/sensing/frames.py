@@ -315,7 +315,7 @@ def _percentile(values: FloatArray | Float32Array, share: float) -> float:
     """Of few numbers, in a tenth of the time that numpy's own takes."""
     if not values.size:
         return 0.0
-    ordered = np.sort(values, axis=None)
+    ordered = np.sort(values, axis=None).astype(np.float64)
     return float(np.interp(share / 100 * (len(ordered) - 1), np.arange(len(ordered)), ordered))
 
 
