@@ -18,6 +18,7 @@ from insole_studio.bootstrap import (
     build_application,
     qt_application,
 )
+from insole_studio.shell.answers import AnsweredQuestions, Answers
 from insole_studio.texts import tr
 
 
@@ -25,14 +26,29 @@ class ScriptedStudio:
     """The real window, led by a program: for the demonstration, screenshots and journeys.
 
     Use it as a context; inside, every call returns when its work is done.
+
+    Parameters
+    ----------
+    places
+    size
+        Of the window, pixels.
+    dark
+    answers
+        To what the window would ask somebody; by default unsaved work is left behind.
     """
 
     def __init__(
-        self, places: Places, size: tuple[int, int] = DEFAULT_SIZE, dark: bool = False
+        self,
+        places: Places,
+        size: tuple[int, int] = DEFAULT_SIZE,
+        dark: bool = False,
+        answers: Answers | None = None,
     ) -> None:
         self._qt = qt_application()
         self.app = build_application(self._qt, places)
         self.app.studio.rooms.appearance.set_dark(dark)
+        self.answers = answers or Answers()
+        self.app.studio.rooms.dialogue.questions = AnsweredQuestions(self.app.window, self.answers)
         self.app.window.resize(*size)
         self.app.window.arrange()
 

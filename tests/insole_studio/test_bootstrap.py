@@ -8,7 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from insole_core.cases.case_file import read_case
+from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.record import CaseRecord, Patient
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import Places, run_application
@@ -16,6 +16,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.settings import load_settings
 from insole_studio.shell.main_window import MainWindow
+from insole_studio.shell.questions import Answer
 from insole_studio.workbench.autosave import Autosave
 from insole_studio.workbench.case import Case
 
@@ -36,6 +37,24 @@ def test_the_whole_journey_by_program(
     assert len(design.corrections) == 1
     picture = QImage(str(tmp_path / "window.png"))
     assert (picture.width(), picture.height()) == (1000, 700)
+
+
+def test_a_second_file_is_opened_over_unsaved_work(
+    qapp: QApplication, places: Places, tmp_path: Path
+) -> None:
+    for name in ("first", "second"):
+        write_case(CaseRecord(patient=Patient(name=name)), tmp_path / f"{name}.insole")
+    with ScriptedStudio(places, (900, 600)) as studio:
+        case = studio.app.case
+        studio.open(tmp_path / "first.insole")
+        case.apply(Patient(name="changed"), "change")
+        studio.answers.unsaved = Answer.CANCEL
+        studio.open(tmp_path / "second.insole")
+        assert case.record.patient.name == "changed"
+        studio.answers.unsaved = Answer.SAVE
+        studio.open(tmp_path / "second.insole")
+        assert case.record.patient.name == "second"
+    assert read_case(tmp_path / "first.insole").patient.name == "changed"
 
 
 def close_soon(window_seen: list[str]) -> None:

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.insole.design import Pelott, Posting
 from insole_studio.bootstrap import Places
 from insole_studio.scripted import ScriptedStudio
+from insole_studio.shell.questions import Questions
 from insole_studio.tools.key_point import confidence, shown_points
 
 KEY = Qt.Key
@@ -73,6 +74,8 @@ def _type_path(path: Path) -> None:
 @pytest.fixture
 def keyboard(qapp: QApplication, qtbot: QtBot, places: Places) -> Iterator[Keyboard]:
     with ScriptedStudio(places, (1366, 768)) as studio:
+        # The real dialogs: they are answered by keys as well.
+        studio.app.studio.rooms.dialogue.questions = Questions(studio.app.window)
         studio.app.window.activateWindow()
         QTest.qWaitForWindowActive(studio.app.window)
         yield Keyboard(studio, qtbot)
