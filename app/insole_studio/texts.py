@@ -5,8 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
 
 from insole_core.resources import resource_path
+from insole_studio.phrasebook import Phrasebook
 
 CONTEXT = "studio"
+_books = {"core": Phrasebook({})}
 
 
 def tr(text: str) -> str:
@@ -19,6 +21,11 @@ def translated(sentence: str) -> str:
     return QCoreApplication.translate(CONTEXT, sentence)
 
 
+def spoken(sentence: str) -> str:
+    """Give a sentence with values that the core has written, in the language of the window."""
+    return _books["core"].say(sentence)
+
+
 def load_language(application: QCoreApplication, language: str) -> None:
     """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay.
 
@@ -28,7 +35,9 @@ def load_language(application: QCoreApplication, language: str) -> None:
         application.removeTranslator(translator)
         translator.deleteLater()
     wanted = QLocale.system().name()[:2] if language == "system" else language
-    for catalogue in sorted((resource_path("translations") / wanted).glob("*.qm")):
+    folder = resource_path("translations") / wanted
+    _books["core"] = Phrasebook.read(folder / "sentences.json")
+    for catalogue in sorted(folder.glob("*.qm")):
         translator = QTranslator(application)
         translator.load(str(catalogue))
         application.installTranslator(translator)

@@ -20,7 +20,7 @@ from insole_studio.shell.file_kinds import case_kinds, scan_kinds
 from insole_studio.shell.questions import SameSide
 from insole_studio.shell.recent import Recent
 from insole_studio.shell.saving import Saving
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 from insole_studio.workbench.autosave import Autosave, Recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.fitting import last_design
@@ -98,7 +98,7 @@ class Opening:
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
-        self._dialogue.say(" ".join(scanned.foot.notes), LONG_MS)
+        self._dialogue.say(" ".join(map(spoken, scanned.foot.notes)), LONG_MS)
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
             again = replace(before, foot=scanned.foot, source=scanned.source)
@@ -147,7 +147,7 @@ class Opening:
     ) -> None:
         def opened(scanned: ScannedFoot) -> None:
             if scanned.warnings:
-                self._dialogue.show_sentence(" ".join(scanned.warnings))
+                self._dialogue.show_sentence(" ".join(map(spoken, scanned.warnings)))
             self.take_scan(scanned)
 
         def task_of(progress: Progress) -> ScannedFoot:

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from insole_core.geometry.side import Side
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 
 
 class Answer(Enum):
@@ -119,5 +119,6 @@ class Questions:
     def _box(self, text: str) -> QMessageBox:
         box = QMessageBox(self._parent)
         box.setWindowTitle(tr("Insole Studio"))
-        box.setText(text[:1].upper() + text[1:])
+        said = spoken(text)
+        box.setText(said[:1].upper() + said[1:])
         return box

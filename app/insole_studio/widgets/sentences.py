@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar
 
+from insole_studio.texts import spoken
+
 
 class Sentences(QLabel):
     """Sentences below each other; nothing is shown while there are none.
@@ -29,8 +31,9 @@ class Sentences(QLabel):
         self.say_all([sentence] if sentence else [])
 
     def say_all(self, sentences: Sequence[str]) -> None:
-        """Show sentences, each from a capital on."""
-        self.setText("\n".join(sentence[:1].upper() + sentence[1:] for sentence in sentences))
+        """Show sentences in the language of the window, each from a capital on."""
+        said = map(spoken, sentences)
+        self.setText("\n".join(sentence[:1].upper() + sentence[1:] for sentence in said))
         self.setVisible(bool(sentences))
 
 
@@ -46,4 +49,4 @@ class WorkBar(QProgressBar):
         """Show the work; an empty text ends it."""
         self.setVisible(bool(text))
         self.setValue(round(100 * fraction))
-        self.setFormat(text)
+        self.setFormat(spoken(text))

@@ -15,7 +15,7 @@ from insole_core.insole.limits import Range
 from insole_core.insole.pronation import proposed_post_deg
 from insole_core.insole.rules import Rules
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.key_point import point_text
 from insole_studio.tools.posting import posting_of, with_posting
@@ -119,7 +119,7 @@ class FootOffers:
         try:
             angles = pose_angles(record.foot, landmarks_of(record))
         except InputError as error:
-            return FieldGroup(title, note=str(error))
+            return FieldGroup(title, note=spoken(str(error)))
         fields = (
             _field("pose.roll_deg", tr("Medial edge up"), angles.roll_deg),
             _field("pose.pitch_deg", tr("Toe end up"), angles.pitch_deg),

@@ -24,7 +24,7 @@ from insole_studio.scene.companion import Name
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view import SceneView
 from insole_studio.stages.design.rear_lines import RearLines
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
@@ -213,7 +213,8 @@ class ModelView(QWidget):
 
     def show_warning(self, text: str) -> None:
         """Say what is wrong, above the view; empty hides it."""
-        self._warning.setText(text[:1].upper() + text[1:])
+        said = spoken(text)
+        self._warning.setText(said[:1].upper() + said[1:])
         self._warning.setVisible(bool(text))
 
     def look_at_whole(self, bounds_mm: FloatArray, preset: Preset = Preset.PLANTAR) -> None:
