@@ -21,6 +21,7 @@ Frame = Literal["reference", "unknown"]
 
 _CLEAR = 1.25
 """From this ratio of the two unlikenesses on, the shape tells the side."""
+_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the last of a heel, and the heel; share of its breadth
 _NO_FOOT = 0.6
 """From this unlikeness on, it is no foot at all."""
 
@@ -75,14 +76,14 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         # The ways of ground and toes are those of the shape, whatever the side.
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
+    placed = mesh.transformed(found.source2insole)
     notes = (
         _side_note(asked, other),
         *_pose_notes(asked, frame),
+        *_rear_notes(placed),
         *_surface_notes(scraps, inside_out),
     )
-    return Foot(
-        side, mesh.transformed(found.source2insole), found.source2insole, found.length_mm, notes
-    )
+    return Foot(side, placed, found.source2insole, found.length_mm, notes)
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
@@ -164,6 +165,17 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
         )
     elif not found.foot.toes_told_apart:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
+
+
+def _rear_notes(mesh: TriangleMesh) -> Iterator[str]:
+    """Whether the rear was cut off: a heel is round from above, so its end is narrow."""
+    x, y, z = mesh.vertices.T
+    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < reach)]) for reach in _REAR_MM)
+    if end > _BLUNT * rear:
+        yield (
+            "The heel is missing, or cut off behind; lengths and everything placed from the heel"
+            " are guesses. Scan the foot again with its heel."
+        )
 
 
 def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:

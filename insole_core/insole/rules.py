@@ -30,6 +30,13 @@ from insole_core.resources import resource_path
 
 _AT_HEADS = ("egg", "bar")
 """Shapes that end behind the metatarsal heads."""
+_WORDS = {
+    "outline": "free-hand pad",
+    "arch_support": "arch support",
+    "cut_out": "cut-out",
+    "mortons_extension": "Morton's extension",
+}
+"""How shapes are called whose name in a design says too little."""
 _USUAL_CUP_MM = 12.0
 _STEP_MM = 2.0
 
@@ -99,7 +106,7 @@ class DesignWarning:
     @property
     def text(self) -> str:
         """The sentence with its numbers, in English."""
-        plain = {name: value.replace("_", " ") for name, value in self.values.items()}
+        plain = {name: _WORDS.get(value, value) for name, value in self.values.items()}
         return self.sentence.format(**plain)
 
 

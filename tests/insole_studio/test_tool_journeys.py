@@ -146,7 +146,7 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
 def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> None:
     act(opened, "tool_section")
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))
-    # The plane takes whole half millimetres, and the sole of the plain foot rises by 0.3 in each.
+    # The plane takes whole half millimetres, and the sole rises by 0.3 on each here.
     assert opened.stage.section.thickness_mm(0.0) == pytest.approx(
         opened.surface.height_mm(0.0, 110.0), abs=0.2
     )

@@ -129,6 +129,14 @@ def test_missing_toes_are_said(left_mesh):
     assert foot.length_mm > np.ptp(foot.mesh.vertices[:, 1])
 
 
+@pytest.mark.parametrize("cut_mm", [20.0, 35.0, 50.0])
+def test_a_missing_heel_is_said(left_mesh, left_foot, cut_mm):
+    part = left_mesh.part(left_foot.mesh.vertices[:, 1] > cut_mm)
+    foot = place_foot(part, Side.LEFT, frame="reference")
+    assert any("heel is missing" in note for note in foot.notes)
+    assert not any("heel is missing" in note for note in left_foot.notes)
+
+
 def test_scraps_are_left_out_and_said(left_mesh, left_foot):
     scrap = trimesh.creation.icosphere(radius=4)
     mesh = TriangleMesh(
