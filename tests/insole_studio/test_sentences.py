@@ -29,7 +29,7 @@ TRANSLATED = (
 """Rooms whose errors the window shows while a foot is opened, designed on, and exported."""
 REMARKS = (
     "cases/scan.py", "compare/sources.py", "export/atomic.py", "foot/mesh_file.py",
-    "foot/placing.py", "foot/side_check.py", "reconstruct/assignment.py",
+    "foot/measures.py", "foot/placing.py", "foot/side_check.py", "reconstruct/assignment.py",
     "reconstruct/coverage.py", "reconstruct/image_assignment.py", "reconstruct/picture.py",
     "reconstruct/pose_quality.py", "reconstruct/registration.py", "reconstruct/remarks.py",
 )  # fmt: skip

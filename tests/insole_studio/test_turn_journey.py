@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
 from insole_core.foot.aligning import pose_angles
 from insole_studio.bootstrap import Application
+from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.landmarks import landmarks_of
@@ -128,3 +129,21 @@ def test_the_plane_is_placed_and_turned_by_dragging(opened: Application, foot: S
     assert turned is not None
     assert turned.pitch_deg > 2.0
     assert len(opened.case.history) == 2
+
+
+def test_a_click_on_a_measure_turns_to_its_place_and_marks_it(opened: Application) -> None:
+    name = next(
+        label
+        for label in opened.stage.patient.findChildren(QLabel)
+        if 'href="arch_height"' in label.text()
+    )
+    name.linkActivated.emit("arch_height")
+    view = opened.stage.foot.scene
+    assert view.camera.preset is Preset.MEDIAL
+    apex = landmarks_of(opened.case.record)["arch_apex"].point
+    x, y = view.look.pixels_of(apex)[0]
+    assert 0.2 * view.width() < x < 0.8 * view.width()
+    assert 0.2 * view.height() < y < 0.8 * view.height()
+    assert "highlight" in view.painter.shown
+    opened.window.actions_by_key["tool_pelott"].trigger()
+    assert "highlight" not in view.painter.shown

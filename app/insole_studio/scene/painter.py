@@ -73,6 +73,11 @@ class Painter:
         plotter.enable_parallel_projection()
         self.set_dark(dark)
 
+    @property
+    def shown(self) -> frozenset[str]:
+        """Names of what is drawn now."""
+        return frozenset(self._plotter.actors)
+
     def set_dark(self, dark: bool) -> None:
         """Change the scheme of the background, of words and of marks."""
         before, self.scheme = self.scheme, Scheme.of(dark)
@@ -237,10 +242,12 @@ class Painter:
         places = [point.position_mm for point in points]
         self._show_texts("key-names", places, [f"    {point.text}" for point in points], 12)
 
-    def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
+    def show_spots(
+        self, spots_mm: FloatArray, chosen_mm: FloatArray, chosen_px: float = 6.0
+    ) -> None:
         """Mark places (n, 3) that need attention, the chosen ones stronger."""
         self._show_dots("spots", list(spots_mm), 4.0, self.scheme.mark)
-        self._show_dots("spots-chosen", list(chosen_mm), 6.0, self.scheme.alarm)
+        self._show_dots("spots-chosen", list(chosen_mm), chosen_px, self.scheme.alarm)
 
     def show_label(self, place_mm: FloatArray | None, text: str, name: str = "label") -> None:
         """Write a measure at a place; None for none."""

@@ -12,6 +12,7 @@ from insole_core.foot.aligning import PoseAngles, pose_angles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse
+from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, Ground, Tool, rounded
@@ -20,7 +21,7 @@ from insole_studio.workbench.foot_moving import turned_record
 from insole_studio.workbench.landmarks import landmarks_of
 
 PREFIX = "turn-"
-RADIUS_MM = 75.0
+RADIUS_MM = 50.0
 HEIGHT_MM = 25.0
 """Of the rings' middle over the ground."""
 GRAB_PX = 10.0
@@ -111,9 +112,9 @@ class TurnTool(Tool):
             return tr("The landmarks stand where they do on no foot; put them right first")
         return self._angle_text or tr("Drag a ring to turn the foot; hold Ctrl for small steps")
 
-    def handles(self, case: Case, _ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
         """Give two spots on each ring; the ring itself can be grabbed as well."""
-        if case.foot is None or _angles(case) is None:
+        if case.foot is None or ground.subject is not Subject.FOOT or _angles(case) is None:
             return ()
         centre = ring_centre(case.foot)
         return tuple(
@@ -132,7 +133,7 @@ class TurnTool(Tool):
     def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
         """Grab the ring under the pointer."""
         angles, foot = _angles(case), case.foot
-        if angles is None or foot is None:
+        if angles is None or foot is None or event.subject is not Subject.FOOT:
             return None
         name = event.handle if event.handle in RINGS else _ring_at(event, ring_centre(foot))
         return None if name is None else self._turn(case, event, RINGS[name], foot, angles)

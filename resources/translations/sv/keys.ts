@@ -80,6 +80,10 @@
             <translation>Nästa panel</translation>
         </message>
         <message>
+            <source>No scan yet. Capture a foot, or open a recorded session or a mesh.</source>
+            <translation>Ingen skanning ännu. Ta upp en fot, eller öppna en inspelad session eller ett nät.</translation>
+        </message>
+        <message>
             <source>One step more or less; with Shift ten, with Ctrl a tenth</source>
             <translation>Ett steg mer eller mindre; med Skift tio, med Ctrl en tiondel</translation>
         </message>

@@ -324,7 +324,7 @@ class TestModels:
         FootPresenter(view, **facts).show_all()
         sentence, offers = view.shown["show_empty"]
         assert "No scan yet" in sentence
-        assert list(offers) == ["open_session", "open_mesh", "open_example"]
+        assert list(offers) == ["capture", "open_session", "open_mesh", "open_example"]
 
     @pytest.mark.parametrize("side", list(Side))
     def test_the_foot_appears_with_its_side(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from insole_core.geometry.side import Side
@@ -17,7 +18,9 @@ _BOTH = 4
 
 
 class MeasureGrid(QWidget):
-    """Lays out the measures, a line each."""
+    """Lays out the measures, a line each; a click on a name leads to its place."""
+
+    chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -56,6 +59,8 @@ class MeasureGrid(QWidget):
         both = len(measure.values) == _BOTH
         is_angle = both and measure.unit == "°"
         name = QLabel(f"{measure.name} (°)" if is_angle else measure.name)
+        if measure.key:
+            self._lead(name, measure.key)
         name.setWordWrap(True)
         name.setToolTip(measure.tip)
         self._grid.addWidget(name, row, 0)
@@ -66,3 +71,12 @@ class MeasureGrid(QWidget):
             if column > _BOTH - 2:
                 number.setObjectName("quiet")
             self._grid.addWidget(number, row, column, _RIGHT)
+
+    def _lead(self, name: QLabel, key: str) -> None:
+        """Make a name lead to the place of its measure, by mouse and by keys."""
+        plain = "color: inherit; text-decoration: none"
+        name.setText(f'<a href="{key}" style="{plain}">{escape(name.text())}</a>')
+        by = Qt.TextInteractionFlag
+        name.setTextInteractionFlags(by.LinksAccessibleByMouse | by.LinksAccessibleByKeyboard)
+        name.setCursor(Qt.CursorShape.PointingHandCursor)
+        name.linkActivated.connect(self.chosen)

@@ -9,7 +9,7 @@ from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import Measure
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 from insole_studio.tools.key_point import distances
 from insole_studio.workbench.landmarks import landmarks_of
 
@@ -76,8 +76,9 @@ def _measure(row: MeasureRow, both: bool, doubtful: Mapping[Side, Mapping[str, s
     values: tuple[str, ...] = (left or right,)
     if both:
         values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
-    tip = "\n".join((DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
-    return Measure(name, values, unit, tip)
+    said = map(spoken, (DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
+    tip = "\n".join(said)
+    return Measure(name, values, unit, tip, row.key)
 
 
 def _number(value: float | None, decimals: int, sign: str = "") -> str:

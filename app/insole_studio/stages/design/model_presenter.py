@@ -317,8 +317,9 @@ class FootPresenter(ModelPresenter):
         foot = self._case.foot
         if foot is None:
             self.panel.show_empty(
-                tr("No scan yet. Open a recorded session, or the mesh of a foot."),
+                tr("No scan yet. Capture a foot, or open a recorded session or a mesh."),
                 {
+                    "capture": tr("Capture…"),
                     "open_session": tr("Open session…"),
                     "open_mesh": tr("Open mesh…"),
                     "open_example": tr("Open the example"),

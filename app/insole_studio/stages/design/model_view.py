@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -167,6 +168,14 @@ class ModelView(QWidget):
     def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
         """Show named places."""
         self.scene.painter.show_key_points(points)
+        self.scene.request_render()
+
+    def show_highlight(self, points: FloatArray) -> None:
+        """Mark places (n, 3) and the way between them; none hides what was marked."""
+        painter = self.scene.painter
+        lines = [points] if len(points) > 1 else []
+        painter.show_lines("highlight", lines, painter.scheme.alarm, 2.5)
+        painter.show_spots(np.empty((0, 3)), points, 12.0)
         self.scene.request_render()
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:

@@ -43,6 +43,7 @@ class PatientView(QScrollArea):
     correction_moved = Signal(str, int)
     correction_copied = Signal(str)
     warning_chosen = Signal(int)
+    measure_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,6 +64,7 @@ class PatientView(QScrollArea):
         self.variants.chosen.connect(self.variant_chosen)
         self.variants.action_requested.connect(self.action_requested)
         self._measures = MeasureGrid()
+        self._measures.chosen.connect(self.measure_chosen)
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
         self._warnings = QVBoxLayout()
@@ -121,6 +123,10 @@ class PatientView(QScrollArea):
                 label.setText(escape(row.text))
             label.setObjectName("warning")
             label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
+            if row.leads:
+                keys = Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+                label.setTextInteractionFlags(label.textInteractionFlags() | keys)
             label.linkActivated.connect(self._choose_warning)
             self._warnings.addWidget(label)
 

@@ -11,13 +11,15 @@ from insole_core.geometry.side import Side
 class Measure:
     """One measure, ready to be read; `tip` is its definition.
 
-    `values` holds one number, or those of left and right, their difference and per cent.
+    `values` holds one number, or those of left and right, their difference and per cent; `key` is
+    its name where a click leads to its place.
     """
 
     name: str
     values: tuple[str, ...]
     unit: str = ""
     tip: str = ""
+    key: str = ""
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from insole_core.insole.rules import Rules
 from insole_studio.scene.camera import Camera, Preset, Subject
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
+from insole_studio.stages.design.measure_places import place_of
 from insole_studio.stages.design.model_presenter import (
     FootPresenter,
     InsolePresenter,
@@ -66,6 +67,7 @@ class DesignStage(QObject):
         self.steps = StepStrip()
         self.patient = PatientView()
         self.patient.action_requested.connect(self.offer_chosen)
+        self.patient.measure_chosen.connect(self.look_at_measure)
         self.notices = NoticeBar()
         self.parameters = ParametersView()
         self.section = SectionChart()
@@ -117,6 +119,9 @@ class DesignStage(QObject):
         case.changed.connect(self._show_hint)
         case.preview_changed.connect(self._show_hint)
         hand.tool_changed.connect(self._show_hint)
+        hand.tool_changed.connect(self._forget_highlight)
+        case.changed.connect(self._forget_highlight)
+        case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
         section.changed.connect(self._ask_for_section)
         hand.tool_changed.connect(self._ask_for_section)
@@ -156,6 +161,21 @@ class DesignStage(QObject):
             self._fitted = None
             there = np.array(presenter.place(*place_mm))
             view.scene.set_camera(view.scene.camera.centred(there))
+
+    def look_at_measure(self, key: str) -> None:
+        """Turn to where a measure is taken, and mark it on the foot until something changes."""
+        found = place_of(key, self._case.record)
+        if found is None:
+            return
+        points, preset = found
+        self.look(preset)
+        self._fitted = None
+        for view, _ in self._presenters.values():
+            view.scene.set_camera(view.scene.camera.centred(points.mean(axis=0)))
+        self.foot.show_highlight(points)
+
+    def _forget_highlight(self) -> None:
+        self.foot.show_highlight(np.empty((0, 3)))
 
     def fit(self) -> None:
         """Show everything from where one looks now."""

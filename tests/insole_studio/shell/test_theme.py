@@ -1,0 +1,62 @@
+"""Every text of both themes can be read: contrast by WCAG 2.1, level AA."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtGui import QColor
+
+from insole_studio.scene.painter import Scheme
+from insole_studio.shell.theme import DARK, LIGHT, Colors
+from insole_studio.widgets.side_badge import COLORS
+
+TEXT, GRAPHICS = 4.5, 3.0
+THEMES = pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])
+SCHEMES = pytest.mark.parametrize("scheme", [Scheme.of(False), Scheme.of(True)])
+
+
+def luminance(name: str) -> float:
+    channels = [c / 255 for c in QColor(name).getRgb()[:3]]  # type: ignore[index]
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(a: str, b: str) -> float:
+    dark, light = sorted((luminance(a), luminance(b)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def test_the_measure_itself() -> None:
+    assert contrast("#000000", "#ffffff") == pytest.approx(21.0)
+    assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.01)
+
+
+@THEMES
+@pytest.mark.parametrize("ground", ["window", "base", "raised"])
+@pytest.mark.parametrize("ink", ["text", "quiet"])
+def test_texts(colors: Colors, ink: str, ground: str) -> None:
+    assert contrast(getattr(colors, ink), getattr(colors, ground)) >= TEXT
+
+
+@THEMES
+def test_links_choices_and_warnings(colors: Colors) -> None:
+    assert contrast(colors.accent, colors.window) >= TEXT
+    assert contrast(colors.on_accent, colors.accent) >= TEXT
+    assert contrast(colors.on_warning, colors.warning) >= TEXT
+
+
+@THEMES
+def test_the_focus_is_seen(colors: Colors) -> None:
+    for ground in (colors.window, colors.base, colors.raised):
+        assert contrast(colors.accent, ground) >= GRAPHICS
+
+
+@SCHEMES
+def test_what_is_drawn_in_the_views(scheme: Scheme) -> None:
+    for ground in (scheme.bottom, scheme.top):
+        assert contrast(scheme.text, ground) >= TEXT
+        for ink in (scheme.accent, scheme.mark, scheme.alarm):
+            assert contrast(ink, ground) >= GRAPHICS
+
+
+def test_the_badges_of_the_sides() -> None:
+    assert all(contrast("white", color) >= TEXT for color in COLORS.values())
