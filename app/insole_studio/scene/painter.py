@@ -16,6 +16,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Look
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.texts import tr
 
@@ -26,6 +27,7 @@ CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
 STRONG_CONTOUR = 5
 GHOST_OPACITY = 0.35
 SURE = 0.6
+NAME_PX, DIRECTION_PX = 12, 13
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
 """Of the anatomical words from what they stand beside, in x and in y."""
@@ -64,6 +66,10 @@ class Painter:
         """Form and look of the marks that are shown; equal ones only move."""
         self._texts: dict[str, Callable[[], None]] = {}
         """Writes the words that are shown once more."""
+        self._tags = NameTags(plotter, pixel_ratio)
+        self._named: Sequence[MarkedPoint] = ()
+        self._directions: tuple[list[FloatArray], list[str]] = ([], [])
+        self._look: Look | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
         plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
@@ -87,6 +93,7 @@ class Painter:
         self._shapes.clear()
         for write in list(self._texts.values()):
             write()
+        self._tags.show(self._named, NAME_PX, self.scheme.text, self.scheme.bottom)
 
     def _recolor(self, name: str, before: Scheme) -> None:
         """Give a mark in a colour of the scheme before that of the scheme of now."""
@@ -239,8 +246,10 @@ class Painter:
             color = self.scheme.accent if wanted else self.scheme.mark
             self._show_dots(f"rim-{name}", places, 13.0, "white")
             self._show_dots(f"points-{name}", places, 9.0, color)
-        places = [point.position_mm for point in points]
-        self._show_texts("key-names", places, [f"    {point.text}" for point in points], 12)
+        self._named = points
+        self._tags.show(points, NAME_PX, self.scheme.text, self.scheme.bottom)
+        if self._look is not None:
+            self._place_names(self._look)
 
     def show_spots(
         self, spots_mm: FloatArray, chosen_mm: FloatArray, chosen_px: float = 6.0
@@ -256,11 +265,10 @@ class Painter:
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
         """Write the anatomical words around what lies in the box (2, 3)."""
-        if side is None or bounds_mm is None:
-            self._show_texts("directions", [], [], 11)
-            return
-        places, words = direction_words(side, bounds_mm)
-        self._show_texts("directions", places, words, 13, centred=True)
+        self._directions = ([], [])
+        if side is not None and bounds_mm is not None:
+            self._directions = direction_words(side, bounds_mm)
+        self._show_texts("directions", *self._directions, DIRECTION_PX, centred=True)
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
         """Show the reference plane as a translucent sheet."""
@@ -292,6 +300,17 @@ class Painter:
         camera.up = tuple(look.up)
         camera.parallel_scale = look.height_mm / 2
         camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
+        self._look = look
+        self._place_names(look)
+
+    def _place_names(self, look: Look) -> None:
+        """Lay the names of the key points out, clear of the anatomical words."""
+        places, words = self._directions
+        middle = look.pixels_of(np.array(places)) if words else np.zeros((0, 2))
+        half = np.array([[0.3 * DIRECTION_PX * len(word), 0.7 * DIRECTION_PX] for word in words])
+        half = half.reshape(-1, 2)
+        leaders = self._tags.place(look, np.hstack([middle - half, middle + half]))
+        self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
     def _surface_colors(self, mesh: TriangleMesh, coloring: Coloring | None) -> dict[str, Any]:
         self._colored = _title(coloring)

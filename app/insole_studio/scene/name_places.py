@@ -1,0 +1,76 @@
+"""Where names stand in a picture: beside their places, and none on another."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+
+GAP_PX = 11.0
+"""Between a dot and its name."""
+_ROW = 1.15
+_ROWS = 9
+_ASIDE_PX = (0.0, 26.0, 60.0)
+
+
+def name_boxes(
+    anchors_px: FloatArray, sizes_px: FloatArray, taken_px: FloatArray, room_px: tuple[int, int]
+) -> FloatArray:
+    """Lay out names without overlap: each at the first free place, tried from near to far.
+
+    Parameters
+    ----------
+    anchors_px, sizes_px : (n, 2) float64
+        Where the dots are, and how large the names.
+    taken_px : (m, 4) float64
+        Boxes (left, top, right, bottom) where no name may stand.
+    room_px
+        Size of the picture; a name stays in it where it can.
+
+    Returns
+    -------
+    (n, 4) float64
+        Left, top, right, bottom. Where all places are taken, a name stands at its nearest one.
+    """
+    dots = np.hstack([anchors_px - GAP_PX + 2, anchors_px + GAP_PX - 2])
+    taken = np.vstack([taken_px, dots])
+    boxes = np.zeros((len(anchors_px), 4))
+    for i in np.lexsort((anchors_px[:, 0], anchors_px[:, 1])):
+        tried = _candidates(anchors_px[i], sizes_px[i])
+        free = ~_overlap(tried, taken).any(axis=1)
+        inside = (tried[:, :2] >= 0).all(axis=1) & (tried[:, 2:] <= room_px).all(axis=1)
+        boxes[i] = tried[int((free & inside).argmax())]
+        taken = np.vstack([taken, boxes[i]])
+    return boxes
+
+
+def leader_ends(anchors_px: FloatArray, boxes_px: FloatArray) -> FloatArray:
+    """Where a line from each dot meets its name, (n, 2); NaN where the name stands beside it."""
+    near = np.clip(anchors_px, boxes_px[:, :2], boxes_px[:, 2:])
+    near[:, 1] = boxes_px[:, 1::2].mean(axis=1)
+    away = np.hypot(*(near - anchors_px).T) > GAP_PX + 2
+    return np.where(away[:, None], near, np.nan)
+
+
+def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:
+    """Boxes (k, 4) beside a dot: right and left of it, then row by row farther up and down."""
+    rows = sorted(range(-_ROWS, _ROWS + 1), key=lambda row: (abs(row), row))
+    corners = [
+        (x, anchor[1] + (row * _ROW - 0.5) * size[1])
+        for row in rows
+        for aside in _ASIDE_PX
+        for x in (anchor[0] + GAP_PX + aside, anchor[0] - GAP_PX - aside - size[0])
+    ]
+    start = np.array(corners)
+    return np.hstack([start, start + size])
+
+
+def _overlap(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Whether boxes a (k, 4) and b (m, 4) overlap, (k, m)."""
+    a, b = a[:, None], b[None]
+    return np.asarray(
+        (a[..., 0] < b[..., 2])
+        & (b[..., 0] < a[..., 2])
+        & (a[..., 1] < b[..., 3])
+        & (b[..., 1] < a[..., 3])
+    )

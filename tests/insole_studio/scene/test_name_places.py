@@ -1,0 +1,60 @@
+"""Names in a picture: none on another, none outside, each near its dot."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from insole_studio.scene.name_places import GAP_PX, leader_ends, name_boxes
+
+ROOM = (500, 400)
+NOTHING = np.zeros((0, 4))
+PLACES = st.lists(
+    st.tuples(st.floats(100, 400), st.floats(100, 300), st.floats(30, 110)), min_size=1, max_size=14
+)
+
+
+def overlapping(a: np.ndarray, b: np.ndarray) -> bool:
+    return bool((a[:2] < b[2:]).all() and (b[:2] < a[2:]).all())
+
+
+@given(PLACES)
+def test_no_name_stands_on_another_or_leaves_the_picture(
+    places: list[tuple[float, float, float]],
+) -> None:
+    anchors = np.array(places)[:, :2]
+    sizes = np.column_stack([np.array(places)[:, 2], np.full(len(places), 16.0)])
+    boxes = name_boxes(anchors, sizes, NOTHING, ROOM)
+    np.testing.assert_allclose(boxes[:, 2:] - boxes[:, :2], sizes)
+    pairs = [(i, j) for i in range(len(boxes)) for j in range(i)]
+    assert not any(overlapping(boxes[i], boxes[j]) for i, j in pairs)
+    assert (boxes[:, :2] >= 0).all()
+    assert (boxes[:, 2:] <= ROOM).all()
+
+
+def test_a_lone_name_stands_right_of_its_dot() -> None:
+    (box,) = boxes = name_boxes(np.array([[200.0, 150.0]]), np.array([[60.0, 16.0]]), NOTHING, ROOM)
+    assert box.tolist() == [200 + GAP_PX, 142, 260 + GAP_PX, 158]
+    assert np.isnan(leader_ends(np.array([[200.0, 150.0]]), boxes)).all()
+
+
+def test_at_the_right_border_it_stands_left() -> None:
+    (box,) = name_boxes(np.array([[480.0, 150.0]]), np.array([[60.0, 16.0]]), NOTHING, ROOM)
+    assert box[2] == 480 - GAP_PX
+
+
+def test_words_that_stand_there_are_kept_clear_and_a_line_leads_to_the_name() -> None:
+    anchor, size = np.array([[200.0, 150.0]]), np.array([[60.0, 16.0]])
+    band = np.array([[100.0, 130.0, 300.0, 170.0]])
+    boxes = name_boxes(anchor, size, band, ROOM)
+    assert not overlapping(boxes[0], band[0])
+    (end,) = leader_ends(anchor, boxes)
+    assert end[1] == boxes[0, 1::2].mean()
+    assert boxes[0, 0] <= end[0] <= boxes[0, 2]
+
+
+def test_where_there_is_no_room_the_name_is_still_shown() -> None:
+    everywhere = np.array([[-1e3, -1e3, 1e3, 1e3]])
+    boxes = name_boxes(np.array([[200.0, 150.0]]), np.array([[60.0, 16.0]]), everywhere, ROOM)
+    assert boxes[0, 0] == 200 + GAP_PX
