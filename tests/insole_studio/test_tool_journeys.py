@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton
+from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 
 from insole_core.geometry.side import Side
 from insole_core.insole.design import BrushStroke, HeelCup, HeelSkive, Pelott
@@ -385,3 +385,29 @@ def test_a_pad_of_the_library_lies_at_its_place_at_once(
     assert moved.id == pad.id
     assert moved.centre_mm[1] < pad.centre_mm[1] - 10
     assert len(opened.case.history) == 2
+
+
+def test_touch_mode_makes_every_target_44_pixels(opened: Application, foot: SceneView) -> None:
+    act(opened, "tool_pelott")
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 120.0))
+    act(opened, "touch")
+    opened.case.select(None)  # the fields are laid out anew
+    QApplication.processEvents()
+    panel = opened.stage.parameters
+    fields = [*panel.findChildren(NumberField), *panel.findChildren(Choice)]
+    assert fields
+    assert min(field.height() for field in fields) >= 44
+    buttons = opened.window.findChildren(QToolButton)
+    assert min(b.sizeHint().height() for b in buttons if b.isVisible()) >= 44
+    field = panel.findChildren(NumberField)[0]
+    before = field.value()
+    for from_right, change in ((22, 1), (66, -1)):  # plus outside, minus beside it
+        at = QPoint(field.width() - from_right, field.height() // 2)
+        QTest.mouseClick(field, LEFT, pos=at)
+        before += change * field.singleStep()
+        assert field.value() == pytest.approx(before)
+
+
+def test_panels_are_scrolled_by_a_finger(opened: Application) -> None:
+    for panel in (opened.stage.parameters, opened.stage.patient):
+        assert QScroller.hasScroller(panel.viewport())

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
+from insole_core.resources import resource_path
 from insole_studio.settings import Theme
 
 
@@ -65,7 +66,7 @@ def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> N
     colors = DARK if dark else LIGHT
     application.setStyle("Fusion")
     application.setPalette(_palette(colors))
-    application.setStyleSheet(_style_sheet(colors) + (_TOUCH if touch else ""))
+    application.setStyleSheet(_style_sheet(colors) + (_touch_sheet(colors) if touch else ""))
 
 
 def _palette(colors: Colors) -> QPalette:
@@ -139,10 +140,23 @@ def _style_sheet(colors: Colors) -> str:
     """
 
 
-_TOUCH = """
-    QToolButton, QPushButton, QComboBox, QLineEdit, QAbstractSpinBox { min-height: 40px; }
-    QToolButton { min-width: 40px; }
-    QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 36px; }
-    QMenu::item, QMenuBar::item { padding: 12px 20px; }
+def _touch_sheet(colors: Colors) -> str:
+    """Targets that a finger meets: 44 pixels with their frames, plus beside minus."""
+    plus, minus = (resource_path(f"icons/{name}.svg").as_posix() for name in ("plus", "minus"))
+    return f"""
+    QToolButton, QPushButton, QComboBox, QLineEdit, QAbstractSpinBox {{ min-height: 40px; }}
+    QToolButton {{ min-width: 40px; }}
+    QCheckBox, QRadioButton, QTabBar::tab, QAbstractItemView::item {{ min-height: 44px; }}
+    QAbstractSpinBox {{ border: 1px solid {colors.line}; border-radius: 4px; min-height: 42px;
+                        background: {colors.base}; padding-right: 90px; }}
+    QAbstractSpinBox:focus {{ border: 2px solid {colors.accent}; }}
+    QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{
+        subcontrol-origin: border; subcontrol-position: center right; width: 44px; height: 42px;
+        background: {colors.raised}; border: none; border-left: 1px solid {colors.line}; }}
+    QAbstractSpinBox::down-button {{ right: 45px; }}
+    QAbstractSpinBox::up-button:pressed, QAbstractSpinBox::down-button:pressed {{
+        background: {colors.line}; }}
+    QAbstractSpinBox::up-arrow {{ image: url("{plus}"); width: 22px; height: 22px; }}
+    QAbstractSpinBox::down-arrow {{ image: url("{minus}"); width: 22px; height: 22px; }}
+    QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
     """
-"""Targets that a finger meets."""

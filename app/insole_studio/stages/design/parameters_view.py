@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Offer
 from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
 
@@ -26,8 +27,8 @@ ROWS, TOUCH_ROWS = 3, 2
 TOUCH_HEIGHT_PX = 36
 """A field that is higher is made for fingers."""
 ROW_HEIGHT_PX = 26
-FIELD_PX, TOUCH_FIELD_PX = 88, 120
-SHORT_TEXT, SHORT_PX = 3, 32
+FIELD_PX, TOUCH_FIELD_PX = 88, 172
+SHORT_TEXT, SHORT_PX, TOUCH_SHORT_PX = 3, 32, 46
 CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
 
@@ -46,6 +47,7 @@ class ParametersView(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(LEAST_PX)
+        scroll_by_finger(self)
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
         """Show groups; while only values differ, the fields stay where they are."""
@@ -75,8 +77,10 @@ class ParametersView(QScrollArea):
         for group in groups:
             flow.addWidget(self._group(group))
         self.setWidget(content)
+        for widget in content.findChildren(QWidget):
+            widget.ensurePolished()  # its size for fingers is that of the style
         # The first line is always whole, also with targets for fingers.
-        self.setMinimumHeight(min(max(flow.minimumSize().height(), LEAST_PX), MOST_PX))
+        self.setMinimumHeight(min(max(flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
 
     def _group(self, group: FieldGroup) -> QWidget:
         widget = QWidget()
@@ -134,7 +138,7 @@ class ParametersView(QScrollArea):
         button.setAccessibleName(offer.tip or offer.text)
         button.setProperty("offer", offer.key)
         if len(offer.text) <= SHORT_TEXT:
-            button.setFixedWidth(SHORT_PX)
+            button.setFixedWidth(TOUCH_SHORT_PX if self._rows == TOUCH_ROWS else SHORT_PX)
         button.clicked.connect(self._choose)
         return button
 

@@ -25,6 +25,7 @@ from insole_studio.stages.design.measure_grid import MeasureGrid
 from insole_studio.stages.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.stages.design.variant_row import VariantRow
 from insole_studio.texts import tr
+from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
@@ -74,6 +75,7 @@ class PatientView(QScrollArea):
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMinimumWidth(216)
+        scroll_by_finger(self)
 
     def show_fields(self, values: dict[str, str]) -> None:
         """Show the fields; what is being typed stays."""

@@ -29,6 +29,7 @@ from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
 from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
+from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.sentences import Sentences, WorkBar
 from insole_studio.workbench.shop_order import OrderChoice
 
@@ -237,4 +238,5 @@ def _scrolled(widget: QWidget) -> QScrollArea:
     area.setWidgetResizable(True)
     area.setFrameShape(QFrame.Shape.NoFrame)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    scroll_by_finger(area)
     return area
