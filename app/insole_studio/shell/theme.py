@@ -158,5 +158,9 @@ def _touch_sheet(colors: Colors) -> str:
         background: {colors.line}; }}
     QAbstractSpinBox::up-arrow {{ image: url("{plus}"); width: 22px; height: 22px; }}
     QAbstractSpinBox::down-arrow {{ image: url("{minus}"); width: 22px; height: 22px; }}
+    QLineEdit, QPlainTextEdit {{ border: 1px solid {colors.line}; border-radius: 4px; }}
+    QLineEdit:focus, QPlainTextEdit:focus {{ border: 2px solid {colors.accent}; }}
+    QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; min-height: 0; }}
+    QLabel[form="true"] {{ min-height: 44px; }}
     QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
     """

@@ -26,6 +26,7 @@ from insole_studio.stages.compare.rows import Buttons, FigureRow
 from insole_studio.stages.design.model_view import ModelView
 from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
 from insole_studio.widgets.sentences import Sentences, WorkBar
@@ -195,6 +196,7 @@ class CompareView(QWidget):
         form.addRow(tr("Second, B"), self.sources["b"])
         form.addRow(tr("B is laid on A by"), self.alignment)
         form.addRow(tr("Median filter"), self.median)
+        mark_labels(form)
         left.addLayout(form)
         for widget in (self._hint, self.take_back, self._notes):
             left.addWidget(widget)

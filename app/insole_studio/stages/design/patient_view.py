@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -26,9 +26,12 @@ from insole_studio.stages.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.stages.design.variant_row import VariantRow
 from insole_studio.texts import tr
 from insole_studio.widgets.finger_scroll import scroll_by_finger
+from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
+
+LEAST_PX = 216
 
 
 class PatientView(QScrollArea):
@@ -74,8 +77,14 @@ class PatientView(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMinimumWidth(216)
         scroll_by_finger(self)
+
+    def minimumSizeHint(self) -> QSize:
+        """Never cut the lines: they cannot be scrolled sideways."""
+        content = self.widget()
+        inside = 0 if content is None else content.minimumSizeHint().width()
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(max(LEAST_PX, inside + bar), super().minimumSizeHint().height())
 
     def show_fields(self, values: dict[str, str]) -> None:
         """Show the fields; what is being typed stays."""
@@ -144,6 +153,7 @@ class PatientView(QScrollArea):
         form.addRow(tr("Side"), self._no_side)
         form.addRow(tr("Visit"), self._fields["visit"])
         form.addRow(tr("Notes"), self._notes)
+        mark_labels(form)
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(8, 8, 8, 8)

@@ -23,6 +23,7 @@ class VariantRow(QWidget):
         self.names.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
+        self.names.setMinimumContentsLength(8)
         self.names.setAccessibleName(tr("Variant"))
         self.names.setToolTip(tr("The variant that is shown, checked and made"))
         self.names.activated.connect(self._choose)

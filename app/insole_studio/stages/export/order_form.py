@@ -23,6 +23,7 @@ from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.shop_order import OrderChoice
 
@@ -175,6 +176,7 @@ class OrderForm(QWidget):
         ]  # fmt: skip
         for name, field in rows:
             self._form.addRow(name, field)
+        mark_labels(self._form)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 8, 0)
         layout.addLayout(self._form)

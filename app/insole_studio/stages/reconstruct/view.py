@@ -34,6 +34,7 @@ from insole_studio.stages.reconstruct.rows import Buttons, FootMap, Limits, Mark
 from insole_studio.stages.reconstruct.view_table import ViewTable
 from insole_studio.texts import tr
 from insole_studio.tools.box import box_edges, box_handles
+from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.sentences import Sentences, WorkBar
@@ -304,6 +305,7 @@ class ReconstructView(QWidget):
         names = (tr("Markers in space"), tr("Markers in the image"), tr("Uncertain at the foot"))
         for text, field in zip(names, self.limits, strict=True):
             form.addRow(text, field)
+        mark_labels(form)
         right.addLayout(form)
         right.addStretch(1)
         right.addWidget(self.make)
