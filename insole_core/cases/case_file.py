@@ -19,6 +19,7 @@ from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.touches import Touches
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 
@@ -74,6 +75,8 @@ def _pack_mesh(mesh: TriangleMesh) -> bytes:
     arrays = {"vertices": mesh.vertices, "triangles": mesh.triangles}
     if mesh.colors is not None:
         arrays["colors"] = mesh.colors
+    if mesh.touches is not None:
+        arrays |= {"touched": mesh.touches.points, "touched_normals": mesh.touches.normals}
     packed = io.BytesIO()
     np.savez_compressed(packed, **arrays)  # type: ignore[arg-type]
     return packed.getvalue()
@@ -82,7 +85,12 @@ def _pack_mesh(mesh: TriangleMesh) -> bytes:
 def _unpack_mesh(packed: bytes, path: Path, name: str) -> TriangleMesh:
     try:
         with np.load(io.BytesIO(packed), allow_pickle=False) as arrays:
-            mesh = TriangleMesh(arrays["vertices"], arrays["triangles"], arrays.get("colors"))
+            touches = None
+            if "touched" in arrays:
+                touches = Touches(arrays["touched"], arrays["touched_normals"])
+            mesh = TriangleMesh(
+                arrays["vertices"], arrays["triangles"], arrays.get("colors"), touches
+            )
     except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise _damaged(path, name) from error
     if not _is_sound(mesh):
@@ -98,7 +106,16 @@ def _is_sound(mesh: TriangleMesh) -> bool:
         return False
     if colors is not None and (colors.dtype != np.uint8 or colors.shape != vertices.shape):
         return False
+    if mesh.touches is not None and not _are_sound(mesh.touches):
+        return False
     return bool(triangles.min() >= 0 and triangles.max() < len(vertices))
+
+
+def _are_sound(touches: Touches) -> bool:
+    points, normals = touches.points, touches.normals
+    shapes = points.ndim == 2 and points.shape[1] == 3 and points.shape == normals.shape
+    kinds = points.dtype == normals.dtype == np.float64
+    return bool(kinds and shapes and np.isfinite(points).all() and np.isfinite(normals).all())
 
 
 def _read_parts(path: Path) -> dict[str, bytes]:

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.export.atomic import replacing_file
+from insole_core.geometry.arrays import Float32Array
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.touches import PLY_ELEMENT
 
 _VERTEX = [("position", "<f4", 3)]
 _COLOR = [("color", "u1", 3)]
@@ -15,7 +17,7 @@ _TRIANGLE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 
 def write_ply(mesh: TriangleMesh, path: Path) -> None:
-    """Write a mesh, mm, as little-endian binary PLY.
+    """Write a mesh, mm, as little-endian binary PLY; its touches are an element of their own.
 
     Raises
     ------
@@ -30,13 +32,22 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
     triangles = np.empty(len(mesh.triangles), _TRIANGLE)
     triangles["count"] = 3
     triangles["corners"] = mesh.triangles
+    touches = _touches(mesh)
     with replacing_file(path) as beside, beside.open("wb") as file:
-        file.write(_header(len(vertices), len(triangles), colors is not None))
+        file.write(_header(len(vertices), len(triangles), colors is not None, len(touches)))
         file.write(vertices.tobytes())
         file.write(triangles.tobytes())
+        file.write(touches.tobytes())
 
 
-def _header(vertices: int, triangles: int, colored: bool) -> bytes:
+def _touches(mesh: TriangleMesh) -> Float32Array:
+    """(k, 6) places and normals; other programs pass over an element that they do not know."""
+    if mesh.touches is None:
+        return np.zeros((0, 6), np.float32)
+    return np.hstack([mesh.touches.points, mesh.touches.normals]).astype("<f4")
+
+
+def _header(vertices: int, triangles: int, colored: bool, touches: int) -> bytes:
     lines = [
         "ply",
         "format binary_little_endian 1.0",
@@ -46,6 +57,8 @@ def _header(vertices: int, triangles: int, colored: bool) -> bytes:
         *(f"property uchar {name}" for name in ("red", "green", "blue") if colored),
         f"element face {triangles}",
         "property list uchar int vertex_indices",
+        *([f"element {PLY_ELEMENT} {touches}"] if touches else []),
+        *(f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz") if touches),
         "end_header",
     ]
     return ("\n".join(lines) + "\n").encode("ascii")

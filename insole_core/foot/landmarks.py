@@ -15,6 +15,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from insole_core.foot.border_fit import UsualBorder
 from insole_core.foot.foot import Foot
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
 from insole_core.foot.sole_surface import SoleSurface
@@ -39,6 +40,9 @@ _HEADS = np.array(
 )  # fmt: skip
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
+_HEEL_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0))
+_MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0))
+_LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0))
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # of an arch that is one
 _SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
@@ -100,11 +104,11 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     sole = _along_foot_axis(foot)
     medial, lateral = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
     ends = {
-        "pternion": sole.support(np.array([0.0, -1.0]), _REAR),
-        "heel_medial": sole.support(medial, _HEEL, _USUAL_HEEL),
-        "heel_lateral": sole.support(lateral, _HEEL, _USUAL_HEEL),
-        "metatarsale_tibiale": sole.support(medial, _TIBIALE, _USUAL_TIBIALE),
-        "metatarsale_fibulare": sole.support(lateral, _FIBULARE, _USUAL_FIBULARE),
+        "pternion": sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER),
+        "heel_medial": sole.support(medial, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
+        "heel_lateral": sole.support(lateral, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
+        "metatarsale_tibiale": sole.support(medial, _TIBIALE, _USUAL_TIBIALE, _MEDIAL_BORDER),
+        "metatarsale_fibulare": sole.support(lateral, _FIBULARE, _USUAL_FIBULARE, _LATERAL_BORDER),
     }
     for name, end in ends.items():
         yield name, Landmark(sole.to_insole(end.point), end.confidence)
@@ -128,7 +132,8 @@ def _along_foot_axis(foot: Foot) -> SoleSurface:
     """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
     sole, yaw_deg = SoleSurface(foot), 0.0
     for _ in range(2):
-        axis = sole.toe_tips()[1].point - sole.support(np.array([0.0, -1.0]), _REAR).point
+        rear = sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER)
+        axis = sole.toe_tips()[1].point - rear.point
         yaw_deg += float(np.degrees(np.arctan2(axis[0], axis[1])))
         sole = SoleSurface(foot, yaw_deg)
     return sole

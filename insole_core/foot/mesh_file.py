@@ -13,6 +13,7 @@ import trimesh
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.touches import PLY_ELEMENT, Touches
 
 Unit = Literal["mm", "m", "inch"]
 
@@ -57,7 +58,7 @@ def read_mesh(path: Path) -> ReadMesh:
     """
     mesh = _without_waste(_load(path), path)
     unit = _guess_unit(mesh, path)
-    mesh = replace(mesh, vertices=mesh.vertices * _MM_PER_UNIT[unit])
+    mesh = _in_mm(mesh, _MM_PER_UNIT[unit])
     extent = np.ptp(mesh.vertices, axis=0).max()
     notes = [f"Read in {_UNIT_NAMES[unit]}: the surface is {extent:.0f} mm long."]
     if not mesh.is_closed:
@@ -66,6 +67,11 @@ def read_mesh(path: Path) -> ReadMesh:
         mesh = mesh.flipped()
         notes.append("The surface was inside out and has been turned.")
     return ReadMesh(mesh, unit, tuple(notes))
+
+
+def _in_mm(mesh: TriangleMesh, mm_per_unit: float) -> TriangleMesh:
+    touches = None if mesh.touches is None else mesh.touches.scaled(mm_per_unit)
+    return replace(mesh, vertices=mesh.vertices * mm_per_unit, touches=touches)
 
 
 def _load(path: Path) -> TriangleMesh:
@@ -82,6 +88,7 @@ def _load(path: Path) -> TriangleMesh:
         vertices = np.array(loaded.vertices, dtype=float)
         triangles = np.array(loaded.faces, dtype=np.int32)
         colors = _vertex_colors(loaded)
+        touches = _touches(loaded)
     except _UNREADABLE as error:
         raise InputError(
             f"{path} cannot be read as a {path.suffix.lower()[1:].upper()} mesh"
@@ -89,7 +96,7 @@ def _load(path: Path) -> TriangleMesh:
         ) from error
     if len(triangles) > _MOST_TRIANGLES:
         raise InputError(_too_large(path))
-    return _checked(TriangleMesh(vertices, triangles, colors), path)
+    return _checked(TriangleMesh(vertices, triangles, colors, touches), path)
 
 
 def _too_large(path: Path) -> str:
@@ -107,6 +114,18 @@ def _vertex_colors(loaded: trimesh.Trimesh) -> ByteArray | None:
     if loaded.visual.kind != "vertex":
         return None
     return np.array(loaded.visual.vertex_colors[:, :3], dtype=np.uint8)
+
+
+def _touches(loaded: trimesh.Trimesh) -> Touches | None:
+    """What a foot that was reconstructed here keeps of its outlines in the pictures."""
+    element = loaded.metadata.get("_ply_raw", {}).get(PLY_ELEMENT)
+    if element is None:
+        return None
+    rows = element["data"]
+    columns = [np.asarray(rows[name], dtype=float) for name in ("x", "y", "z", "nx", "ny", "nz")]
+    values = np.column_stack(columns)
+    values = values[np.isfinite(values).all(axis=1)]
+    return Touches(values[:, :3], values[:, 3:])
 
 
 def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
@@ -134,6 +153,7 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
         mesh.vertices[first],
         merged[mesh.triangles],
         None if mesh.colors is None else mesh.colors[first],
+        mesh.touches,
     )
     solid = mesh.triangle_normals.any(axis=1)
     if not solid.any():

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
+from insole_core.foot.border_fit import UsualBorder, fit_border
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
@@ -13,6 +14,7 @@ from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
+from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
@@ -35,6 +37,13 @@ _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
 _TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
 _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
+
+_USUAL_LENGTH_MM = 240.0
+_REAR_MM = 14.0
+_TIP_HALF_MM = 5.0
+_TRUSTED_MM, _LEAST_TOUCHED = 1.2, 0.5
+_CERTAIN_MM, _DOUBT = 0.5, 0.4
+TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
 
 
 class SoleSurface:
@@ -63,6 +72,7 @@ class SoleSurface:
         self._toes = foot.mesh.vertices[low] @ self._insole2sole.T
         evened = smoothed_normals(foot.mesh, _NORMAL_ROUNDS)[low]
         self._toe_normals = evened @ self._insole2sole.T
+        self._touches = None if foot.mesh.touches is None else self._low_touches(foot.mesh.touches)
         facing = self.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
         self._sole = self.points[facing]
@@ -83,6 +93,7 @@ class SoleSurface:
         direction: FloatArray,
         shares: tuple[float, float],
         usual_share: float | None = None,
+        border: UsualBorder | None = None,
     ) -> End:
         """The outermost place towards a horizontal direction, between shares of the length.
 
@@ -97,7 +108,46 @@ class SoleSurface:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
         points, normals = self.points[region], self.normals[region]
-        return _end(points, normals, towards, _BORDER_RADIUS_MM, usual)
+        end = _end(points, normals, towards, _BORDER_RADIUS_MM, usual)
+        if border is None:
+            return end
+        if usual_share is None:
+            x = float(end.point[0])
+            return self._touched(end, towards, (x - _REAR_MM, x + _REAR_MM), border)
+        low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
+        return self._touched(end, towards, (low, high), border, middle)
+
+    def _low_touches(self, touches: Touches) -> Touches:
+        points = touches.points @ self._insole2sole.T
+        low = points[:, 2] < OUTLINE_HEIGHT_MM
+        return Touches(points[low], touches.normals[low] @ self._insole2sole.T)
+
+    def _touched(
+        self,
+        end: End,
+        direction: FloatArray,
+        between_mm: tuple[float, float],
+        border: UsualBorder,
+        usual_mm: float | None = None,
+    ) -> End:
+        """The outermost place by the outlines in the pictures; as it was where they do not tell."""
+        if self._touches is None:
+            return end
+        surface = Touches(self._toes, self._toe_normals)
+        scaled = border.scaled(self.length_mm / _USUAL_LENGTH_MM)
+        fit = fit_border(surface, self._touches, direction, between_mm, scaled)
+        trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
+        if not trusted.any():
+            return end
+        rated = np.where(trusted, fit.reach_mm, -np.inf)
+        if usual_mm is not None:
+            rated = rated - ((fit.across_mm - usual_mm) / _USUAL_MM) ** 2
+        best = int(rated.argmax())
+        point = fit.reach_mm[best] * direction + fit.across_mm[best] * np.abs(direction[[1, 0, 2]])
+        point[2] = fit.height_mm[best]
+        deviation_mm = float(fit.deviation_mm[best])
+        confidence = SURE - _DOUBT * max(deviation_mm - _CERTAIN_MM, 0.0)
+        return End(point, float(confidence), deviation_mm)
 
     def toe_tips(self) -> list[End]:
         """Five tips, medial to lateral; a guess where no toe was seen."""
@@ -130,7 +180,8 @@ class SoleSurface:
         )
         depth = points[:, 1] - points[:, 1].max() + _END_DEPTH_MM
         tip.point[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
-        return tip
+        between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
+        return self._touched(tip, ahead, between, TOE_BORDER)
 
 
 def _end(

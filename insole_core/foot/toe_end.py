@@ -41,10 +41,13 @@ class End:
         Medial = +x.
     confidence
         0 to 1.
+    deviation_mm
+        Standard deviation along the direction, where outlines in pictures tell it.
     """
 
     point: FloatArray
     confidence: float
+    deviation_mm: float | None = None
 
 
 def find_toe_end(points: FloatArray, normals: FloatArray, summit: int) -> End:

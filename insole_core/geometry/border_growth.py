@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -14,8 +18,33 @@ _LEAST_DISTANCE = 0.7
 """Share of the ring's width that its vertices keep from all others."""
 
 
-def grown(mesh: TriangleMesh, width_mm: float) -> TriangleMesh:
-    """Add a ring of triangles along every border, tangential to the surface.
+@dataclass(frozen=True, eq=False)
+class Border:
+    """What a border is like.
+
+    Parameters
+    ----------
+    vertices, normals, outwards : (n, 3) float64
+        Those that lie on it, with the normals of the surface and the ways off its border.
+    """
+
+    vertices: FloatArray
+    normals: FloatArray
+    outwards: FloatArray
+
+
+Course: TypeAlias = Callable[[Border], tuple[BoolArray, FloatArray]]
+"""Tells which vertices (n,) of a border go on, and how they bend away from the normal (n,), 1/mm."""
+
+
+def straight_on(border: Border) -> tuple[BoolArray, FloatArray]:
+    """Let the whole border go on tangentially."""
+    count = len(border.vertices)
+    return np.ones(count, dtype=bool), np.zeros(count)
+
+
+def grown(mesh: TriangleMesh, width_mm: float, course: Course = straight_on) -> TriangleMesh:
+    """Add a ring of triangles along every border.
 
     Nothing is added where borders touch each other in one vertex, or where the ring would run
     into the surface on the other side of a narrow gap.
@@ -25,6 +54,8 @@ def grown(mesh: TriangleMesh, width_mm: float) -> TriangleMesh:
     mesh
     width_mm
         Of the ring.
+    course
+        How it leaves the border.
 
     Returns
     -------
@@ -33,7 +64,13 @@ def grown(mesh: TriangleMesh, width_mm: float) -> TriangleMesh:
     count = len(mesh.vertices)
     ends = _border_edges(mesh)
     free = np.bincount(ends.ravel(), minlength=count) == 2
-    ring = mesh.vertices + width_mm * _outwards(mesh, ends)
+    normals = smoothed_normals(mesh, _EVENING_ROUNDS)
+    outwards = _outwards(mesh, ends, normals)
+    ring = mesh.vertices.copy()
+    at = np.flatnonzero(free)
+    free[at], curvature = course(Border(ring[at], normals[at], outwards[at]))
+    turn = (width_mm * curvature / 2)[:, None]
+    ring[at] += width_mm * (np.cos(turn) * outwards[at] - np.sin(turn) * normals[at])
     free[free] = _is_free(ring[free], mesh, width_mm)
     a, b = ends[free[ends].all(1)].T
     source = np.unique([a, b])
@@ -57,10 +94,9 @@ def _border_edges(mesh: TriangleMesh) -> IntArray:
     return np.asarray(sides[~np.isin(forth, back)])
 
 
-def _outwards(mesh: TriangleMesh, ends: IntArray) -> FloatArray:
+def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatArray:
     """Directions (n, 3) off the border in the surface, evened along it; 0 away from it."""
     a, b = ends.T
-    normals = smoothed_normals(mesh, _EVENING_ROUNDS)
     aside = np.cross(mesh.vertices[b] - mesh.vertices[a], normals[a] + normals[b])
     total = np.zeros_like(mesh.vertices)
     for end in (a, b):

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
+from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import transform
 
 
@@ -21,11 +22,14 @@ class TriangleMesh:
     triangles : (m, 3) int32
         Corner indices, counter-clockwise seen from outside.
     colors : (n, 3) uint8, optional
+    touches : optional
+        What pictures tell of the outlines of the surface.
     """
 
     vertices: FloatArray
     triangles: IndexArray
     colors: ByteArray | None = None
+    touches: Touches | None = None
 
     @cached_property
     def triangle_normals(self) -> FloatArray:
@@ -89,14 +93,15 @@ class TriangleMesh:
 
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Bring the mesh from frame a to frame b."""
-        return replace(self, vertices=transform(a2b, self.vertices))
+        touches = None if self.touches is None else self.touches.transformed(a2b)
+        return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
 
     def part(self, keep: BoolArray) -> TriangleMesh:
         """Only the vertices with `keep` (n,) true, and the triangles between them."""
         index = np.cumsum(keep, dtype=np.int32) - 1
         triangles = self.triangles[keep[self.triangles].all(axis=1)]
         colors = None if self.colors is None else self.colors[keep]
-        return TriangleMesh(self.vertices[keep], index[triangles], colors)
+        return TriangleMesh(self.vertices[keep], index[triangles], colors, self.touches)
 
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.rim import Rim, find_rim
 from insole_core.reconstruct.fusion.silhouette import Silhouette, find_silhouette, within_outline
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth, smooth_depth
 
@@ -21,15 +22,19 @@ class PreparedView:
         None where the colours do not tell.
     depth
         The reading, smoothed.
+    rim
+        The outline between the pixels; None where it is not certain.
     """
 
     reading: Reading
     outline: Silhouette | None
     depth: SmoothDepth
+    rim: Rim | None = None
 
 
 def prepare(reading: Reading) -> PreparedView:
     """Find the outline of the foot in a view, and smooth what lies within."""
     outline = find_silhouette(reading)
     inside = within_outline(reading, outline)
-    return PreparedView(inside, outline, smooth_depth(inside))
+    rim = None if outline is None else find_rim(inside, outline)
+    return PreparedView(inside, outline, smooth_depth(inside), rim)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
 from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct.fusion.contact import bend_to, drawn_to, lies_before, touches_of
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
+from insole_core.reconstruct.fusion.rim import Rim
 from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices
 from insole_core.reconstruct.result import Surface
@@ -37,8 +40,12 @@ class FusionLimits:
     ring_mm, rings
         Before that it is grown by rings of this width: near its edge the foot is too steep for
         the sensor, and its window must be known as a whole.
+    more_rings
+        So many more are added where an outline shows that the foot goes on.
     support_mm
         The refined surface ends so far from the nearest reading.
+    proof_mm
+        Or so far before a place where an outline is touched.
     own_mm
         A view's outline cuts the surface where it measured so near to it.
     """
@@ -48,7 +55,9 @@ class FusionLimits:
     reach_mm: float = 3.5
     ring_mm: float = 1.5
     rings: int = 2
+    more_rings: int = 4
     support_mm: float = 1.75
+    proof_mm: float = 4.0
     own_mm: float = 6.0
 
 
@@ -71,14 +80,22 @@ def fuse(
     coarse = _mesh(views, limits)
     progress.step(0.4, "Refining the surface")
     refined = refine(coarse, readings, limits.refinement)
-    kept = _is_supported(refined.mesh, views, limits)
-    kept[kept] = in_large_pieces(refined.mesh.part(kept), _LEAST_PIECE)
+    mesh = drawn_to(refined.mesh, _rims(views))
+    kept = _is_supported(mesh, views, limits)
+    kept[kept] = in_large_pieces(mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
-    supported = refined.mesh.part(kept)
+    supported = mesh.part(kept)
     fine, ends = subdivided(supported)
     colors = color_vertices(fine, readings, supported)
     deviation_mm = refined.deviation_mm[kept][ends].mean(1)
-    return Surface(replace(fine, colors=colors), deviation_mm, refined.view_shifts_mm)
+    touches = touches_of(supported, _rims(views))
+    return Surface(
+        replace(fine, colors=colors, touches=touches), deviation_mm, refined.view_shifts_mm
+    )
+
+
+def _rims(views: list[PreparedView]) -> list[Rim]:
+    return [view.rim for view in views if view.rim is not None]
 
 
 def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
@@ -87,8 +104,9 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
     mesh = mesh.part(np.any(np.isfinite(nearest), axis=0))
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
     mesh = TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
-    for _ in range(limits.rings):
-        mesh = grown(mesh, limits.ring_mm)
+    rims = _rims(views)
+    for number in range(limits.rings + (limits.more_rings if rims else 0)):
+        mesh = grown(mesh, limits.ring_mm, partial(bend_to, rims, number < limits.rings))
         mesh = TriangleMesh(relaxed(mesh, _EVENING_ROUNDS), mesh.triangles)
     return mesh
 
@@ -103,4 +121,4 @@ def _is_supported(mesh: TriangleMesh, views: list[PreparedView], limits: FusionL
         own = np.isfinite(distance_mm)
         if view.outline is not None:
             beside[own] |= is_beside(mesh.vertices[own], view.reading, view.outline)
-    return near & ~beside
+    return (near | lies_before(mesh, _rims(views), limits.proof_mm)) & ~beside

@@ -1,0 +1,121 @@
+"""What outlines say of a mesh: how it goes on to them, stands out beyond them, or touches them."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.border_growth import Border
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
+from insole_core.geometry.touches import Touches
+from insole_core.reconstruct.fusion.rim import Beyond, Rim
+
+_SHORT_MM = (0.4, 9.0)
+_LEAST_AHEAD = 0.3  # cosine between the way off the border and the way to the outline
+_RADIUS_MM = (4.0, 25.0)
+_NEAR_MM = (-1.5, 2.5)
+"""A mesh that ends farther within an outline, or beyond it, is held against a wrong one."""
+_LEAST_FACING = 0.3
+_ROUNDS, _SPREADING_ROUNDS, _DECAY = 3, 5, 0.75
+_TOUCHING_MM, _TOUCHING_FACING = 0.4, 0.75
+_LEAST_TOWARDS = -0.15
+_TOUCHED_MM, _TOUCHED_FACING = 2.5, 0.2
+
+
+def bend_to(rims: list[Rim], everywhere: bool, border: Border) -> tuple[BoolArray, FloatArray]:
+    """Tell where a border ends short of an outline, and by which curvature it gets there.
+
+    An arc that leaves the border tangentially touches the plane of the rays when its radius is the
+    distance to the plane, divided by 1 - cosine of the angle between the two normals.
+
+    Parameters
+    ----------
+    rims
+    everywhere
+        Whether the border goes on, straight, where no outline lies ahead, too.
+    border
+
+    Returns
+    -------
+    Whether each vertex (n,) goes on, and the curvature (n,), 1/mm.
+    """
+    count = len(border.vertices)
+    wanted, curvature = np.full(count, everywhere), np.zeros(count)
+    for rim in rims:
+        beyond = rim.against(border.vertices)
+        short_mm, vertex = -beyond.beyond_mm, beyond.vertex
+        ahead = beyond.facing(border.outwards)
+        there = (short_mm > _SHORT_MM[0]) & (short_mm < _SHORT_MM[1]) & (ahead > _LEAST_AHEAD)
+        turn = np.maximum(1 - beyond.facing(border.normals), 1e-3)
+        bend = 1 / np.clip(short_mm / turn, *_RADIUS_MM)
+        wanted[vertex[there]] = True
+        np.maximum.at(curvature, vertex[there], bend[there])
+    return wanted, curvature
+
+
+def drawn_to(mesh: TriangleMesh, rims: list[Rim]) -> TriangleMesh:
+    """Move what lies next to the outlines onto them, and its neighbours less and less."""
+    mean = laplacian(mesh)
+    for _ in range(_ROUNDS):
+        held, way = _ways(mesh, rims)
+        step = np.zeros_like(mesh.vertices)
+        for _ in range(_SPREADING_ROUNDS):
+            step[held] = way
+            step = _DECAY * (step + mean @ step)
+        step[held] = way
+        mesh = TriangleMesh(mesh.vertices + step, mesh.triangles)
+    return mesh
+
+
+def _ways(mesh: TriangleMesh, rims: list[Rim]) -> tuple[BoolArray, FloatArray]:
+    """Which vertices (n,) must move, and how (m, 3): what stands out, and what should touch."""
+    normals = smoothed_normals(mesh, 2)
+    total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
+    for rim in rims:
+        beyond = rim.against(mesh.vertices)
+        chosen = beyond.beyond_mm > 0
+        chosen[beyond.outermost] = True
+        chosen &= (beyond.beyond_mm > _NEAR_MM[0]) & (beyond.beyond_mm < _NEAR_MM[1])
+        chosen &= beyond.facing(normals) > _LEAST_FACING
+        vertex = beyond.vertex[chosen]
+        np.add.at(total, vertex, -beyond.beyond_mm[chosen, None] * beyond.outward[chosen])
+        np.add.at(count, vertex, 1.0)
+    held = count > 0
+    return held, total[held] / count[held, None]
+
+
+def lies_before(mesh: TriangleMesh, rims: list[Rim], reach_mm: float) -> BoolArray:
+    """Tell which vertices (n,) lie so near before a place where an outline is touched."""
+    normals = smoothed_normals(mesh, 1)
+    proved = np.zeros(len(mesh.vertices), dtype=bool)
+    for rim in rims:
+        beyond = rim.against(mesh.vertices)
+        touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
+        if len(touching) == 0:
+            continue
+        touched = cKDTree(mesh.vertices[beyond.vertex[touching]])
+        away, _ = touched.query(mesh.vertices, distance_upper_bound=reach_mm)
+        sight = rim.eye_mm - mesh.vertices
+        towards = np.einsum("nc,nc->n", normals, sight) / np.linalg.norm(sight, axis=1)
+        proved |= np.isfinite(away) & (towards > _LEAST_TOWARDS)
+    return proved
+
+
+def touches_of(mesh: TriangleMesh, rims: list[Rim]) -> Touches:
+    """Give the rays that touch a mesh, each with the place where they do."""
+    normals = smoothed_normals(mesh, 2)
+    points, outwards = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    for rim in rims:
+        beyond = rim.against(mesh.vertices)
+        touching = _touching(beyond, normals, _TOUCHED_MM, _TOUCHED_FACING)
+        points.append(beyond.on_ray(touching, mesh.vertices))
+        outwards.append(beyond.outward[touching])
+    return Touches(np.concatenate(points), np.concatenate(outwards))
+
+
+def _touching(beyond: Beyond, normals: FloatArray, within_mm: float, facing: float) -> IntArray:
+    outermost = beyond.outermost
+    near = np.abs(beyond.beyond_mm[outermost]) < within_mm
+    return np.asarray(outermost[near & (beyond.facing(normals)[outermost] > facing)])
