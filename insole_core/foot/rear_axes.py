@@ -2,7 +2,8 @@
 
 Both run through the rearmost places of horizontal sections. The back of a section is nearly round:
 the way across it grows linearly with the sideways part of its normal, and the rearmost place is
-where that part is 0. So the whole back of the section tells where it lies, and not a single point.
+where that part is 0. So the whole back tells where the line lies, and not a single point; and all
+sections tell it together, since neither line nor roundness changes but evenly with the height.
 """
 
 from __future__ import annotations
@@ -12,15 +13,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IndexArray
 
-_LEG_MM, _LEG_TURN = (60.0, 140.0), 0.45
+_LEG_MM, _LEG_TURN = (60.0, 140.0), 0.65
 _HEEL_MM, _HEEL_TURN = (24.0, 60.0), 0.8
 """Heights of the sections, and the sideways part of a normal up to which a place counts as back."""
 _SLICE_MM = 4.0
 _REACH_MM = 25.0  # how far before the rearmost place the back of a section reaches
 _LEAST_SLICES, _LEAST_POINTS = 5, 6
 _SPREAD_MM = 3.0
+_ROUNDS, _ROBUST = 4, 2.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,34 +58,63 @@ def calcaneus_axis(foot: Foot) -> Axis | None:
 
 
 def _axis(foot: Foot, heights_mm: tuple[float, float], turned: float) -> Axis | None:
-    places = _rear_places(foot, heights_mm, turned)
-    if len(places) < _LEAST_SLICES or np.ptp(places[:, 2]) < 0.6 * np.diff(heights_mm)[0]:
+    back, sideways, section, rear_mm = _back(foot, heights_mm, turned)
+    seen = np.flatnonzero(np.isfinite(rear_mm))
+    middles = np.arange(*heights_mm, _SLICE_MM)[seen] + _SLICE_MM / 2
+    if len(seen) < _LEAST_SLICES or np.ptp(middles) < 0.6 * np.diff(heights_mm)[0]:
         return None
-    x, y, z = places.T
-    across = np.polyfit(z, x, 1)
-    off = np.abs(x - np.polyval(across, z))
-    keep = off <= max(3 * float(np.median(off)), 0.5)
-    across, along = np.polyfit(z[keep], x[keep], 1), np.polyfit(z[keep], y[keep], 1)
+    x, z = foot.mesh.vertices[back][:, [0, 2]].T
+    rows = np.stack([np.ones_like(z), z, sideways, z * sideways], axis=1)
+    line, off = _robust_fit(rows, x, foot.mesh.vertex_areas[back])
+    along = np.polyfit(middles, rear_mm[seen], 1)
     lower, upper = (
-        np.array([np.polyval(across, height), np.polyval(along, height), height])
+        np.array([line[0] + line[1] * height, np.polyval(along, height), height])
         for height in heights_mm
     )
-    spread = float(np.sqrt(np.mean((x[keep] - np.polyval(across, z[keep])) ** 2)))
+    count = np.bincount(section, minlength=len(rear_mm))[seen]
+    means = np.bincount(section, off, minlength=len(rear_mm))[seen] / count
+    spread = float(np.sqrt(np.mean(means**2)))
     return Axis(lower, upper, float(np.clip(1 - spread / _SPREAD_MM, 0.1, 0.95)))
 
 
-def _rear_places(foot: Foot, heights_mm: tuple[float, float], turned: float) -> FloatArray:
-    """(n, 3) rearmost place of each section, from below."""
+def _robust_fit(
+    rows: FloatArray, values: FloatArray, areas: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Least squares with Geman & McClure's weights; the solution, and what is left over."""
+    weights = areas
+    for _ in range(_ROUNDS):
+        root = np.sqrt(weights)
+        solution = np.linalg.lstsq(rows * root[:, None], values * root)[0]
+        off = values - rows @ solution
+        spread = max(1.48 * float(np.median(np.abs(off))), 1e-3)
+        weights = areas / (1 + (off / spread / _ROBUST) ** 2) ** 2
+    return np.asarray(solution), np.asarray(off)
+
+
+def _back(
+    foot: Foot, heights_mm: tuple[float, float], turned: float
+) -> tuple[IndexArray, FloatArray, IndexArray, FloatArray]:
+    """Places of the back of the sections that show it.
+
+    Returns
+    -------
+    Index of the vertices, the sideways part of their normals, the number of their section; and the
+    rearmost y of each section, NaN where its back was not seen from side to side.
+    """
     points, normals = foot.mesh.vertices, foot.mesh.vertex_normals
     level = np.hypot(normals[:, 0], normals[:, 1])
     sideways = np.divide(normals[:, 0], level, out=np.ones_like(level), where=level > 0.3)
-    back = (normals[:, 1] < 0) & (np.abs(sideways) < turned)
-    places = []
-    for low in np.arange(*heights_mm, _SLICE_MM):
-        here = np.flatnonzero(back & (points[:, 2] >= low) & (points[:, 2] < low + _SLICE_MM))
-        if len(here):
-            here = here[points[here, 1] < points[here, 1].min() + _REACH_MM]
-        if len(here) >= _LEAST_POINTS and np.ptp(sideways[here]) > turned:
-            x = np.polyval(np.polyfit(sideways[here], points[here, 0], 1), 0.0)
-            places.append([x, points[here, 1].min(), low + _SLICE_MM / 2])
-    return np.array(places).reshape(-1, 3)
+    count = len(np.arange(*heights_mm, _SLICE_MM))
+    number = np.floor((points[:, 2] - heights_mm[0]) / _SLICE_MM).astype(int)
+    here = (normals[:, 1] < 0) & (np.abs(sideways) < turned) & (number >= 0) & (number < count)
+    rear_mm = np.full(count, np.inf)
+    np.minimum.at(rear_mm, number[here], points[here, 1])
+    here[here] = points[here, 1] < rear_mm[number[here]] + _REACH_MM
+    widest, least = np.full(count, -np.inf), np.full(count, np.inf)
+    np.maximum.at(widest, number[here], sideways[here])
+    np.minimum.at(least, number[here], sideways[here])
+    shown = np.bincount(number[here], minlength=count) >= _LEAST_POINTS
+    shown &= widest - least > turned
+    back = np.flatnonzero(here)
+    back = back[shown[number[back]]]
+    return back, sideways[back], number[back], np.where(shown, rear_mm, np.nan)

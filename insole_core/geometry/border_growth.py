@@ -34,7 +34,7 @@ class Border:
 
 
 Course: TypeAlias = Callable[[Border], tuple[BoolArray, FloatArray]]
-"""Tells which vertices (n,) of a border go on, and how they bend away from the normal (n,), 1/mm."""
+"""Tells which vertices (n,) of a border go on, and how far they bend off the normal (n,), 1/mm."""
 
 
 def straight_on(border: Border) -> tuple[BoolArray, FloatArray]:

@@ -9,7 +9,6 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 
-
 PLY_ELEMENT = "touch"
 """Under this name a PLY file holds them, beside its vertices and faces."""
 

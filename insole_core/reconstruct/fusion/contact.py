@@ -17,7 +17,7 @@ _LEAST_AHEAD = 0.3  # cosine between the way off the border and the way to the o
 _RADIUS_MM = (4.0, 25.0)
 _NEAR_MM = (-1.5, 2.5)
 """A mesh that ends farther within an outline, or beyond it, is held against a wrong one."""
-_LEAST_FACING = 0.3
+_LEAST_FACING = 0.7
 _ROUNDS, _SPREADING_ROUNDS, _DECAY = 3, 5, 0.75
 _TOUCHING_MM, _TOUCHING_FACING = 0.4, 0.75
 _LEAST_TOWARDS = -0.15

@@ -108,7 +108,8 @@ class Rim:
         """Hold places (n, 3), reference frame, against the outline next to them."""
         camera = self.reading.sensor.color_camera
         pixels = camera.project(transform(inverse(self.reading.color2reference), points))
-        away_px, nearest = self._tree.query(pixels, distance_upper_bound=_REACH_PX)
+        found = self._tree.query(pixels, distance_upper_bound=_REACH_PX)
+        away_px, nearest = (np.asarray(part) for part in found)
         vertex = np.flatnonzero(np.isfinite(away_px))
         sample = nearest[vertex]
         way = points[vertex] - self.eye_mm
@@ -168,7 +169,7 @@ def _edges(
     ).astype(float)
     beside = profile[:, _ACROSS_PX >= _OUTSIDE_PX]
     background = beside.mean(axis=1)
-    skin = profile[:, (_ACROSS_PX >= _INSIDE_PX[0]) & (_ACROSS_PX <= _INSIDE_PX[1])].mean(axis=1)
+    skin = profile[:, (_INSIDE_PX[0] <= _ACROSS_PX) & (_INSIDE_PX[1] >= _ACROSS_PX)].mean(axis=1)
     contrast = np.linalg.norm(skin - background, axis=1)
     rough = np.sqrt(((beside - background[:, None]) ** 2).sum(axis=2).mean(axis=1))
     share = np.einsum("kpc,kc->kp", profile - background[:, None], skin - background)
