@@ -9,7 +9,7 @@ usual proportions between the outermost points of the ball (table `_HEADS`).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
@@ -59,11 +59,14 @@ class Landmark:
         0 (a guess from the usual proportions) to 1 (set by hand).
     origin
         "shape", "mark" (drawn on the skin) or "hand".
+    deviation_mm
+        Standard deviation of an outermost place in its direction, where pictures tell it.
     """
 
     point: FloatArray
     confidence: float
     origin: str = "shape"
+    deviation_mm: float | None = None
 
 
 Landmarks: TypeAlias = Mapping[str, Landmark]
@@ -111,7 +114,7 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
         "metatarsale_fibulare": sole.support(lateral, _FIBULARE, _USUAL_FIBULARE, _LATERAL_BORDER),
     }
     for name, end in ends.items():
-        yield name, Landmark(sole.to_insole(end.point), end.confidence)
+        yield name, _landmark(sole, end)
     middle = (ends["heel_medial"].point + ends["heel_lateral"].point) / 2
     heel = sole.on_sole(
         np.array([middle[0], sole.back_mm + float(np.mean(_HEEL)) * foot.length_mm])
@@ -122,10 +125,14 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     for name, head in zip(HEADS, heads, strict=True):
         yield name, Landmark(sole.to_insole(head), _LIKELY * _least(ends, "metatarsale"))
     for name, tip in zip(TOE_TIPS, sole.toe_tips(), strict=True):
-        yield name, Landmark(sole.to_insole(tip.point), tip.confidence)
+        yield name, _landmark(sole, tip)
     apex, rise = _arch_apex(sole, heel, heads[0])
     yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > _ARCH_RISE_MM else _GUESS)
     yield from _axes(foot)
+
+
+def _landmark(sole: SoleSurface, end: End) -> Landmark:
+    return Landmark(sole.to_insole(end.point), end.confidence, deviation_mm=end.deviation_mm)
 
 
 def _along_foot_axis(foot: Foot) -> SoleSurface:
@@ -177,4 +184,4 @@ def _axes(foot: Foot) -> Iterator[tuple[str, Landmark]]:
 
 def moved(landmark: Landmark, point: FloatArray) -> Landmark:
     """Give a landmark that was dragged."""
-    return replace(landmark, point=point, confidence=1.0, origin="hand")
+    return Landmark(point, 1.0, "hand")

@@ -43,7 +43,7 @@ class Definition:
 
 DEFINITIONS = {
     "foot_length": Definition("mm", "pternion to the tip of the longest toe, along the foot axis"),
-    "ball_width": Definition("mm", "metatarsale tibiale to metatarsale fibulare, diagonal"),
+    "ball_width": Definition("mm", "metatarsale tibiale to metatarsale fibulare, seen from below"),
     "ball_width_across": Definition("mm", "the same two points, perpendicular to the foot axis"),
     "ball_length": Definition("mm", "pternion to metatarsale tibiale, along the foot axis"),
     "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length"),
@@ -95,7 +95,26 @@ _STANDS_ON = {
     "shoe_size_us": _LENGTH,
     "mondopoint": _LENGTH,
 }
-_DOUBTFUL = 0.5
+_DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.0
+_SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
+_PLACING_MM = 0.3  # of the views against each other, in every size
+
+
+def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
+    """Give the standard deviation of the sizes whose ends pictures show, by measure, mm."""
+    found = {}
+    for name in _SIZES:
+        ends = [landmarks[mark].deviation_mm for mark in _ends(name, landmarks)]
+        known = [end for end in ends if end is not None]
+        if len(known) == len(ends):
+            found[name] = float(np.linalg.norm([*known, _PLACING_MM]))
+    return found
+
+
+def _ends(name: str, landmarks: Landmarks) -> tuple[str, ...]:
+    if name != "foot_length":
+        return _STANDS_ON[name]
+    return "pternion", max(TOE_TIPS, key=lambda tip: float(landmarks[tip].point[1]))
 
 
 def doubts(landmarks: Landmarks) -> dict[str, str]:
@@ -108,6 +127,9 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
         if seen_badly:
             places = " and ".join(seen_badly)
             found[name] = f"seen in part only, and continued by the usual shape: {places}"
+    for name, deviation_mm in deviations_mm(landmarks).items():
+        if name not in found and deviation_mm > _DOUBTFUL_MM:
+            found[name] = f"known to about {deviation_mm:.1f} mm only"
     return found
 
 
@@ -121,7 +143,7 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
     english = size_mm / _ENGLISH_MM - 25
     return {
         "foot_length": length,
-        "ball_width": float(np.linalg.norm(tibiale - fibulare)),
+        "ball_width": float(np.hypot(*(tibiale - fibulare)[:2])),
         "ball_width_across": float(tibiale[0] - fibulare[0]),
         "ball_length": float(tibiale[1] - at["pternion"][1]),
         "heel_width": float(at["heel_medial"][0] - at["heel_lateral"][0]),

@@ -16,6 +16,7 @@ from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_po
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rotation_angle_deg
 
 Frame = Literal["reference", "unknown"]
 
@@ -24,6 +25,9 @@ _CLEAR = 1.25
 _REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the last of a heel, and the heel; share of its breadth
 _NO_FOOT = 0.6
 """From this unlikeness on, it is no foot at all."""
+
+_HELD_DEG = 45.0
+"""So far a foot may be turned and tilted in a frame whose directions are known."""
 
 
 class SideMismatchError(InsoleError):
@@ -68,7 +72,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         poses = _foot_poses(mesh, points)
         mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     else:
-        poses, inside_out = _as_it_lies(points, np.eye(4)), False
+        poses, inside_out = _near_frame(mesh, points), False
     asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
     if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
         if not force:
@@ -109,6 +113,19 @@ def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[Triangle
 def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
     """The poses of a surface whose directions are known, the likeliest first."""
     return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.unlikeness)
+
+
+def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
+    """The poses of a surface that lies as its frame says, but for how a foot may be held."""
+    poses = _as_it_lies(points, np.eye(4))
+    if poses[0].unlikeness <= _NO_FOOT:
+        return poses
+    held = [
+        pose
+        for pose in find_poses(mesh, points)
+        if rotation_angle_deg(pose.source2rough[:3, :3]) < _HELD_DEG
+    ]
+    return held if held and held[0].unlikeness < poses[0].unlikeness else poses
 
 
 def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
@@ -43,6 +45,9 @@ _REAR_MM = 14.0
 _TIP_HALF_MM = 5.0
 _TRUSTED_MM, _LEAST_TOUCHED = 1.2, 0.5
 _CERTAIN_MM, _DOUBT = 0.5, 0.4
+_UNSEEN, _UNSEEN_MM = 0.45, 2.0
+"""Confidence and standard deviation of an end that is not seen as an outline, on a foot that has
+outlines: its surface alone stands that far off beside the foot."""
 TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
 
 
@@ -138,7 +143,7 @@ class SoleSurface:
         fit = fit_border(surface, self._touches, direction, between_mm, scaled)
         trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
         if not trusted.any():
-            return end
+            return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=_UNSEEN_MM)
         rated = np.where(trusted, fit.reach_mm, -np.inf)
         if usual_mm is not None:
             rated = rated - ((fit.across_mm - usual_mm) / _USUAL_MM) ** 2

@@ -109,7 +109,7 @@ def _rounded(value: float | None) -> float | None:
 def report(foot: Foot) -> dict[str, Any]:
     """Measures in mm and degrees; landmarks in the frame that the scan came in."""
     from insole_core.foot.landmarks import find_landmarks
-    from insole_core.foot.measures import DEFINITIONS, MISSING, doubts, measure
+    from insole_core.foot.measures import DEFINITIONS, MISSING, deviations_mm, doubts, measure
     from insole_core.geometry.transforms import inverse, transform
 
     landmarks = find_landmarks(foot)
@@ -125,6 +125,7 @@ def report(foot: Foot) -> dict[str, Any]:
         },
         "confidence": {name: round(mark.confidence, 2) for name, mark in landmarks.items()},
         "uncertain": doubts(landmarks),
+        "deviation_mm": {name: round(v, 2) for name, v in deviations_mm(landmarks).items()},
         "not_measured": {n: MISSING[n] for n, v in measures.items() if v is None},
         "definitions": {n: d.text for n, d in DEFINITIONS.items() if measures[n] is not None},
         "notes": list(foot.notes),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +12,12 @@ import pytest
 from insole_core.cases.scan import open_scan
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
-from insole_core.foot.measures import DEFINITIONS, doubts, measure
+from insole_core.foot.measures import DEFINITIONS, deviations_mm, doubts, measure
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import transform
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
@@ -66,6 +69,45 @@ def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
     assert got["ball_width"] == pytest.approx(truth["ball_width_diagonal"], abs=0.7)
     assert got["heel_width"] == pytest.approx(truth["heel_width"], abs=0.7)
     assert got["achilles_lean_deg"] == pytest.approx(truth["achilles_lean_deg"], abs=0.7)
+
+
+def seen_from(mesh: TriangleMesh, eyes_mm: list[list[float]]) -> Touches:
+    """What pictures from some places would tell of the outlines of a surface."""
+    points, outwards = [], []
+    for eye in eyes_mm:
+        rays = mesh.vertices - eye
+        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        along = np.einsum("nc,nc->n", mesh.vertex_normals, rays)
+        rim = np.abs(along) < 0.1
+        level = mesh.vertex_normals[rim] - along[rim, None] * rays[rim]
+        points.append(mesh.vertices[rim])
+        outwards.append(level / np.linalg.norm(level, axis=1, keepdims=True))
+    return Touches(np.concatenate(points), np.concatenate(outwards))
+
+
+def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
+    touches = seen_from(model.mesh, [[-330, 0, -700], [330, 0, -700]])
+    sole = model.mesh.part(model.mesh.vertex_normals[:, 2] < -0.6)
+    foot = place_foot(replace(sole, touches=touches), model.shape.side, frame="reference")
+    landmarks = find_landmarks(foot)
+    got, shape = measure(foot, landmarks), model.shape
+    assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.5)
+    assert got["ball_width"] == pytest.approx(shape.ball_width_mm, abs=1.5)
+    assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.5)
+    deviation_mm = deviations_mm(landmarks)
+    assert 0.3 < deviation_mm["foot_length"] < 1.5
+    bare = find_landmarks(place_foot(sole, model.shape.side, frame="reference"))
+    assert deviations_mm(bare) == {}
+
+
+def test_what_outlines_do_not_show_is_named(left_mesh):
+    touches = seen_from(left_mesh, [[-330, 0, -700], [330, 0, -700]])
+    behind = touches.points[:, 1] < 0
+    halved = Touches(touches.points[behind], touches.normals[behind])
+    foot = place_foot(replace(left_mesh, touches=halved), Side.LEFT, frame="reference")
+    doubtful = doubts(find_landmarks(foot))
+    assert "ball_width" in doubtful
+    assert "heel_width" not in doubtful
 
 
 def test_mirrored_foot_has_the_same_measures(left_foot, right_foot):

@@ -171,6 +171,14 @@ def test_sole_without_rim_may_come_inside_out(left_mesh):
     assert turned.mesh.triangle_normals[:, 2].mean() < -0.5
 
 
+def test_a_foot_held_turned_out_and_tilted_is_placed(left_mesh, left_foot):
+    held = Rotation.from_euler("xyz", [20, 12, -18], degrees=True).as_matrix()
+    mesh = left_mesh.transformed(rigid(held, np.array([-6.0, 6.0, 22.0])))
+    foot = place_foot(mesh, Side.LEFT, frame="reference")
+    assert foot.length_mm == pytest.approx(left_foot.length_mm, abs=0.1)
+    assert np.linalg.norm(foot.mesh.vertices - left_foot.mesh.vertices, axis=1).max() < 0.1
+
+
 def test_flat_surface_is_refused():
     corners = np.array([[0, 0, 0], [100, 0, 0], [100, 250, 0], [0, 250, 0]], float)
     mesh = TriangleMesh(corners, np.array([[0, 1, 2], [0, 2, 3]], np.int32))

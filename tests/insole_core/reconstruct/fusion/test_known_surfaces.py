@@ -136,6 +136,36 @@ def test_nothing_bridges_the_gap_between_two_toes() -> None:
         assert np.ptp(x[np.sign(x) == side]) > 12
 
 
+def ball_in_picture(radius_mm: float, tilt_deg: float) -> ByteArray:
+    """A bright ball before a dark wall, its lowest point in the origin."""
+    camera, color2reference = SENSOR.color_camera, pose(tilt_deg)
+    ahead = np.concatenate([camera.pixel_rays(), np.ones((1024, 1280, 1))], axis=2)
+    rays = ahead @ color2reference[:3, :3].T
+    way = [0.0, 0.0, radius_mm] - color2reference[:3, 3]
+    along = rays @ way / np.linalg.norm(rays, axis=2)
+    outside_mm = np.sqrt(np.maximum(way @ way - along**2, 0)) - radius_mm
+    share = np.clip(0.5 - outside_mm * camera.fx / DISTANCE_MM, 0, 1)
+    return np.asarray(30 + share[..., None] * [150.0, 90.0, 70.0], dtype=np.uint8)
+
+
+def test_outlines_in_the_pictures_show_where_a_ball_ends() -> None:
+    radius_mm, tilts = 30.0, (-20.0, 20.0)
+    low = sheet(cap(radius_mm))
+    plain = fused(*(look(low, tilt) for tilt in tilts)).mesh
+    seen = fused(*(look(low, tilt, ball_in_picture(radius_mm, tilt)) for tilt in tilts)).mesh
+    assert plain.touches is not None
+    assert len(plain.touches.points) == 0
+    assert seen.touches is not None
+    reach = np.einsum("kc,kc->k", seen.touches.points - [0, 0, radius_mm], seen.touches.normals)
+    assert len(reach) > 50
+    assert reach == pytest.approx(radius_mm, abs=0.4)
+    out = [np.hypot(mesh.vertices[:, 0], mesh.vertices[:, 1]).max() for mesh in (plain, seen)]
+    assert out[1] > out[0] + 0.5, "grown towards the outline"
+    away = np.linalg.norm(seen.vertices - [0, 0, radius_mm], axis=1)
+    assert np.abs(away - radius_mm).mean() < 0.4
+    assert np.abs(away - radius_mm).max() < 1.6
+
+
 def test_noise_is_smoothed_and_outliers_do_not_count() -> None:
     rng = np.random.default_rng(3)
     reading = look(sheet(tilted), 0.0)

@@ -1,0 +1,80 @@
+"""How far a round border reaches, told by outlines in pictures and by a part of the surface."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from insole_core.foot.border_fit import BorderFit, UsualBorder, fit_border
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.touches import Touches
+from insole_core.geometry.transforms import rigid, rotation_about
+
+MEDIAL = np.array([1.0, 0.0, 0.0])
+CENTRE_X, HEIGHT, RADIUS = 35.0, 17.0, 14.0
+USUAL = UsualBorder(height_mm=(13.0, 6.0), radius_mm=(10.0, 5.0))
+NOTHING = Touches(np.zeros((0, 3)), np.zeros((0, 3)))
+
+
+def wall(angles_deg: FloatArray) -> Touches:
+    """Tangents of a wall along y, round in its section, at angles from medial upwards."""
+    angle = np.radians(np.tile(angles_deg, 60))
+    normals = np.column_stack([np.cos(angle), np.zeros_like(angle), np.sin(angle)])
+    y = np.repeat(np.linspace(140, 200, 60), len(angles_deg))
+    places = np.column_stack([np.full_like(y, CENTRE_X), y, np.full_like(y, HEIGHT)])
+    return Touches(places + RADIUS * normals, normals)
+
+
+def fitted(surface: Touches, outlines: Touches) -> BorderFit:
+    return fit_border(surface, outlines, MEDIAL, (150.0, 190.0), USUAL)
+
+
+def test_outlines_from_both_sides_tell_the_reach() -> None:
+    fit = fitted(NOTHING, wall(np.array([-25.0, 25.0])))
+    assert fit.across_mm.min() > 150
+    assert fit.across_mm.max() < 190
+    assert fit.reach_mm == pytest.approx(CENTRE_X + RADIUS, abs=0.45)
+    assert np.abs(fit.reach_mm - CENTRE_X - RADIUS).max() < fit.deviation_mm.max() < 0.7
+
+
+def test_the_surface_below_makes_it_more_certain() -> None:
+    surface, outlines = wall(np.array([-40.0, -30.0])), wall(np.array([-25.0, 25.0]))
+    fit = fitted(surface, outlines)
+    assert fit.reach_mm == pytest.approx(CENTRE_X + RADIUS, abs=0.3)
+    assert fit.height_mm == pytest.approx(HEIGHT, abs=1.0)
+    assert (fit.deviation_mm < fitted(NOTHING, outlines).deviation_mm).all()
+
+
+def test_an_outline_from_one_side_is_trusted_less() -> None:
+    one, both = (fitted(NOTHING, wall(np.array(a))) for a in ([-25.0], [-25.0, 25.0]))
+    off = np.abs(one.reach_mm - CENTRE_X - RADIUS)
+    assert (one.deviation_mm > 2 * both.deviation_mm).all()
+    assert (off < 2 * one.deviation_mm).all()
+
+
+def test_a_place_far_along_the_ray_does_not_matter() -> None:
+    outlines = wall(np.array([-25.0, 25.0]))
+    rays = np.cross(outlines.normals, [0.0, 1.0, 0.0])
+    slid = Touches(outlines.points + 6.0 * rays, outlines.normals)
+    assert fitted(NOTHING, slid).reach_mm == pytest.approx(fitted(NOTHING, outlines).reach_mm)
+
+
+def test_a_flap_does_not_count() -> None:
+    outlines = wall(np.array([-25.0, 25.0]))
+    flap = wall(np.array([-30.0, -20.0]))
+    flap = Touches(flap.points + np.array([4.0, 0.0, 0.0]), flap.normals)
+    assert fitted(flap, outlines).reach_mm == pytest.approx(CENTRE_X + RADIUS, abs=0.7)
+
+
+def test_where_nothing_is_seen_nothing_is_claimed() -> None:
+    fit = fitted(NOTHING, NOTHING)
+    assert (fit.touched == 0).all()
+    assert (fit.deviation_mm > 100).all()
+
+
+def test_touches_move_with_their_surface() -> None:
+    outlines = wall(np.array([10.0]))
+    a2b = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), 90.0), np.array([1.0, 2.0, 3.0]))
+    moved = outlines.transformed(a2b)
+    assert moved.points[0] == pytest.approx(a2b[:3, :3] @ outlines.points[0] + [1, 2, 3])
+    assert moved.normals[0] == pytest.approx(a2b[:3, :3] @ outlines.normals[0])
