@@ -47,7 +47,7 @@ def camera_section(calibration: CameraCalibration, title: str = "Colour camera")
         sentences=calibration.advice + _left_out(calibration.left_out),
         tables=(
             Table("Parameters", ("parameter", "value", "standard deviation"), parameters),
-            Table("Pictures", ("picture", "rms px"), pictures),
+            Table("Pictures", ("picture", "error (rms), px"), pictures),
         ),
         plots=(
             Plot("Reprojection errors", lambda figure: _draw_errors(figure, calibration)),
@@ -56,6 +56,21 @@ def camera_section(calibration: CameraCalibration, title: str = "Colour camera")
             Plot("Boards before the camera, mm", lambda f: _draw_boards(f, calibration)),
         ),
     )
+
+
+_UNITS = {"px": "px", "raw": "raw units"}
+_POSE_HEADINGS = ("axis", "shift, mm", "standard deviation, mm", "of the turn, °")
+_FITTED = {
+    "a": "a of the depth, 1/m",
+    "b": "b of the depth, 1/m per raw unit",
+    "cx": "cx of the depth camera, px",
+    "cy": "cy of the depth camera, px",
+    "fx": "fx of the depth camera, px",
+    "fy": "fy of the depth camera, px",
+    "tilt_x": "tilt of the depth to the right, raw units",
+    "tilt_y": "tilt of the depth downwards, raw units",
+}
+"""What the numbers of `board_depth` are called."""
 
 
 def stereo_section(
@@ -74,18 +89,20 @@ def stereo_section(
          f"{stereo.rotation_deviation_deg[i]:.3f}")
         for i, axis in enumerate("xyz")
     )  # fmt: skip
-    numbers = tuple((name, f"{value:.7g}", f"{sd:.2g}") for name, value, sd in fitted)
-    headings = ("number", "value", "deviation")
-    beside = (Table("Depth camera", headings, numbers),) if numbers else ()
+    numbers = tuple(
+        (_FITTED.get(name, name), f"{value:.6g}", f"{sd:.2g}") for name, value, sd in fitted
+    )
+    headings = ("number", "value", "standard deviation")
+    beside = (Table("Fitted with it", headings, numbers),) if numbers else ()
     return Section(
         key="stereo",
         title="Depth camera to colour camera",
         numbers=(
             Number("baseline_mm", "Distance of the cameras", stereo.baseline_mm, "mm"),
             Number("rotation_deg", "Angle between the cameras", stereo.rotation_deg, "°"),
-            Number("rms", "Residual (rms)", stereo.rms, stereo.unit),
+            Number("rms", "Residual (rms)", stereo.rms, _UNITS[stereo.unit]),
         ),
-        tables=(Table("Pose", ("axis", "mm", "deviation mm", "deviation °"), rows), *beside),
+        tables=(Table("Pose", _POSE_HEADINGS, rows), *beside),
     )
 
 
@@ -106,6 +123,11 @@ def disparity_section(fit: DisparityFit) -> Section:
         sentences=(f"Fitted from {low:.0f} to {high:.0f} mm; beyond it is a guess.",),
         tables=(Table(type(fit.model).__name__, ("number", "value", "standard deviation"), rows),),
     )
+
+
+_WALL_HEADINGS = (
+    "wall", "distance, mm", "tilt, °", "filled", "before (rms), raw units", "after"
+)  # fmt: skip
 
 
 def distortion_section(calibration: DistortionCalibration) -> Section:
@@ -130,9 +152,7 @@ def distortion_section(calibration: DistortionCalibration) -> Section:
             Number("deviation_raw", "Standard deviation", calibration.deviation_raw, "raw units"),
         ),
         sentences=calibration.advice + _left_out(calibration.left_out),
-        tables=(
-            Table("Walls", ("wall", "mm", "tilt °", "filled", "rms before", "rms after"), rows),
-        ),
+        tables=(Table("Walls", _WALL_HEADINGS, rows),),
         plots=tuple(Plot(title, partial(draw_map, image=image)) for title, image in maps),
     )
 
@@ -192,10 +212,14 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
 
 
 def draw_map(figure: Figure, image: FloatArray) -> None:
-    """Draw an image of numbers with its scale."""
+    """Draw an image of numbers with its scale; of signed numbers zero is white."""
     axes = figure.subplots()
     low, high = np.nanpercentile(image, [1, 99])
-    shown = axes.imshow(image, vmin=low, vmax=max(high, low + 1e-9), cmap="viridis")
+    signed = low < 0 < high
+    limits = (-max(-low, high), max(-low, high)) if signed else (low, max(high, low + 1e-9))
+    colors = "RdBu_r" if signed else "viridis"
+    shown = axes.imshow(image, vmin=limits[0], vmax=limits[1], cmap=colors)
+    axes.set(xlabel="u, px", ylabel="v, px")
     figure.colorbar(shown, ax=axes)
 
 
@@ -254,7 +278,13 @@ def _geometry(camera: Camera) -> tuple[int, int, float, float, float, float]:
 
 
 def _draw_coverage(figure: Figure, calibration: CameraCalibration) -> None:
-    draw_map(figure, calibration.coverage.astype(float))
+    """As the picture lies: the number of corners in each part."""
+    axes, counts = figure.subplots(), calibration.coverage
+    axes.imshow(counts, cmap="viridis", vmin=0)
+    axes.set(xticks=[], yticks=[])
+    for (row, column), count in np.ndenumerate(counts):
+        color = "white" if count < 0.6 * counts.max() else "black"
+        axes.text(column, row, f"{count}", ha="center", va="center", color=color)
 
 
 def _draw_boards(figure: Figure, calibration: CameraCalibration) -> None:
@@ -267,4 +297,4 @@ def _draw_boards(figure: Figure, calibration: CameraCalibration) -> None:
         x, y, z = transform(picture.board2camera, outline).T
         axes.plot(x, z, -y)
     axes.plot([0], [0], [0], "k^")
-    axes.set(xlabel="x", ylabel="z", zlabel="-y")
+    axes.set(xlabel="to the right", ylabel="away", zlabel="upwards", aspect="equal")

@@ -40,7 +40,11 @@ def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
             for name, listed in errors.items()
         ),
         tables=(
-            Table("Walls", ("correction", "mm", "mean abs", "rms", "95 %", "raw units"), rows),
+            Table(
+                "Walls, errors in mm",
+                ("correction", "distance, mm", "mean abs", "rms", "95 %", "raw units"),
+                rows,
+            ),
         ),
         plots=(Plot("Mean absolute error over distance", lambda f: _draw_walls(f, errors)),),
     )
@@ -54,7 +58,7 @@ def resolution_section(resolutions: Sequence[Resolution]) -> Section:
          f"{r.theory_y_mm:.3f}", f"{r.depth_mm:.3f}", f"{r.theory_depth_mm:.3f}")
         for r in ordered
     )  # fmt: skip
-    headings = ("mm", "x", "x theory", "y", "y theory", "depth", "depth theory")
+    headings = ("distance", "x", "x theory", "y", "y theory", "depth", "depth theory")
     return Section(
         key="resolution",
         title="Spatial and depth resolution",
@@ -82,7 +86,7 @@ def alignment_section(rows: Sequence[Misalignment]) -> Section:
             Number("x_px", "Largest offset in x", max((r.x_px for r in rows), key=abs), "px"),
             Number("y_px", "Largest offset in y", max((r.y_px for r in rows), key=abs), "px"),
         ),
-        tables=(Table("Offset, px", ("mm", "x", "y", "sd x", "sd y", "points"), texts),),
+        tables=(Table("Offset, px", ("distance, mm", "x", "y", "sd x", "sd y", "points"), texts),),
     )
 
 
@@ -161,6 +165,7 @@ def _draw_walls(figure: Figure, errors: Mapping[str, Sequence[WallError]]) -> No
             [e.distance_mm for e in ordered], [e.mean_abs_mm for e in ordered], "o-", label=name
         )
     axes.set(xlabel="distance, mm", ylabel="mean absolute error, mm", ylim=(0, None))
+    axes.grid(visible=True, alpha=0.3)
     axes.legend()
 
 
@@ -181,18 +186,20 @@ def _draw_resolution(figure: Figure, resolutions: Sequence[Resolution]) -> None:
 def _draw_object(figure: Figure, result: ObjectEvaluation) -> None:
     bars, histogram = figure.subplots(2, 1)
     colors = {"x": "C0", "y": "C1", "z": "C2", "space": "C7"}
-    ordered = sorted(result.distances, key=lambda d: d.axis)
-    bars.bar(
-        range(len(ordered)),
-        [abs(d.error_mm) for d in ordered],
-        color=[colors[d.axis] for d in ordered],
-    )
-    bars.set(ylabel="absolute error", xlabel="distance, by axis")
+    first = 0
+    for axis, color in colors.items():
+        errors = [abs(d.error_mm) for d in result.distances if d.axis == axis]
+        if errors:
+            bars.bar(range(first, first + len(errors)), errors, color=color, label=axis, width=1)
+        first += len(errors)
+    bars.set(ylabel="absolute error, mm", xlabel="distance, by axis")
+    bars.legend(ncols=len(colors), fontsize=8)
     histogram.hist([d.error_mm for d in result.distances], bins=20)
-    histogram.set(xlabel="measured minus true", ylabel="count")
+    histogram.set(xlabel="measured minus true, mm", ylabel="distances")
 
 
 def _draw_warm_up(figure: Figure, warm_up: WarmUp) -> None:
     axes = figure.subplots()
     axes.plot(np.array(warm_up.seconds) / 60, warm_up.depth_mm, "o-")
     axes.set(xlabel="minutes", ylabel="depth, mm")
+    axes.ticklabel_format(useOffset=False)

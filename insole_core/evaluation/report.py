@@ -1,32 +1,15 @@
-"""A report of calibrations and evaluations, as one HTML, one PDF, and the numbers as JSON."""
+"""What a report of calibrations and evaluations holds."""
 
 from __future__ import annotations
 
-import base64
-import html
-import io
-import json
 import math
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from pathlib import Path
+from datetime import UTC, datetime
 from typing import Any
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
-
-from insole_core.export.atomic import replacing_file
-
-_A4_IN = (8.27, 11.69)
-_PLOT_IN = (7.2, 4.4)
-_ROWS_A_PAGE = 42
-_PLOTS_A_PAGE = 3
-_STYLE = (
-    "body{font-family:sans-serif;max-width:60em;margin:2em auto;color:#222}"
-    "table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #bbb;padding:.25em .7em;"
-    "text-align:left}.failed{color:#b00020;font-weight:bold}.passed{color:#00692b}img{max-width:100%}"
-)
 
 
 @dataclass(frozen=True)
@@ -59,7 +42,8 @@ class Number:
     @property
     def text(self) -> str:
         """The number with its unit."""
-        return f"{self.value:.4g} {self.unit}".strip()
+        space = "" if self.unit == "°" else " "
+        return f"{self.value:.4g}{space}{self.unit}".strip()
 
     @property
     def verdict(self) -> str:
@@ -76,6 +60,12 @@ class Table:
     title: str
     headings: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+
+    @property
+    def numeric(self) -> tuple[bool, ...]:
+        """Which columns hold numbers alone, so that they are set to the right."""
+        columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.headings)
+        return tuple(bool(column) and all(map(_is_number, column)) for column in columns)
 
 
 @dataclass(frozen=True)
@@ -159,114 +149,39 @@ def report_json(report: Report) -> dict[str, Any]:
     }
 
 
-def write_json(report: Report, path: Path) -> None:
-    """Write the numbers.
-
-    Raises
-    ------
-    OutputError
-    """
-    with replacing_file(path) as beside:
-        text = json.dumps(report_json(report), indent=1, ensure_ascii=False)
-        beside.write_text(text + "\n", encoding="utf-8")
-
-
-def write_html(report: Report, path: Path) -> None:
-    """Write one page that holds everything, pictures included.
-
-    Raises
-    ------
-    OutputError
-    """
-    body = "".join(_section_html(section) for section in report.sections)
-    page = (
-        f'<!doctype html><html lang="en"><head><meta charset="utf-8">'
-        f"<title>{html.escape(report.title)}</title><style>{_STYLE}</style></head><body>"
-        f"<h1>{html.escape(report.title)}</h1><p>{html.escape(_head(report))}</p>{body}"
-        "</body></html>\n"
-    )
-    with replacing_file(path) as beside:
-        beside.write_text(page, encoding="utf-8")
-
-
-def write_pdf(report: Report, path: Path) -> None:
-    """Write the report for print, A4.
-
-    Raises
-    ------
-    OutputError
-    """
-    with replacing_file(path) as beside, PdfPages(beside) as pages:
-        head = [report.title, _head(report), ""]
-        for section in report.sections:
-            own = section_lines(section)
-            # A report of one section bears its title.
-            _text_pages(pages, [*head, *(own[1:] if section.title == report.title else own)])
-            _plot_pages(pages, section.plots)
-            head = []
-
-
-WRITERS: dict[str, Callable[[Report, Path], None]] = {
-    ".html": write_html,
-    ".pdf": write_pdf,
-    ".json": write_json,
-}
-"""How a report is written, by the suffix of its file."""
-
-
-def _head(report: Report) -> str:
+def head_line(report: Report) -> str:
+    """Say which sensor, when, and whether the limits are kept."""
     verdict = ""
     if any(n.limit is not None for s in report.sections for n in s.numbers):
         names = ", ".join(number.label for number in report.failed)
         verdict = "All limits are kept." if report.passed else f"Limits exceeded: {names}."
-    return f"Sensor {report.serial or 'unknown'}, {report.made_at}. {verdict}".strip()
+    return (
+        f"Sensor {report.serial or 'unknown'}, {_day_and_time(report.made_at)}. {verdict}".strip()
+    )
+
+
+def numbers_table(section: Section) -> Table:
+    """Give the numbers of a section, and how they were judged, as a table."""
+    rows = tuple((n.label, n.text, n.verdict) for n in section.numbers)
+    return Table("", ("", "", ""), rows)
+
+
+def _is_number(text: str) -> bool:
+    return re.fullmatch(r"[-+−]?[\d.]+(e[-+]?\d+)? ?[%°]?|[–—-]?|nan|inf", text.strip()) is not None
+
+
+def _day_and_time(made_at: str) -> str:
+    """2026-11-21T15:54:12+00:00 as people write it, to the minute."""
+    try:
+        return datetime.fromisoformat(made_at).astimezone(UTC).strftime("%Y-%m-%d %H:%M UTC")
+    except ValueError:
+        return made_at
 
 
 def _json_number(number: Number) -> dict[str, Any]:
     value = number.value if math.isfinite(number.value) else None
     judged = {} if number.limit is None else {"limit": number.limit, "passed": number.passed}
     return {"value": value, "unit": number.unit, **judged}
-
-
-def _section_html(section: Section) -> str:
-    rows = "".join(
-        f"<tr><td>{html.escape(n.label)}</td><td>{html.escape(n.text)}</td>"
-        f'<td class="{"failed" if n.passed is False else "passed"}">'
-        f"{html.escape(n.verdict)}</td></tr>"
-        for n in section.numbers
-    )
-    remarks = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
-    tables = "".join(_table_html(table) for table in section.tables)
-    plots = "".join(
-        f'<h3>{html.escape(plot.title)}</h3><img alt="{html.escape(plot.title)}" '
-        f'src="data:image/png;base64,{base64.b64encode(plot_png(plot)).decode()}">'
-        for plot in section.plots
-    )
-    return f"<h2>{html.escape(section.title)}</h2>{remarks}<table>{rows}</table>{tables}{plots}"
-
-
-def _table_html(table: Table) -> str:
-    head = "".join(f"<th>{html.escape(heading)}</th>" for heading in table.headings)
-    rows = "".join(
-        f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows
-    )
-    return f"<h3>{html.escape(table.title)}</h3><table><tr>{head}</tr>{rows}</table>"
-
-
-def plot_png(plot: Plot) -> bytes:
-    """Draw a plot as PNG."""
-    stream = io.BytesIO()
-    figure = _drawn(plot)
-    FigureCanvasAgg(figure)
-    figure.savefig(stream, format="png")
-    return stream.getvalue()
-
-
-def _drawn(plot: Plot) -> Figure:
-    figure = Figure(figsize=_PLOT_IN, layout="constrained")
-    plot.draw(figure)
-    figure.suptitle(plot.title)
-    return figure
 
 
 def section_lines(section: Section) -> list[str]:
@@ -284,30 +199,3 @@ def section_lines(section: Section) -> list[str]:
             for row in (table.headings, *table.rows)
         ]
     return lines
-
-
-def _plot_pages(pages: PdfPages, plots: Sequence[Plot]) -> None:
-    for start in range(0, len(plots), _PLOTS_A_PAGE):
-        page = Figure(figsize=_A4_IN, layout="constrained")
-        places = page.subfigures(_PLOTS_A_PAGE, 1, squeeze=False).ravel()
-        for plot, place in zip(plots[start : start + _PLOTS_A_PAGE], places, strict=False):
-            plot.draw(place)
-            place.suptitle(plot.title)
-        pages.savefig(page)  # type: ignore[no-untyped-call]
-
-
-def _text_pages(pages: PdfPages, lines: Sequence[str]) -> None:
-    for start in range(0, len(lines), _ROWS_A_PAGE):
-        page = Figure(figsize=_A4_IN)
-        part = lines[start : start + _ROWS_A_PAGE]
-        for row, line in enumerate(part):
-            title = start == 0 and row == 0
-            page.text(
-                0.08,
-                0.94 - row * 0.021,
-                line,
-                fontsize=13 if title else 8,
-                family="sans-serif" if title else "monospace",
-                wrap=True,
-            )
-        pages.savefig(page)  # type: ignore[no-untyped-call]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from insole_studio.workbench.calibration_report import make_report, report_paths, write_reports
@@ -30,10 +31,12 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
     ------
     OutputError
     """
-    report = make_report(result.section.title, result.sensor.serial, [result.section])
+    said = dict.fromkeys((*result.sentences, *result.section.sentences, *result.advice))
+    section = replace(result.section, sentences=tuple(said))
+    report = make_report(section.title, result.sensor.serial, [section])
 
     def attach(folder: Path) -> None:
-        write_reports(report, [*report_paths(folder, result.section.key), *further])
+        write_reports(report, [*report_paths(folder, section.key), *further])
 
     return store.save(result.sensor, attach)
 

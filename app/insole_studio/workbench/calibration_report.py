@@ -8,7 +8,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from insole_core.errors import UsageError
-from insole_core.evaluation.report import WRITERS, Report, Section
+from insole_core.evaluation.report import Report, Section
+from insole_core.evaluation.report_files import WRITERS
 from insole_core.export.atomic import replacing_file
 
 

@@ -38,13 +38,11 @@ from insole_core.evaluation.report import (
     Number,
     Report,
     Section,
-    plot_png,
     report_json,
     with_limits,
-    write_html,
-    write_json,
-    write_pdf,
 )
+from insole_core.evaluation.report_files import write_html, write_json, write_pdf
+from insole_core.evaluation.report_html import plot_png
 from insole_core.evaluation.resolution import evaluate_resolution
 from insole_core.evaluation.wall import NoCorrection, wall_errors
 from insole_core.geometry.transforms import rigid, transform

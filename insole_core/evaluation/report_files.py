@@ -1,0 +1,34 @@
+"""Reports as files, in the form that their names end in."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from insole_core.evaluation.report import Report, report_json
+from insole_core.evaluation.report_html import write_html
+from insole_core.evaluation.report_pdf import write_pdf
+from insole_core.export.atomic import replacing_file
+
+__all__ = ["WRITERS", "write_html", "write_json", "write_pdf"]
+
+
+def write_json(report: Report, path: Path) -> None:
+    """Write the numbers.
+
+    Raises
+    ------
+    OutputError
+    """
+    with replacing_file(path) as beside:
+        text = json.dumps(report_json(report), indent=1, ensure_ascii=False)
+        beside.write_text(text + "\n", encoding="utf-8")
+
+
+WRITERS: dict[str, Callable[[Report, Path], None]] = {
+    ".html": write_html,
+    ".pdf": write_pdf,
+    ".json": write_json,
+}
+"""How a report is written, by the suffix of its file."""

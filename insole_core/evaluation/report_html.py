@@ -1,0 +1,111 @@
+"""A report as one HTML page that holds everything, pictures included."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+from collections.abc import Sequence
+from pathlib import Path
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from insole_core.evaluation.report import Plot, Report, Section, Table, head_line
+from insole_core.export.atomic import replacing_file
+
+_PLOT_IN = (7.2, 4.4)
+_DOTS_PER_IN = 130
+_STYLE = """
+body{font:15px/1.5 system-ui,"Segoe UI",Roboto,sans-serif;max-width:52em;margin:2em auto;
+padding:0 1.5em;color:#222;background:#fff}
+h1{font-size:1.7em;margin:0}h2{font-size:1.3em;margin:2em 0 .4em}
+h3{font-size:1.05em;margin:1.6em 0 .4em}
+.head{color:#595959;margin:.2em 0 1.5em}p{margin:.3em 0}
+table{border-collapse:collapse;margin:.8em 0;font-variant-numeric:tabular-nums}
+td,th{padding:.28em .9em .28em 0;border-bottom:1px solid #ddd;text-align:left}
+th{border-bottom:2px solid #999;font-weight:600}.number{text-align:right}
+.failed{color:#b00020;font-weight:bold}.passed{color:#00692b}
+img{max-width:100%;height:auto}figure{margin:1.5em 0;break-inside:avoid}
+""".strip()
+
+
+def write_html(report: Report, path: Path) -> None:
+    """Write one page that holds everything, pictures included.
+
+    Raises
+    ------
+    OutputError
+    """
+    body = "".join(_section_html(section, report.title) for section in report.sections)
+    title = html.escape(report.title)
+    page = (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width">'
+        f"<title>{title}</title><style>{_STYLE}</style></head><body><h1>{title}</h1>"
+        f'<p class="head">{html.escape(head_line(report))}</p>{body}</body></html>\n'
+    )
+    with replacing_file(path) as beside:
+        beside.write_text(page, encoding="utf-8")
+
+
+def _section_html(section: Section, report_title: str) -> str:
+    # A report of one section bears its title.
+    title = section.title if section.title != report_title else ""
+    remarks = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
+    tables = "".join(_table_html(table) for table in section.tables)
+    plots = "".join(_plot_html(plot) for plot in section.plots)
+    return f"{_titled('h2', title)}{remarks}{_numbers_html(section)}{tables}{plots}"
+
+
+def _numbers_html(section: Section) -> str:
+    rows = "".join(
+        f'<tr><td>{html.escape(n.label)}</td><td class="number">{html.escape(n.text)}</td>'
+        f'<td class="{"failed" if n.passed is False else "passed"}">'
+        f"{html.escape(n.verdict)}</td></tr>"
+        for n in section.numbers
+    )
+    return f"<table>{rows}</table>" if rows else ""
+
+
+def _table_html(table: Table) -> str:
+    sides = [' class="number"' if numeric else "" for numeric in table.numeric]
+    head = _row_html("th", table.headings, sides)
+    rows = "".join(_row_html("td", row, sides) for row in table.rows)
+    return f"{_titled('h3', table.title)}<table>{head}{rows}</table>"
+
+
+def _row_html(cell: str, texts: Sequence[str], sides: Sequence[str]) -> str:
+    cells = [
+        f"<{cell}{side}>{html.escape(text)}</{cell}>"
+        for text, side in zip(texts, sides, strict=True)
+    ]
+    return f"<tr>{''.join(cells)}</tr>"
+
+
+def _plot_html(plot: Plot) -> str:
+    picture = base64.b64encode(plot_png(plot)).decode()
+    return (
+        f'<figure><img alt="{html.escape(plot.title)}" src="data:image/png;base64,{picture}">'
+        "</figure>"
+    )
+
+
+def _titled(tag: str, title: str) -> str:
+    return f"<{tag}>{html.escape(title)}</{tag}>" if title else ""
+
+
+def plot_png(plot: Plot) -> bytes:
+    """Draw a plot as PNG."""
+    stream = io.BytesIO()
+    figure = _drawn(plot)
+    FigureCanvasAgg(figure)
+    figure.savefig(stream, format="png", dpi=_DOTS_PER_IN)
+    return stream.getvalue()
+
+
+def _drawn(plot: Plot) -> Figure:
+    figure = Figure(figsize=_PLOT_IN, layout="constrained")
+    plot.draw(figure)
+    figure.suptitle(plot.title)
+    return figure
