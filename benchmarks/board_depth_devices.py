@@ -33,7 +33,7 @@ from insole_core.sensing.camera import Camera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.nominal import BURRUS, DEPTH_CAMERA
 
-BOARD, BOARDS, INFRARED_BOARDS, CORNER_PX = Chequerboard(10, 7, 30), 48, 16, 0.1
+BOARD, BOARDS, INFRARED_BOARDS, CORNER_PX = Chequerboard(12, 8, 30), 48, 16, 0.1
 WALLS = (
     wall(500, 2, -3), wall(580, -4, 2), wall(670, 3, 4), wall(780, -2, -5), wall(900, 4, 1),
     wall(1050, -3, 4),
