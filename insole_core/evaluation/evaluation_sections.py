@@ -15,8 +15,8 @@ from insole_core.evaluation.report import Number, Plot, Section, Table
 from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
-_LISTED = 105
-"""Rows of a table of distances: all those between 15 points."""
+_LISTED, _LARGEST = 105, 20
+"""All distances are listed, if no more than those of the thesis's fifteen points; else the largest."""
 
 
 def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
@@ -92,10 +92,11 @@ def alignment_section(rows: Sequence[Misalignment]) -> Section:
 
 def object_section(result: ObjectEvaluation) -> Section:
     """Report a known object: figures 17 to 19."""
+    listed = len(result.distances) if len(result.distances) <= _LISTED else _LARGEST
     rows = tuple(
         (f"{d.first}-{d.second}", d.axis, f"{d.true_mm:.2f}", f"{d.measured_mm:.2f}",
          f"{d.error_mm:+.2f}", f"{d.relative:.2%}")
-        for d in sorted(result.distances, key=lambda d: -abs(d.error_mm))[:_LISTED]
+        for d in sorted(result.distances, key=lambda d: -abs(d.error_mm))[:listed]
     )  # fmt: skip
     by_axis = tuple(
         Number(f"mean_abs_mm_{axis}", f"Mean absolute error, {axis}", value, "mm")

@@ -21,6 +21,11 @@ from insole_core.sensing.sensor import Sensor
 
 COLOR, INFRARED, DEPTH = "color", "ir", "depth"
 """How the names of the pictures of a folder begin."""
+_WORDS = {
+    COLOR: "colour pictures of the board",
+    INFRARED: "infrared pictures of the board, taken with the emitter covered",
+    DEPTH: "raw depth images",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +63,8 @@ def board_pictures(folder: Path, kind: str) -> list[Path]:
     kinds = any(path.name.startswith((COLOR, INFRARED, DEPTH)) for path in paths)
     if kinds and not named:
         raise InputError(
-            f"{folder} holds no pictures named {kind}…; name the folder with the pictures of the "
-            "board."
+            f"{folder} holds no pictures named {kind}…; name the folder with the "
+            f"{_WORDS[kind]}."
         )
     return named or paths
 
