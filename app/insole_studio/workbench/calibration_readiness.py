@@ -30,6 +30,7 @@ from insole_studio.workbench.calibration_steps import COLOR, board_pictures, has
 GOOD_PICTURES = 10
 WALL_DISTANCES_MM = (500, 600, 700, 800, 900, 1000)
 _NEAR_MM = 60.0
+_FRONT_DEG = 8.0
 CELLS = (6, 8)
 _WIDTH_PX = 640
 _GREEN = (60, 200, 60)
@@ -142,11 +143,16 @@ def look_at_board(
         sighting = board.find(name, grey)
     except CalibrationError as error:
         return Look(name, False, str(error), small(shown)), None
-    turn_deg, side = turn_of(sighting)
-    sentence = tr("{count} corners, turned {turn:.0f}° {side}").format(
-        count=len(sighting.pixels), turn=turn_deg, side=_side_texts()[side]
+    return Look(name, True, _told(sighting), _with_corners(shown, sighting)), sighting
+
+
+def _told(sighting: Sighting) -> str:
+    count, (turn_deg, side) = len(sighting.pixels), turn_of(sighting)
+    if turn_deg < _FRONT_DEG:
+        return tr("{count} corners, seen from the front").format(count=count)
+    return tr("{count} corners, turned {turn:.0f}° {side}").format(
+        count=count, turn=turn_deg, side=_side_texts()[side]
     )
-    return Look(name, True, sentence, _with_corners(shown, sighting)), sighting
 
 
 def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> Readiness:

@@ -228,6 +228,10 @@
             <translation>uppåt</translation>
         </message>
         <message>
+            <source>{count} corners, seen from the front</source>
+            <translation>{count} hörn, sedda framifrån</translation>
+        </message>
+        <message>
             <source>{count} corners, turned {turn:.0f}° {side}</source>
             <translation>{count} hörn, vridet {turn:.0f}° {side}</translation>
         </message>

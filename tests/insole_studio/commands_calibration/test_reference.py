@@ -63,6 +63,27 @@ def test_a_built_system_is_measured(small_session: Path, tmp_path: Path, capsys)
     assert "The face achilles was not measured and stays as planned" in capsys.readouterr().out
 
 
+def test_faces_that_views_link_are_measured_together(
+    small_session: Path, tmp_path: Path, capsys
+) -> None:
+    """Every other marker of the sole is taken for one of another face that the views show too."""
+    plan = json.loads(PLAN.read_text())
+    soles = [marker for marker in plan["markers"] if marker["face"] == "sole"]
+    for marker in soles[::2]:
+        marker["face"] = "rim"
+    system, built = tmp_path / "plan.json", tmp_path / "built.json"
+    system.write_text(json.dumps(plan))
+    words = ["calibrate", "reference", str(system), "--sessions", *[str(small_session)] * 2]
+    assert run([*words, *LENGTH, "--moved", "3", "--out", str(built)]) == 0
+    measured = json.loads(built.read_text())["markers"]
+    for before, after in zip(plan["markers"], measured, strict=True):
+        assert after["face"] == before["face"]
+        assert after["position_mm"] == pytest.approx(before["position_mm"], abs=1.5)
+    said = capsys.readouterr().out
+    assert "The face rim" not in said
+    assert "The face achilles was not measured and stays as planned" in said
+
+
 def test_a_bumped_marker_is_named(
     small_session: Path, tmp_path: Path, last_line: Callable[[], str]
 ) -> None:

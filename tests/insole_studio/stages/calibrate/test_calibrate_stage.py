@@ -95,7 +95,7 @@ def test_colour_camera_from_folder_to_device(
     assert "5 of 5 can be used." in stage.view.next_text()
     assert "Take 5 more pictures" in stage.view.next_text()
     assert "Hold the board in these parts" in stage.view.next_text()
-    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, turned ")
+    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
     stage.view.calibrate.click()
     settle()
     assert "5 of 5 colour pictures were used" in stage.view.next_text()

@@ -72,10 +72,10 @@ def test_a_board_that_stands_still_is_taken_once(
     stage.view.live.click()
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
     assert stage.view.serial_line.text() == "SIM1"
-    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, turned ")
+    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
     assert "Take 9 more pictures" in stage.view.next_text()
     qtbot.waitUntil(
-        lambda: stage.view.live_text().startswith("54 corners, turned"), timeout=PATIENCE_MS
+        lambda: stage.view.live_text().startswith("54 corners, "), timeout=PATIENCE_MS
     )
     (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
     assert {path.name for path in (day / "camera").iterdir()} == {
