@@ -12,6 +12,8 @@ from insole_core.geometry.arrays import RawArray
 from insole_core.sensing.disparity import NO_READING, DisparityModel
 
 _SETTLED_MM = 0.5
+_STILL_RAW = 10.0
+"""No sensor is as noisy; frames that differ more show different scenes."""
 _CENTRE = (slice(200, 280), slice(270, 370))
 
 
@@ -51,7 +53,7 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
     Raises
     ------
     InputError
-        With fewer than two frames.
+        With fewer than two frames, or frames of different scenes.
     """
     count, total = np.zeros((480, 640)), 0
     mean, squares = np.zeros((480, 640)), np.zeros((480, 640))
@@ -66,6 +68,11 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
     if total < 2 or not steady.any():
         raise InputError("The noise needs at least two frames with readings; record more.")
     sd = np.sqrt(squares[steady] / (count[steady] - 1))
+    if np.median(sd) > _STILL_RAW:
+        raise InputError(
+            f"The {total} frames show different scenes (they differ by {np.median(sd):.0f} raw "
+            "units); record one still wall without moving the sensor."
+        )
     depth = disparity.depth_mm(mean[steady])
     per_raw = disparity.depth_mm(mean[steady] + 0.5) - disparity.depth_mm(mean[steady] - 0.5)
     sd_mm = (sd * per_raw)[np.isfinite(depth)]

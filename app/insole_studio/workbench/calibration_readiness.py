@@ -211,7 +211,7 @@ def _missing_boards(sightings: Sequence[Sighting]) -> tuple[str, ...]:
 def _missing_pairs(sightings: Sequence[Sighting], each: int) -> tuple[str, ...]:
     missing = []
     if turns := missing_turns(sightings, each):
-        sides = [f"{count} × {_side_texts()[side]}" for side, count in turns.items()]
+        sides = [f"{count}\u00a0×\u00a0{_side_texts()[side]}" for side, count in turns.items()]
         missing.append(
             tr("Turn the board strongly, by 40 to 55°: {sides}.").format(sides=", ".join(sides))
         )
