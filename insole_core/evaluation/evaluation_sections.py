@@ -16,7 +16,7 @@ from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
 _LISTED, _LARGEST = 105, 20
-"""All distances are listed, if no more than those of the thesis's fifteen points; else the largest."""
+"""All distances of up to fifteen points are listed, as in the thesis; of more the worst."""
 
 
 def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:

@@ -63,8 +63,7 @@ def board_pictures(folder: Path, kind: str) -> list[Path]:
     kinds = any(path.name.startswith((COLOR, INFRARED, DEPTH)) for path in paths)
     if kinds and not named:
         raise InputError(
-            f"{folder} holds no pictures named {kind}…; name the folder with the "
-            f"{_WORDS[kind]}."
+            f"{folder} holds no pictures named {kind}…; name the folder with the {_WORDS[kind]}."
         )
     return named or paths
 

@@ -189,6 +189,9 @@ def test_noise_of_a_known_device() -> None:
     assert noise.missing_share == pytest.approx(0.1)
     with pytest.raises(InputError, match="two frames"):
         measure_noise([], DISPARITY)
+    scenes = [next(device.frames(wall(mm), 1)) for mm in (700, 800)]
+    with pytest.raises(InputError, match="different scenes"):
+        measure_noise(scenes, DISPARITY)
 
 
 def test_warm_up_settles() -> None:

@@ -74,9 +74,7 @@ def test_a_board_that_stands_still_is_taken_once(
     assert stage.view.serial_line.text() == "SIM1"
     assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
     assert "Take 9 more pictures" in stage.view.next_text()
-    qtbot.waitUntil(
-        lambda: stage.view.live_text().startswith("54 corners, "), timeout=PATIENCE_MS
-    )
+    qtbot.waitUntil(lambda: stage.view.live_text().startswith("54 corners, "), timeout=PATIENCE_MS)
     (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
     assert {path.name for path in (day / "camera").iterdir()} == {
         "color_000.png", "depth_000.png", "depth_000",
