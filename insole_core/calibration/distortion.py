@@ -40,6 +40,8 @@ class DistortionOptions:
 
 
 _DEFAULTS = DistortionOptions()
+_GOOD_RAW = 1.2
+"""Twice the noise of a single frame."""
 
 
 @dataclass(frozen=True)
@@ -246,6 +248,12 @@ def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
         advice.append(
             "All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the "
             "distortion changes."
+        )
+    left_raw = float(np.sqrt(np.mean([figure.rms_after_raw**2 for figure in figures])))
+    if left_raw > _GOOD_RAW:
+        advice.append(
+            f"The walls are still off by {left_raw:.1f} raw units, which is more than noise; take "
+            "care that they are flat and empty, and that the sensor stands still."
         )
     if covered < 0.95:
         advice.append(
