@@ -156,6 +156,10 @@
             <translation>Papper</translation>
         </message>
         <message>
+            <source>Patient without a name</source>
+            <translation>Patient utan namn</translation>
+        </message>
+        <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
         </message>
@@ -224,6 +228,10 @@
             <translation>stoppar</translation>
         </message>
         <message>
+            <source>born {date}</source>
+            <translation>född {date}</translation>
+        </message>
+        <message>
             <source>closed</source>
             <translation>sluten</translation>
         </message>
@@ -250,6 +258,10 @@
         <message>
             <source>unknown</source>
             <translation>okänd</translation>
+        </message>
+        <message>
+            <source>visit {date}</source>
+            <translation>besök {date}</translation>
         </message>
         <message>
             <source>warns</source>

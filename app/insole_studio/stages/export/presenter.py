@@ -27,6 +27,7 @@ from insole_studio.stages.export.rows import (
     CheckRow,
     check_row,
     notes_of,
+    patient_text,
     sentence_of,
     side_text,
     summary_of,
@@ -61,6 +62,7 @@ class ExportPanel(Protocol):
     export_requested: Any
     cancel_requested: Any
 
+    def show_patient(self, text: str) -> None: ...  # noqa: D102
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None: ...  # noqa: D102
     def show_cutter(self, diameter_mm: float) -> None: ...  # noqa: D102
     def show_checks(self, rows: Sequence[CheckRow]) -> None: ...  # noqa: D102
@@ -181,6 +183,7 @@ class ExportPresenter:
     def remake(self) -> None:
         """Make and check what is ordered, beside the window."""
         self._record, self._problem = self._case.record, ""
+        self._panel.show_patient(patient_text(self._record.patient))
         self._panel.show_choice(self._choice, self._has_pair)
         self._panel.show_cutter(self._rules.cutter_diameter_mm)
         if self._record.current is None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
+from insole_core.cases.record import Patient
 from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
 from insole_core.solids.checks import Finding
@@ -156,3 +157,13 @@ def side_text(piece: Piece) -> str:
     if any(finding.blocks for finding in piece.findings):
         return f"{text}  ✗"
     return text if all(finding.passed for finding in piece.findings) else f"{text}  !"
+
+
+def patient_text(patient: Patient) -> str:
+    """Say whose insoles these are; only here in the window, never in what the shop gets."""
+    words = (
+        patient.name or tr("Patient without a name"),
+        tr("born {date}").format(date=patient.born) if patient.born else "",
+        tr("visit {date}").format(date=patient.visit) if patient.visit else "",
+    )
+    return "  ·  ".join(word for word in words if word)

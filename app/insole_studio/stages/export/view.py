@@ -62,6 +62,8 @@ class ExportView(QWidget):
         self._pieces = QButtonGroup(self)
         self._pieces.setExclusive(True)
         self._piece_row = QHBoxLayout()
+        self._patient = QLabel()
+        self._patient.setObjectName("numbers")
         self._summary = Sentences()
         self._error, self._notes = Sentences("warning"), Sentences("warning")
         self._reason_label = QLabel(tr("Export all the same, because"))
@@ -79,6 +81,10 @@ class ExportView(QWidget):
         self._bounds: FloatArray | None = None
         self._side: Side | None = None
         self._lay_out()
+
+    def show_patient(self, text: str) -> None:
+        """Say whose insoles these are."""
+        self._patient.setText(text)
 
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
         """Show what is ordered."""
@@ -180,6 +186,10 @@ class ExportView(QWidget):
         self.reason.setVisible(buttons.reason)
         self._reason_label.setVisible(buttons.reason)
 
+    def patient_text(self) -> str:
+        """Give what is said of the patient."""
+        return self._patient.text()
+
     def summary_text(self) -> str:
         """Give what is said of the piece."""
         return self._summary.text()
@@ -215,7 +225,7 @@ class ExportView(QWidget):
         buttons.addWidget(self.cancel)
         buttons.addWidget(self.export, 1)
         right.addLayout(buttons)
-        layout = QHBoxLayout(self)
+        layout = QHBoxLayout()
         for column, width in ((left, _FORM_PX), (middle, 0), (right, _CHECKS_PX)):
             part = QWidget()
             column.setContentsMargins(0, 0, 0, 0)
@@ -224,6 +234,9 @@ class ExportView(QWidget):
             if width:
                 part.setFixedWidth(width)
             layout.addWidget(part, 0 if width else 1)
+        whole = QVBoxLayout(self)
+        whole.addWidget(self._patient)
+        whole.addLayout(layout, 1)
 
 
 def _heading(text: str) -> QLabel:

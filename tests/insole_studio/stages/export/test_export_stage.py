@@ -297,3 +297,9 @@ def test_another_design_is_made_anew(
     case.apply(replace(design, thickness_mm=8.0), "Thicker")
     settle()
     assert stage.view.summary_text() != before
+
+
+def test_the_head_says_whose_insoles_these_are(stage: ExportStage, case: Case) -> None:
+    assert stage.view.patient_text() == "Anna Berg  ·  born 1980-01-01"
+    case.apply(Patient(), "Forget the patient")
+    assert stage.view.patient_text() == "Patient without a name"
