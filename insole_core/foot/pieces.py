@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import pieces
 
 _SCRAP_SHARE = 0.02
 
@@ -16,11 +15,8 @@ def without_scraps(mesh: TriangleMesh) -> tuple[TriangleMesh, int]:
 
     A surface that consists of nothing but such pieces stays as it is.
     """
-    count = len(mesh.vertices)
-    edges = mesh.triangles[:, [0, 1, 1, 2]].reshape(-1, 2)
-    links = coo_array((np.ones(len(edges), bool), (edges[:, 0], edges[:, 1])), (count, count))
-    pieces, piece = connected_components(links, directed=False)
-    area = np.bincount(piece, mesh.vertex_areas, minlength=pieces)
+    count, piece = pieces(mesh)
+    area = np.bincount(piece, mesh.vertex_areas, minlength=count)
     scrap = area < _SCRAP_SHARE * area.sum()
     if not scrap.any() or area[scrap].sum() > area.sum() / 2:
         return mesh, 0

@@ -43,9 +43,15 @@ def is_border(mesh: TriangleMesh) -> BoolArray:
     return border
 
 
+def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
+    """Give the number of connected pieces, and the piece of each vertex (n,)."""
+    count, piece = connected_components(adjacency(mesh), directed=False)
+    return int(count), np.asarray(piece)
+
+
 def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
     """Tell which vertices (n,) lie in connected pieces with such a share of all triangles."""
-    count, piece = connected_components(adjacency(mesh), directed=False)
+    count, piece = pieces(mesh)
     size = np.bincount(piece[mesh.triangles[:, 0]], minlength=count)
     return np.asarray(size[piece] > least_share * len(mesh.triangles))
 

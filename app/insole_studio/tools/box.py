@@ -12,6 +12,7 @@ from insole_core.recording.session import Box
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view import Offered
 from insole_studio.texts import tr
+from insole_studio.tools.running_gesture import RunningGesture
 from insole_studio.tools.tool import Gesture, rounded
 
 STEP_MM = 1.0
@@ -69,7 +70,7 @@ class BoxHand:
         self._box = box
         self._preview = preview
         self._apply = apply
-        self._gesture: Gesture | None = None
+        self._gesture = RunningGesture()
 
     def press(self, event: PointerEvent) -> bool:
         """Grab a face; False leaves the press to the camera."""
@@ -80,18 +81,12 @@ class BoxHand:
         axis = "xyz".index(name)
         if np.linalg.norm(_on_screen(event, axis)) < _SHORTEST:
             return False
-        self._gesture = self._drag(event, box, axis, end == "max")
-        next(self._gesture)
+        self._gesture.begin(self._drag(event, box, axis, end == "max"))
         return True
 
     def move(self, event: PointerEvent) -> None:
         """Continue the drag."""
-        if self._gesture is None:
-            return
-        try:
-            self._gesture.send(event)
-        except StopIteration:
-            self._gesture = None
+        self._gesture.send(event)
 
     def release(self, event: PointerEvent) -> None:
         """End the drag."""
@@ -100,10 +95,8 @@ class BoxHand:
     def cancel(self) -> bool:
         """Give the drag up; False when there is none."""
         box = self._box()
-        if self._gesture is None or box is None:
+        if box is None or not self._gesture.close():
             return False
-        self._gesture.close()
-        self._gesture = None
         self._preview(box)
         return True
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from inspect import GEN_RUNNING, getgeneratorstate
 
 from PySide6.QtCore import QObject, Signal
 
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool
+from insole_studio.tools.running_gesture import RunningGesture
+from insole_studio.tools.tool import Ground, MenuOffer, Tool
 from insole_studio.workbench.case import Case
 
 
@@ -22,7 +22,7 @@ class Hand(QObject):
         super().__init__(parent)
         self._case = case
         self.tools = {tool.key: tool for tool in tools}
-        self._gesture: Gesture | None = None
+        self._gesture = RunningGesture()
         self.tool = tools[0]
         case.foot_changed.connect(self.cancel)
 
@@ -35,7 +35,7 @@ class Hand(QObject):
     @property
     def is_busy(self) -> bool:
         """Whether a gesture is under way."""
-        return self._gesture is not None
+        return bool(self._gesture)
 
     def press(self, event: PointerEvent, ground: Ground) -> bool:
         """Begin a gesture; False leaves the press to the camera."""
@@ -43,26 +43,18 @@ class Hand(QObject):
         gesture = self.tool.press(self._case, event, ground)
         if gesture is None:
             return False
-        self._gesture = gesture
-        next(gesture)
+        self._gesture.begin(gesture)
         return True
 
     def drag(self, event: PointerEvent) -> None:
         """Continue or, with a release, end the gesture."""
-        if self._gesture is None:
-            return
-        try:
-            self._gesture.send(event)
-        except StopIteration:
-            self._gesture = None
+        if self._gesture.send(event):
             self.gesture_ended.emit()
 
     def cancel(self) -> bool:
         """Give the gesture up, as if it had never begun; False when there is none."""
-        if self._gesture is None or getgeneratorstate(self._gesture) == GEN_RUNNING:
-            return False  # what it has just done may tell of another foot
-        self._gesture.close()
-        self._gesture = None
+        if not self._gesture.close():
+            return False
         self._case.end_preview()
         self.gesture_ended.emit()
         return True
