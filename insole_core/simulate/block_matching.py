@@ -20,7 +20,7 @@ from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.device import Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
-from insole_core.simulate.ray_caster import Hits, RayCaster
+from insole_core.simulate.ray_caster import Hits, SceneCaster
 
 _WINDOW = (9, 9)
 _SUBSAMPLES = 4
@@ -98,7 +98,7 @@ class MatchedRecording:
 
 
 def record_matched_depth(
-    caster: RayCaster,
+    caster: SceneCaster,
     device: Device,
     sensor2reference: FloatArray,
     rng: np.random.Generator,
@@ -148,7 +148,7 @@ def _moments(image: Float32Array) -> tuple[Float32Array, Float32Array]:
 class _Light:
     """A projector that shines on a scene, and the camera beside it."""
 
-    caster: RayCaster
+    caster: SceneCaster
     device: Device
     sensor2reference: FloatArray
     pattern: DotPattern

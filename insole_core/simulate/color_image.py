@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.sensor import Sensor
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 
 _BACKGROUND = 26.0
 _AMBIENT = 0.42
@@ -36,7 +36,9 @@ class ColorRecording:
         return np.clip(np.round(levels), 0, 255).astype(np.uint8)
 
 
-def record_color(caster: RayCaster, sensor: Sensor, sensor2reference: FloatArray) -> ColorRecording:
+def record_color(
+    caster: SceneCaster, sensor: Sensor, sensor2reference: FloatArray
+) -> ColorRecording:
     """Look at a scene with a sensor's colour camera.
 
     Parameters

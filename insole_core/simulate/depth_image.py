@@ -22,7 +22,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.device import Device
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 
 TEMPORAL_RAW = 0.36
 TEMPORAL_SLOPE_RAW = 0.45
@@ -70,7 +70,7 @@ def temporal_sigma_raw(slant_deg: FloatArray) -> FloatArray:
 
 
 def record_depth(
-    caster: RayCaster, device: Device, sensor2reference: FloatArray, rng: np.random.Generator
+    caster: SceneCaster, device: Device, sensor2reference: FloatArray, rng: np.random.Generator
 ) -> DepthRecording:
     """Look at a scene with a device's depth camera.
 

@@ -14,7 +14,7 @@ from insole_core.simulate.color_image import record_color
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import make_device
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import joined
 from insole_core.simulate.simulation import Recorder
 
@@ -42,7 +42,7 @@ def simulate_view(
     rng = np.random.default_rng([seed, 7])
     low, high = thing.bounds_mm
     middle = np.append((low + high)[:2] / 2, high[2] / 2)
-    caster = RayCaster(joined([_colored(thing), _table(middle)]))
+    caster = SceneCaster(joined([_colored(thing), _table(middle)]))
     device = make_device(f"SIM{seed:05d}7", (), distance_mm, (1280, 1024), rng)
     tilt = rotation_about(np.array([1.0, 0.0, 0.0]), float(rng.uniform(-_TILT_DEG, _TILT_DEG)))
     above = middle + distance_mm * tilt[:, 2]

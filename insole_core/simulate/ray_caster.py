@@ -1,15 +1,14 @@
-"""What straight rays meet in a scene; the intersection itself is Embree's, through trimesh."""
+"""What straight rays meet in a coloured scene, and what it looks like there."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-import trimesh
-from trimesh.ray.ray_pyembree import RayMeshIntersector
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.ray_casting import RayCaster
 
 _CLEARANCE_MM = 0.5
 """How far a shadow ray starts off its surface, so that it does not meet the surface itself."""
@@ -38,7 +37,7 @@ class Hits:
     colors: FloatArray
 
 
-class RayCaster:
+class SceneCaster:
     """Casts rays into one coloured mesh."""
 
     def __init__(self, scene: TriangleMesh) -> None:
@@ -47,17 +46,13 @@ class RayCaster:
         colors = scene.colors
         self._colors = np.full(scene.vertices.shape, 200.0) if colors is None else colors
         self._triangles = scene.triangles
-        self._embree = RayMeshIntersector(
-            trimesh.Trimesh(scene.vertices, scene.triangles, process=False)
-        )
+        self._caster = RayCaster(scene)
 
     def cast(self, origin: FloatArray, directions: FloatArray) -> Hits:
         """Follow rays (n, 3) from one origin (3,) to what they meet first."""
-        triangle = self._embree.intersects_first(
-            np.broadcast_to(origin, directions.shape), directions
-        )
-        ray = np.flatnonzero(triangle >= 0)
-        triangle, directions = triangle[ray], directions[ray]
+        met = self._caster.cast(origin, directions)
+        ray, triangle = met.ray, met.triangle
+        directions = directions[ray]
         distance, weights = _solve(self._corners[triangle], origin, directions)
         at = self._triangles[triangle]
         normals = np.einsum("nk,nkc->nc", weights, self._normals[at])
@@ -73,9 +68,7 @@ class RayCaster:
 
     def is_blocked(self, points: FloatArray, target: FloatArray) -> BoolArray:
         """Tell for points (n, 3) whether anything stands between them and the target (3,)."""
-        ways = target - points
-        start = points + _CLEARANCE_MM * ways / np.linalg.norm(ways, axis=1, keepdims=True)
-        return np.asarray(self._embree.intersects_any(start, ways))
+        return self._caster.is_blocked(points, target, _CLEARANCE_MM)
 
 
 def _solve(

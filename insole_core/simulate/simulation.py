@@ -31,7 +31,7 @@ from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_fo
 from insole_core.simulate.foot_shape import FootShape, vary_shape
 from insole_core.simulate.limits import Limits, check_limits
 from insole_core.simulate.poses import stand_sensor
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
 
 _SENSOR_FACES = {"left": "sole", "right": "sole", "top": "achilles"}
@@ -138,7 +138,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     rng = np.random.default_rng([options.seed, 0])
     foot = build_foot(options.shape or vary_shape(rng, options.side), rng, options.foot_cell_mm)
     reference_system = load_reference_system()
-    caster = RayCaster(build_scene(foot.mesh, reference_system, rng))
+    caster = SceneCaster(build_scene(foot.mesh, reference_system, rng))
 
     record = _recorder_of_depth(options, foot, reference_system)
     plan = _plan(options.bursts)
@@ -215,7 +215,7 @@ class _DepthView(Protocol):
 
 def _recorder_of_depth(
     options: SimulationOptions, foot: FootModel, reference_system: ReferenceSystem
-) -> Callable[[RayCaster, Device, FloatArray, np.random.Generator], _DepthView]:
+) -> Callable[[SceneCaster, Device, FloatArray, np.random.Generator], _DepthView]:
     if not options.matched:
         return record_depth
     markers = [marker.position_mm for marker in reference_system.markers]

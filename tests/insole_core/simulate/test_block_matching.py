@@ -12,7 +12,7 @@ from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.block_matching import MatchedRecording, record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.dot_pattern import DotPattern
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 
 DISTANCE_MM = 750.0
 CENTRE = (slice(200, 280), slice(290, 350))
@@ -42,7 +42,7 @@ def _waves(wavelength_mm: float, height_mm: float) -> TriangleMesh:
 
 def _recording(scene: TriangleMesh, device: Device, seed: int = 1) -> MatchedRecording:
     rng = np.random.default_rng(seed)
-    return record_matched_depth(RayCaster(scene), device, np.eye(4), rng, things=scene.vertices)
+    return record_matched_depth(SceneCaster(scene), device, np.eye(4), rng, things=scene.vertices)
 
 
 def _mean(recording: MatchedRecording, frames: int = 6) -> np.ndarray:

@@ -10,7 +10,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import BASELINE_MM, Device, make_device
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 
 DISTANCE_MM = 750.0
 CENTRE = (slice(170, 310), slice(250, 390))
@@ -38,7 +38,7 @@ def _true_raw(device: Device, tilt_deg: float) -> np.ndarray:
 
 def _frames(device: Device, tilt_deg: float, count: int = 40) -> np.ndarray:
     rng = np.random.default_rng(11)
-    recording = record_depth(RayCaster(_plate(tilt_deg)), device, np.eye(4), rng)
+    recording = record_depth(SceneCaster(_plate(tilt_deg)), device, np.eye(4), rng)
     return np.stack([recording.frame(rng)[CENTRE] for _ in range(count)]).astype(float)
 
 
@@ -84,7 +84,7 @@ def test_the_shadow_falls_on_the_side_away_from_the_projector(device: Device) ->
         np.concatenate([near.triangles, wall.triangles + 4]),
     )
     rng = np.random.default_rng(1)
-    frame = record_depth(RayCaster(scene), device, np.eye(4), rng).frame(rng)
+    frame = record_depth(SceneCaster(scene), device, np.eye(4), rng).frame(rng)
     camera = device.sensor.depth_camera
     left, right = (camera.project(np.array([x, 0.0, 700.0]))[0] for x in (-60.0, 60.0))
     # By similar triangles the shadow on the wall is baseline x (900 - 700) / 700 wide.
@@ -108,7 +108,7 @@ def test_the_correction_is_nearly_the_true_distortion(device: Device) -> None:
 
 def test_corrected_depth_of_a_wall_is_right(device: Device) -> None:
     rng = np.random.default_rng(4)
-    recording = record_depth(RayCaster(_plate(0.0, 900.0)), device, np.eye(4), rng)
+    recording = record_depth(SceneCaster(_plate(0.0, 900.0)), device, np.eye(4), rng)
     raw = np.stack([recording.frame(rng) for _ in range(10)]).mean(axis=0)
     depth_mm = device.sensor.depth_mm(raw)[:, 8:]
 
