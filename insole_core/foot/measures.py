@@ -95,9 +95,9 @@ _STANDS_ON = {
     "shoe_size_us": _LENGTH,
     "mondopoint": _LENGTH,
 }
-_DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.0
+_DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
-_PLACING_MM = 0.3  # of the views against each other, in every size
+_PLACING_MM = 0.5  # of the views against each other, in every size
 
 
 def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
