@@ -191,6 +191,7 @@ def build_application(
             recent=recent,
             saving=saving,
             autosave=autosave,
+            notices=notices,
             reconstruct=foot.open_session,
         ),
         saving=saving,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,10 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
+from insole_core.cases.record import Source
+from insole_core.cases.scan import ScannedFoot
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
 from insole_studio.bootstrap import Application
 from insole_studio.scene.camera import Preset
@@ -214,3 +219,16 @@ def _pixels(view: SceneView) -> np.ndarray:
     raw = np.frombuffer(image.constBits(), np.uint8)
     rows = raw.reshape(image.height(), image.bytesPerLine())[:, : 3 * image.width()]
     return rows.reshape(image.height(), image.width(), 3).astype(int)
+
+
+def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(
+    app: Application, make_foot: Callable[[Side], Foot]
+) -> None:
+    opening, notices = app.studio.rooms.opening, app.studio.rooms.notices
+    foot = replace(make_foot(Side.LEFT), notes=("A sentence of some length. " * 8,))
+    scanned = ScannedFoot(foot, Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    opening.take_scan(scanned)
+    assert [notice.key for notice in notices.notices] == ["scan"]
+    short = replace(scanned, foot=replace(foot, notes=("Short.",)))
+    opening.take_scan(short)
+    assert notices.notices == []

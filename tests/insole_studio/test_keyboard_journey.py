@@ -118,7 +118,6 @@ def test_the_standard_case_by_keys_alone(
     assert moved.height_mm == pytest.approx(pad.height_mm + 0.4)
 
     strike(KEY.Key_T)
-    strike(KEY.Key_Escape)  # the pad is no longer selected
     strike(KEY.Key_F2)
     keyboard.type("4")
     strike(KEY.Key_Escape)

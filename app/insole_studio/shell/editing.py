@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from insole_studio.texts import tr
 from insole_studio.tools.hand import Hand
+from insole_studio.tools.posting import posting_of
 from insole_studio.workbench.case import Case
 
 
@@ -31,5 +32,9 @@ class Editing:
             self._case.apply(design.with_removed(selected), tr("Remove a correction"))
 
     def take_tool(self, key: str) -> None:
-        """Take a tool into the hand."""
+        """Take a tool into the hand; pronation shows its own values, not those of the last pad."""
+        design = self._case.record.design
+        if key == "posting" and design is not None:
+            posting = posting_of(design)
+            self._case.select(None if posting is None else posting.id)
         self._hand.take(key)

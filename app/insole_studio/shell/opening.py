@@ -17,6 +17,7 @@ from insole_core.resources import resource_path
 from insole_studio.jobs import Jobs
 from insole_studio.shell.dialogue import LONG_MS, Dialogue
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
+from insole_studio.shell.notices import Notices
 from insole_studio.shell.questions import SameSide
 from insole_studio.shell.recent import Recent
 from insole_studio.shell.saving import Saving
@@ -27,6 +28,9 @@ from insole_studio.workbench.fitting import last_design
 from insole_studio.workbench.opening import kind_of
 
 CHANNEL = "open"
+NOTICE = "scan"
+LINE_LETTERS = 130
+"""What the status line holds of a small window."""
 EXAMPLE = "example/example.insole"
 
 
@@ -42,6 +46,7 @@ class Opening:
         recent: Recent,
         saving: Saving,
         autosave: Autosave,
+        notices: Notices,
         reconstruct: Callable[[Path], None],
     ) -> None:
         self._case = case
@@ -50,6 +55,7 @@ class Opening:
         self._recent = recent
         self._saving = saving
         self._autosave = autosave
+        self._notices = notices
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
@@ -98,13 +104,21 @@ class Opening:
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
-        self._dialogue.say(" ".join(map(spoken, scanned.foot.notes)), LONG_MS)
+        self._tell(" ".join(map(spoken, scanned.foot.notes)))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
             again = replace(before, foot=scanned.foot, source=scanned.source)
             self._case.apply(again, tr("Reconstruct the foot again"))
         else:
             self._put_on_bench(scanned)
+
+    def _tell(self, notes: str) -> None:
+        """Say how the scan was read; more than the status line holds stays until dismissed."""
+        self._notices.drop(NOTICE)
+        if len(notes) > LINE_LETTERS:
+            self._notices.put(NOTICE, notes)
+        else:
+            self._dialogue.say(notes, LONG_MS)
 
     def _open_chosen(self, path: Path | None) -> None:
         if path is not None:

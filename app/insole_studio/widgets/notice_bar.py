@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -19,6 +20,8 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
+
+LEAST_PX = 640
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,21 @@ class NoticeBar(QWidget):
         self._lines.setContentsMargins(4, 0, 4, 0)
         self._lines.setSpacing(4)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
+        """Be as high as the lines are at this width, no higher."""
+        hint = super().sizeHint()
+        return QSize(hint.width(), self._lines.heightForWidth(max(self.width(), LEAST_PX)))
+
+    def minimumSizeHint(self) -> QSize:
+        """Leave nothing out."""
+        return QSize(0, self.sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Break the lines anew."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
 
     def show_notices(self, notices: Sequence[Notice]) -> None:
         """Show these and no others."""
