@@ -29,7 +29,7 @@ from insole_studio.workbench.opening import kind_of
 
 CHANNEL = "open"
 NOTICE = "scan"
-LINE_LETTERS = 130
+LINE_LETTERS = 160
 """What the status line holds of a small window."""
 EXAMPLE = "example/example.insole"
 

@@ -107,6 +107,7 @@ class PatientView(QScrollArea):
     def show_measures(self, measures: Sequence[Measure]) -> None:
         """Show the measures of the foot."""
         self._measures.show_measures(measures)
+        self.updateGeometry()  # two feet need a wider panel than one
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
         """Show the corrections, a line each."""
