@@ -48,7 +48,10 @@ _LEG = {
     "power": (2.3, 2.3, 2.3, 2.3, 2.2, 2.0, 1.75, 1.62, 1.62, 1.75, 1.9, 2),
 }
 
-_TOES = (
+Toe = tuple[tuple[tuple[float, float, float, float], ...], float]
+"""Three joints (x, y, z, radius), mm, and how flat the toe is (1: round)."""
+
+TOES: tuple[Toe, ...] = (
     # joints (x, y, z, radius) from the metatarsal head to the pulp, and the flattening of the toe
     (((31, 184, 15, 13.5), (31.5, 212, 12.5, 9.8), (30, 233.2, 10.5, 11.8)), 0.86),
     (((12, 190, 17, 8.5), (9.5, 214, 16, 6.6), (8, 233.5, 8.6, 7.6)), 0.95),
@@ -66,9 +69,17 @@ _MALLEOLI = (
 
 @dataclass(frozen=True)
 class FootField:
-    """The implicit foot of a shape, and where its parts lie (mm, y from the heel's back)."""
+    """The implicit foot of a shape, and where its parts lie (mm, y from the heel's back).
+
+    Parameters
+    ----------
+    shape
+    toes
+        Of the model's foot, medial to lateral.
+    """
 
     shape: FootShape
+    toes: tuple[Toe, ...] = TOES
 
     def sample(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
         """Field (nx, ny, nz) on the grid with these equidistant coordinates, mm."""
@@ -82,19 +93,20 @@ class FootField:
         for centre, half_axes in _MALLEOLI:
             foot = _smooth_union(foot, _ellipsoid((behind, Y, Z), centre, half_axes), 12.0)
         front, low = int(np.searchsorted(y_model, 150)), int(np.searchsorted(z, 50))
-        toes = _toes(X / width[:, front:], Y[:, front:], Z[..., :low])
+        grid = X / width[:, front:], Y[:, front:], Z[..., :low]
+        toes = _toes(self.toes, grid)
         foot[:, front:, :low] = _smooth_union(foot[:, front:, :low], toes, 5.0)
         return np.asarray(np.maximum(foot, Z - LEG_HEIGHT_MM))
 
     def toe_tips(self) -> FloatArray:
         """(5, 3) foremost point of every toe, medial to lateral."""
-        pulps = np.array([joints[-1] for joints, _ in _TOES])
+        pulps = np.array([joints[-1] for joints, _ in self.toes])
         tips = pulps[:, :3] + np.array([0, 1, 0]) * pulps[:, 3:]
         return self._place(tips)
 
     def metatarsal_heads(self) -> FloatArray:
         """(5, 3) where the heads of the metatarsals press on the sole, medial to lateral."""
-        heads = np.array([joints[0][:3] for joints, _ in _TOES], dtype=float)
+        heads = np.array([joints[0][:3] for joints, _ in self.toes], dtype=float)
         heads[:, 1] -= 3.0
         heads[:, 2] = 0.0
         return self._place(heads)
@@ -144,15 +156,15 @@ def _leg(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
     return np.asarray(radius**1.6 + cap)
 
 
-def _toes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+def _toes(toes: tuple[Toe, ...], grid: tuple[FloatArray, FloatArray, FloatArray]) -> FloatArray:
     """Union of the toes; a hard one, so that they stay apart."""
-    toes = []
-    for joints, flattening in _TOES:
+    fields = []
+    for joints, flattening in toes:
         base, middle, pulp = (np.array(joint, dtype=float) for joint in joints)
-        rear = _round_cone((x, y, z), base, middle, flattening)
-        fore = _round_cone((x, y, z), middle, pulp, flattening)
-        toes.append(_smooth_union(rear, fore, 4.0))
-    return np.asarray(np.minimum.reduce(toes))
+        rear = _round_cone(grid, base, middle, flattening)
+        fore = _round_cone(grid, middle, pulp, flattening)
+        fields.append(_smooth_union(rear, fore, 4.0))
+    return np.asarray(np.minimum.reduce(fields))
 
 
 def _profiles(table: Mapping[str, tuple[float, ...]], at: FloatArray) -> list[FloatArray]:

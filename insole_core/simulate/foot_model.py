@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import transform
-from insole_core.simulate.foot_field import LEG_HEIGHT_MM, FootField
+from insole_core.simulate.foot_field import LEG_HEIGHT_MM, TOES, FootField, Toe
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.simulate.iso_surface import extract_surface
 from insole_core.simulate.skin import paint_skin
@@ -45,7 +45,10 @@ class FootModel:
 
 
 def build_foot(
-    shape: FootShape, rng: np.random.Generator, cell_mm: float = DEFAULT_CELL_MM
+    shape: FootShape,
+    rng: np.random.Generator,
+    cell_mm: float = DEFAULT_CELL_MM,
+    toes: tuple[Toe, ...] = TOES,
 ) -> FootModel:
     """Build the foot of a shape; a right foot is the exact mirror image of the left one.
 
@@ -56,8 +59,10 @@ def build_foot(
         For skin relief and skin colour.
     cell_mm
         Resolution of the surface.
+    toes
+        Of the model's foot, before it is made to the shape.
     """
-    field = FootField(shape)
+    field = FootField(shape, toes)
     model = _surface(field, rng, cell_mm)
     model2reference = _placement(model.vertices, shape.length_mm)
     mesh = model.transformed(model2reference)
@@ -77,7 +82,8 @@ def build_foot(
 def _surface(field: FootField, rng: np.random.Generator, cell_mm: float) -> TriangleMesh:
     half_width = 0.65 * max(field.shape.ball_width_mm, field.shape.heel_width_mm) + _MARGIN_MM
     low = np.array([-half_width, -_MARGIN_MM, -_MARGIN_MM])
-    high = np.array([half_width, field.shape.length_mm + _MARGIN_MM, LEG_HEIGHT_MM + _MARGIN_MM])
+    length_mm = max(field.shape.length_mm, float(field.toe_tips()[:, 1].max()))
+    high = np.array([half_width, length_mm + _MARGIN_MM, LEG_HEIGHT_MM + _MARGIN_MM])
     x, y, z = (np.arange(a, b, cell_mm) for a, b in zip(low, high, strict=True))
     values = gaussian_filter(field.sample(x, y, z), _SMOOTHING_CELLS)
     relief = gaussian_filter(rng.standard_normal(values.shape), _RELIEF_CELLS)

@@ -7,15 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.reading import Reading
-from insole_core.reconstruct.fusion.window import window_error
 
-_NOISE_RAW = 0.35
+_NOISE_RAW = 0.21
 """Standard deviation of a mean reading on a surface that faces the sensor."""
-_SPOT_OFFSET_PX = 1.0
+_SPOT_OFFSET_PX = 0.6
 """How far the centre of the pattern's spots in a window lies from the window's centre."""
 SHARED_PX = 20
 """So many neighbouring readings share their error: the sensor compares windows of 9 x 9 pixels."""
@@ -48,7 +47,7 @@ class Observations:
 def observe(
     reading: Reading, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
 ) -> Observations:
-    """Compare a reading with what the sensor would have made of the mesh, ray by ray.
+    """Compare a reading with the mesh, ray by ray.
 
     Parameters
     ----------
@@ -65,8 +64,7 @@ def observe(
     depth_mm = reading.depth_along(np.einsum("nk,nkc->nc", hits.weights, mesh.vertices[corners]))
     along = np.einsum("nc,nc->n", normal, rays)
     cosine = -along / (np.linalg.norm(normal, axis=1) * np.linalg.norm(rays, axis=1))
-    expected = _as_sensed(reading.sensor.disparity.raw(depth_mm), cosine, hits.ray, reading)
-    residuals = reading.raw.ravel()[hits.ray] - expected
+    residuals = reading.raw.ravel()[hits.ray] - reading.sensor.disparity.raw(depth_mm)
     good = np.flatnonzero((cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW))
     slope = reading.raw_per_mm(depth_mm[good])
     weights = hits.weights[good] * (slope / along[good])[:, None]
@@ -80,15 +78,6 @@ def observe(
     variance = _NOISE_RAW**2 + (_SPOT_OFFSET_PX * slope * pixel_mm * tangent) ** 2
     view_terms = _view_terms(reading, reading.pixels.reshape(-1, 2)[hits.ray[good]])
     return Observations(design, residuals[good], 1 / (SHARED_PX * variance), view_terms)
-
-
-def _as_sensed(
-    raw: FloatArray, cosine: FloatArray, pixel: IntArray, reading: Reading
-) -> FloatArray:
-    """Add the error of the sensor's window to raw numbers (k,) at flat pixel indices (k,)."""
-    seen, light = np.full(reading.raw.shape, np.nan), np.zeros(reading.raw.shape)
-    seen.flat[pixel], light.flat[pixel] = raw, cosine
-    return np.asarray(raw + window_error(seen, light).ravel()[pixel])
 
 
 def _view_terms(reading: Reading, pixels: FloatArray) -> FloatArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from insole_core.reconstruct.fusion.matching_error import without_matching_error
 from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.rim import Rim, find_rim
 from insole_core.reconstruct.fusion.silhouette import Silhouette, find_silhouette, within_outline
@@ -17,7 +18,7 @@ class PreparedView:
     Parameters
     ----------
     reading
-        Without what lies beside the foot's outline.
+        Without what lies beside the foot's outline, and without the error of the sensor's matching.
     outline
         None where the colours do not tell.
     depth
@@ -33,8 +34,8 @@ class PreparedView:
 
 
 def prepare(reading: Reading) -> PreparedView:
-    """Find the outline of the foot in a view, and smooth what lies within."""
+    """Find the outline of the foot in a view; correct and smooth what lies within."""
     outline = find_silhouette(reading)
-    inside = within_outline(reading, outline)
-    rim = None if outline is None else find_rim(inside, outline)
-    return PreparedView(inside, outline, smooth_depth(inside), rim)
+    corrected = without_matching_error(within_outline(reading, outline))
+    rim = None if outline is None else find_rim(corrected, outline)
+    return PreparedView(corrected, outline, smooth_depth(corrected), rim)

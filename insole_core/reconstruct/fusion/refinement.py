@@ -42,7 +42,7 @@ class RefinementLimits:
         Draws from the posterior that its spread is estimated from.
     """
 
-    stiffness: float = 4.0
+    stiffness: float = 3.0
     view_offset_raw: float = 0.1
     robust: float = 2.5
     rounds: int = 2

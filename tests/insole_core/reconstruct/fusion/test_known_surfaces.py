@@ -19,7 +19,6 @@ from insole_core.reconstruct.fusion.prepared_view import prepare
 from insole_core.reconstruct.fusion.reading import Reading, read_volume
 from insole_core.reconstruct.fusion.refinement import refine
 from insole_core.reconstruct.fusion.surface import fuse
-from insole_core.reconstruct.fusion.window import window_error
 from insole_core.reconstruct.result import Surface
 from insole_core.recording.session import Box
 from insole_core.sensing.camera import Camera
@@ -207,31 +206,6 @@ def test_refining_the_truth_leaves_it() -> None:
     inner = np.abs(mesh.vertices[:, :2]).max(1) < 42
     assert np.abs(refined.mesh.vertices - mesh.vertices)[inner].max() < 0.05
     np.testing.assert_allclose(refined.view_offsets_raw, 0, atol=0.02)
-
-
-def test_the_window_sees_the_mean_of_a_parabola() -> None:
-    v, u = np.mgrid[:41, :61].astype(float)
-    raw = 700 + 0.1 * (u - 30) ** 2
-    error = window_error(raw, np.ones_like(raw))
-    # The mean of the squares of -4 … 4 is 60/9; what may be noise, 0.15, is left in.
-    near = np.abs(u - 30) < 5
-    inner = near & (np.abs(v - 20) < 15)
-    np.testing.assert_allclose(error[inner], 0.1 * 60 / 9 - 0.15, atol=1e-9)
-
-
-def test_the_window_says_nothing_of_a_slope_and_of_an_edge() -> None:
-    v, u = np.mgrid[:41, :61].astype(float)
-    slope = window_error(700 + 0.5 * u - 0.2 * v, np.ones_like(u))
-    np.testing.assert_allclose(slope[5:-5, 5:-5], 0, atol=1e-9)
-    edge = window_error(np.where(u < 30, 700.0, 760.0), np.ones_like(u))
-    np.testing.assert_allclose(edge, 0, atol=1e-9)
-
-
-def test_the_window_counts_the_brighter_side_more() -> None:
-    u = np.mgrid[:41, :61][1].astype(float)
-    error = window_error(700 + 0.5 * u, np.where(u < 30, 1.0, 0.3))
-    assert error[20, 30] < -0.3
-    assert error[20, 10] == pytest.approx(0, abs=1e-9)
 
 
 def test_a_pen_line_of_one_millimetre_is_seen_in_the_colours() -> None:

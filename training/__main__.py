@@ -1,0 +1,115 @@
+"""``python -m training FOLDER [--feet N]``: simulate feet into a folder, learn from them."""
+
+from __future__ import annotations
+
+import argparse
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import Float32Array
+from insole_core.reconstruct.fusion.matching_error import Network, matching_error
+from insole_core.reconstruct.fusion.neighbourhood import FEATURES, neighbourhoods
+from training.network import drawn, fit
+from training.views import Example, simulate_examples
+
+_WEIGHTS = Path(__file__).parents[1] / "resources/matching_error/weights.npz"
+_HIDDEN = (128, 32)
+_EPOCHS = 8
+_PIXELS_A_VIEW = 7000
+_TOES = 2.5
+"""So many times likelier is a pixel of the toes to be shown than another."""
+_TOE_SHARE = 0.3
+_LEAST_COSINE = 0.15
+_OUTLIER_RAW = 8.0
+_HELD_BACK = 0.08
+"""Share of the feet that nothing is learnt from."""
+
+
+def main() -> None:
+    """Make the weights that the product holds."""
+    parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
+    parser.add_argument("folder", type=Path, help="keeps the simulated views")
+    parser.add_argument("--feet", type=int, default=120)
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    with ProcessPoolExecutor() as pool:
+        feet = pool.map(_simulated, [arguments.folder] * arguments.feet, range(arguments.feet))
+        paths = [path for foot in feet for path in foot]
+    held_back = round(len(paths) * _HELD_BACK)
+    network = _learn(paths[:-held_back])
+    _report(network, paths[-held_back:])
+    _save(network)
+
+
+def _simulated(folder: Path, seed: int) -> list[Path]:
+    """Give the files of a foot; made where they are not there yet."""
+    cv2.setNumThreads(1)
+    paths = [folder / f"{seed:04d}_{name}.npz" for name in ("left", "right", "top")]
+    if not all(path.exists() for path in paths):
+        for path, example in zip(paths, simulate_examples(seed).values(), strict=True):
+            example.save(path)
+    return paths
+
+
+def _learn(paths: list[Path]) -> Network:
+    rng = np.random.default_rng(15)
+    shown = [_samples(Example.load(path), "top" not in path.stem, rng) for path in paths]
+    features, errors = (np.concatenate(parts) for parts in zip(*shown, strict=True))
+    print(
+        f"{len(errors)} pixels of {len(paths)} views, rms error {_rms(errors):.3f} raw", flush=True
+    )
+    return fit(
+        drawn((FEATURES, *_HIDDEN, 1), rng),
+        features,
+        errors,
+        epochs=_EPOCHS,
+        rng=rng,
+        report=lambda epoch, loss: print(f"epoch {epoch}: rms {np.sqrt(loss):.3f}", flush=True),
+    )
+
+
+def _samples(
+    example: Example, is_sole: bool, rng: np.random.Generator
+) -> tuple[np.ndarray, Float32Array]:
+    """Draw pixels of a view: what surrounds them (n, FEATURES), and their errors (n,)."""
+    error = example.raw - example.true_raw
+    usable = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
+    rows, columns = np.nonzero(usable)
+    toes = is_sole & (rows > rows.max() - _TOE_SHARE * np.ptp(rows))
+    chance = np.where(toes, _TOES, 1.0)
+    count = min(_PIXELS_A_VIEW, len(rows))
+    chosen = rng.choice(len(rows), count, replace=False, p=chance / chance.sum())
+    rows, columns = rows[chosen], columns[chosen]
+    features = neighbourhoods(example.raw, example.pixel_mm[rows, columns], rows, columns)
+    return features.astype(np.float16), error[rows, columns].astype(np.float32)
+
+
+def _report(network: Network, paths: list[Path]) -> None:
+    """Say what is left of the errors of feet that nothing was learnt from."""
+    before, after = [], []
+    for example in map(Example.load, paths):
+        error = example.raw - example.true_raw
+        seen = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
+        left = error - matching_error(example.raw, example.pixel_mm, network)
+        before.append(error[seen])
+        after.append(left[seen])
+    words = "feet that nothing was learnt from: rms error"
+    print(f"{words} {_rms(np.concatenate(before)):.3f} -> {_rms(np.concatenate(after)):.3f} raw")
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def _save(network: Network) -> None:
+    arrays = {f"weights_{i}": one.astype(np.float16) for i, one in enumerate(network.weights)}
+    arrays |= {f"biases_{i}": one.astype(np.float16) for i, one in enumerate(network.biases)}
+    _WEIGHTS.parent.mkdir(exist_ok=True)
+    np.savez_compressed(_WEIGHTS, allow_pickle=False, **arrays)
+
+
+if __name__ == "__main__":
+    main()

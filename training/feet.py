@@ -1,0 +1,105 @@
+"""Feet of many shapes, and above all of many toes: what the network is to expect."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_about
+from insole_core.simulate.foot_field import TOES, Toe
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
+
+_CELL_MM = 1.7
+_WAVES = 12
+_ANKLE_MM = np.array([0.0, 0.0, 45.0])
+_WEB_MM, _TOE_MM = 66.0, 50.0
+"""Where toes begin, from the middle of the foot, and about how long they are."""
+
+
+def varied_foot(rng: np.random.Generator) -> TriangleMesh:
+    """Draw a left foot that nobody ever had, as it may hang before the sensors, mm."""
+    length_mm = rng.uniform(205, 285)
+    shape = FootShape(
+        length_mm,
+        float(np.clip(length_mm * rng.uniform(0.36, 0.425), 71, 119)),
+        float(np.clip(length_mm * rng.uniform(0.24, 0.29), 51, 79)),
+        rng.uniform(11, 30),
+        rng.uniform(-8, 10),
+    )
+    mesh = build_foot(shape, rng, _CELL_MM, _varied_toes(rng)).mesh
+    places = _Toes.draw(rng).bend(mesh.vertices + _waves(mesh.vertices, rng))
+    for axis, degrees in zip(np.eye(3), rng.normal(0, (7, 6, 7)), strict=True):
+        places = (places - _ANKLE_MM) @ rotation_about(axis, degrees).T + _ANKLE_MM
+    return TriangleMesh(places + rng.normal(0, 6, 3), mesh.triangles, mesh.colors)
+
+
+def _varied_toes(rng: np.random.Generator) -> tuple[Toe, ...]:
+    """Long and short, thick and thin, close and apart, straight and clawed."""
+    splay, gap = rng.normal(0.01, 0.06), rng.uniform(0.92, 1.15)
+    reach, thickness, straight = (
+        rng.uniform(0.85, 1.35),
+        rng.uniform(0.72, 1.15),
+        rng.uniform(-0.6, 1.2),
+    )
+    return tuple(
+        _varied_toe(toe, rng, (splay, gap, reach if number else (1 + reach) / 2, straight), scale)
+        for number, (toe, scale) in enumerate(
+            zip(TOES, (rng.uniform(0.9, 1.1), *[thickness] * 4), strict=True)
+        )
+    )
+
+
+def _varied_toe(
+    toe: Toe, rng: np.random.Generator, manner: tuple[float, ...], thickness: float
+) -> Toe:
+    splay, gap, reach, straight = manner
+    joints, flattening = np.array(toe[0]), toe[1]
+    base, ahead = joints[0, :3].copy(), joints[1:, :3] - joints[0, :3]
+    ahead[:, 1] *= reach * rng.uniform(0.88, 1.1)
+    ahead[:, 0] = ahead[:, 0] * gap + (splay + rng.normal(0, 0.03)) * ahead[:, 1]
+    ahead[:, 2] += rng.normal((-2 * straight, 1.5 * straight), (1.5, 1.2))
+    joints[1:, :3] = base + ahead
+    joints[1:, 3] *= thickness * rng.uniform((0.75, 0.94), (1.08, 1.22))
+    flat = float(np.clip(flattening * rng.uniform(0.9, 1.1), 0.75, 1.1))
+    first, middle, pulp = (tuple(map(float, joint)) for joint in joints)
+    return (first, middle, pulp), flat  # type: ignore[return-value]
+
+
+@dataclass(frozen=True)
+class _Toes:
+    """How the toes stand on the foot: spread, bent up, the great one turned outwards."""
+
+    spread: float
+    up_mm: float
+    outward_mm: float
+
+    @staticmethod
+    def draw(rng: np.random.Generator) -> _Toes:
+        return _Toes(rng.normal(0.02, 0.05), rng.normal(0, 5), rng.uniform(-2, 10))
+
+    def bend(self, places: FloatArray) -> FloatArray:
+        """Move places (n, 3) of a left foot, mm."""
+        x, y, _ = places.T
+        ahead = np.maximum(y - _WEB_MM, 0)
+        medial = np.clip((x + 12) / 38, 0, 1)
+        moved = places.copy()
+        moved[:, 0] += ahead * self.spread * (x - 2) / 38
+        moved[:, 0] -= self.outward_mm * (ahead / _TOE_MM) ** 1.3 * medial**2 * (3 - 2 * medial)
+        moved[:, 2] += self.up_mm * (ahead / _TOE_MM) ** 2
+        return moved
+
+
+def _waves(places: FloatArray, rng: np.random.Generator) -> FloatArray:
+    """Displacements (n, 3) that make every foot another one, a few tenths of a millimetre."""
+    height_mm = rng.uniform(0.08, 0.3)
+    moved = np.zeros_like(places)
+    for wavelength_mm in rng.uniform(25, 90, _WAVES):
+        direction = rng.standard_normal(3)
+        direction *= 2 * np.pi / wavelength_mm / np.linalg.norm(direction)
+        wave = np.cos(places @ direction + rng.uniform(0, 7))
+        moved += height_mm * wave[:, None] * rng.standard_normal(3)
+    return moved

@@ -1,0 +1,129 @@
+"""What a sensor reports of a foot, beside what is true: the examples that the network learns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_about
+from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.recording.session import Box
+from insole_core.sensing.frames import average_raw
+from insole_core.simulate.block_matching import record_matched_depth
+from insole_core.simulate.device import Device, make_device
+from insole_core.simulate.poses import look_at
+from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.scene import build_scene, load_reference_system
+from training.feet import varied_foot
+from training.things import varied_thing
+
+_FRAMES = 6
+_NO_FOOT = 6
+"""Every so many-th thing is no foot."""
+_SOLE_MM, _ACHILLES_MM = np.array([0.0, 12.0, 5.0]), np.array([0.0, -112.0, 96.0])
+_VOLUME = Box((-80.0, -160.0, -40.0), (80.0, 160.0, 165.0))
+_OUTLINE_MM = 0.8
+"""So far beside the foot the colour image lets a reading pass."""
+
+
+@dataclass(frozen=True, eq=False)
+class Example:
+    """One view, turned so that the toes, or the sole, are at the lower edge.
+
+    Parameters
+    ----------
+    raw : (height, width) float32, raw units
+        As averaged and corrected; NaN = no reading.
+    true_raw : (height, width) float32
+        What a sensor without errors would report; NaN = no foot there.
+    cosine : (height, width) float32
+        Of the angle between ray and true normal.
+    pixel_mm : (height, width) float32
+        Width of a pixel where the reading lies.
+    """
+
+    raw: FloatArray
+    true_raw: FloatArray
+    cosine: FloatArray
+    pixel_mm: FloatArray
+
+    def save(self, path: Path) -> None:
+        """Write it as an .npz."""
+        arrays = {name: value.astype(np.float32) for name, value in vars(self).items()}
+        np.savez_compressed(path, **arrays)
+
+    @staticmethod
+    def load(path: Path) -> Example:
+        """Read what `save` wrote."""
+        with np.load(path) as stored:
+            return Example(**{name: stored[name].astype(float) for name in stored.files})
+
+
+def simulate_examples(seed: int) -> dict[str, Example]:
+    """Record one foot, or another thing, with three sensors, somewhere where sensors may stand."""
+    rng = np.random.default_rng([seed, 15])
+    foot = varied_foot(rng) if seed % _NO_FOOT else varied_thing(rng)
+    scene = RayCaster(build_scene(foot, load_reference_system(), rng))
+    alone = RayCaster(TriangleMesh(foot.vertices, foot.triangles))
+    distance_mm, half_deg = rng.uniform(600, 950), rng.uniform(15, 40)
+    poses = {
+        "left": _stand(_SOLE_MM, (rng.normal(-3, 7), half_deg, 0), distance_mm, rng),
+        "right": _stand(_SOLE_MM, (rng.normal(-3, 7), -half_deg, 0), distance_mm, rng),
+        "top": _stand(
+            _ACHILLES_MM, (-90 - rng.uniform(4, 18), 0, rng.normal(0, 8)), distance_mm, rng
+        ),
+    }
+    examples = {}
+    for name, pose in poses.items():
+        device = make_device(name, (), distance_mm, (640, 480), rng)
+        recording = record_matched_depth(scene, device, pose, rng, things=foot.vertices)
+        average = average_raw(recording.frame(rng) for _ in range(_FRAMES))
+        examples[name] = _example(average.raw, device, pose, alone)
+    return examples
+
+
+def _stand(
+    target: FloatArray,
+    angles_deg: tuple[float, float, float],
+    distance_mm: float,
+    rng: np.random.Generator,
+) -> FloatArray:
+    turn = np.eye(3)
+    for axis, angle_deg in zip(np.eye(3), angles_deg, strict=True):
+        turn = rotation_about(axis, angle_deg) @ turn
+    position = target + turn @ [0, 0, -distance_mm] + rng.normal(0, 12, 3)
+    down = rotation_about(turn[:, 2], rng.normal(0, 8)) @ turn[:, 1]
+    return look_at(position, target + rng.normal(0, 7, 3), down)
+
+
+def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: RayCaster) -> Example:
+    sensor = device.sensor
+    black = np.zeros((480, 640, 3), np.uint8)
+    reading = read_volume("x", sensor, pose, _VOLUME, raw=sensor.corrected(raw), color=black)
+    true_raw, cosine = _truth(reading, foot)
+    depth_mm = sensor.disparity.depth_mm(reading.raw)
+    pixel_mm = depth_mm / sensor.depth_camera.fx
+    kept = reading.without(_beside(np.isfinite(true_raw), pixel_mm))
+    return Example(kept.raw, true_raw, cosine, pixel_mm)
+
+
+def _truth(reading: Reading, foot: RayCaster) -> tuple[FloatArray, FloatArray]:
+    """Raw numbers of the foot itself, and how it is slanted to the rays."""
+    rays = reading.directions(reading.pixels).reshape(-1, 3)
+    hits = foot.cast(reading.origin_mm, rays)
+    raw, cosine = np.full(reading.raw.shape, np.nan), np.zeros(reading.raw.shape)
+    raw.flat[hits.ray] = reading.sensor.disparity.raw(hits.distance)
+    along = np.einsum("nc,nc->n", hits.normals, rays[hits.ray])
+    cosine.flat[hits.ray] = -along / np.linalg.norm(rays[hits.ray], axis=1)
+    return raw, cosine
+
+
+def _beside(foot: BoolArray, pixel_mm: FloatArray) -> BoolArray:
+    """What the colour image would show to lie beside the foot."""
+    outside_px = cv2.distanceTransform((~foot).astype(np.uint8), cv2.DIST_L2, 5) - 0.5
+    return np.asarray(outside_px * np.nan_to_num(pixel_mm, nan=1.0) > _OUTLINE_MM)
