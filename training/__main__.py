@@ -18,7 +18,7 @@ from training.views import Example, simulate_examples
 _WEIGHTS = Path(__file__).parents[1] / "resources/matching_error/weights.npz"
 _HIDDEN = (128, 32)
 _EPOCHS = 8
-_PIXELS_A_VIEW = 7000
+_PIXELS_A_VIEW = 5000
 _TOES = 2.5
 """So many times likelier is a pixel of the toes to be shown than another."""
 _TOE_SHARE = 0.3
