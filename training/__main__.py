@@ -32,7 +32,7 @@ def main() -> None:
     """Make the weights that the product holds."""
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("folder", type=Path, help="keeps the simulated views")
-    parser.add_argument("--feet", type=int, default=120)
+    parser.add_argument("--feet", type=int, default=62)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:

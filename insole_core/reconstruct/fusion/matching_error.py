@@ -17,6 +17,7 @@ import numpy as np
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray
 from insole_core.reconstruct.fusion.neighbourhood import (
     FEATURES,
+    level,
     mirrored,
     neighbourhoods,
     support,
@@ -29,6 +30,7 @@ _LARGEST_RAW = 2.5
 _EVERY_PX = 2
 """The error changes slowly from pixel to pixel, because neighbouring windows share their dots."""
 _LEAST_SUPPORT = 0.1
+_TABLE_SIZE = 15
 _LEARNT_MM = (1.0, 1.7)
 """Widths of a pixel that occurred: about 580 to 1000 mm. Beyond, nothing is known of the error."""
 
@@ -64,7 +66,7 @@ class Network:
         return np.asarray((signal @ self.weights[-1] + self.biases[-1])[:, 0])
 
     def predict_alike(self, features: Float32Array) -> Float32Array:
-        """Like `predict`, and the same for a left foot and its mirror image."""
+        """Like `predict`, and the same for a foot and its mirror image."""
         both = self.predict(features) + self.predict(mirrored(features))
         return np.asarray(both / 2, np.float32)
 
@@ -98,14 +100,24 @@ def matching_error(raw: FloatArray, pixel_mm: FloatArray, network: Network) -> F
         return np.zeros_like(raw)
     rows, columns = (index * _EVERY_PX for index in nodes)
     middle_mm = np.nan_to_num(pixel_mm[rows, columns], nan=float(np.nanmedian(pixel_mm)))
-    features = neighbourhoods(raw, np.clip(middle_mm, *_LEARNT_MM), rows, columns)
-    error = np.clip(network.predict_alike(features), -_LARGEST_RAW, _LARGEST_RAW)
+    middle_mm = np.clip(middle_mm, *_LEARNT_MM)
+    foretold = network.predict_alike(neighbourhoods(raw, middle_mm, rows, columns))
+    error = np.clip(foretold - _of_walls(middle_mm, network), -_LARGEST_RAW, _LARGEST_RAW)
     learnt = np.isfinite(raw) & (pixel_mm >= _LEARNT_MM[0]) & (pixel_mm <= _LEARNT_MM[1])
     return np.where(learnt, _between(raw.shape, rows, columns, error), 0)
 
 
+def _of_walls(pixel_mm: FloatArray, network: Network) -> FloatArray:
+    """What is foretold (n,) of walls that face the sensor.
+
+    Nothing should be: how far all of a view is off, no picture tells.
+    """
+    table_mm = np.linspace(*_LEARNT_MM, _TABLE_SIZE)
+    return np.interp(pixel_mm, table_mm, network.predict_alike(level(table_mm)))
+
+
 def _between(
-    shape: tuple[int, ...], rows: IntArray, columns: IntArray, values: Float32Array
+    shape: tuple[int, ...], rows: IntArray, columns: IntArray, values: FloatArray
 ) -> FloatArray:
     """Fill an image between the nodes of a coarser lattice, linearly."""
     total, weight = np.zeros(shape), np.zeros(shape)

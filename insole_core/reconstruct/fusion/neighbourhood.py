@@ -54,9 +54,18 @@ def neighbourhoods(
         seen = _grids(np.where(weight > _LEAST_SUPPORT, weight, 0), step, rows, columns)
         height = (_grids(mean, step, rows, columns) - centre) / np.float32(_UNIT_RAW)
         found += [np.clip(height, -_FARTHEST, _FARTHEST) * (seen > 0), seen - np.float32(0.5)]
-    size = ((pixel_mm - _MIDDLE_MM) / _SPREAD_MM).astype(np.float32)
     flat = [part.reshape(len(rows), _SIDE**2) for part in found]
-    return np.concatenate([*flat, size[:, None]], axis=1)
+    return np.concatenate([*flat, _size(pixel_mm)], axis=1)
+
+
+def level(pixel_mm: FloatArray) -> Float32Array:
+    """What would surround a place on an endless wall that faces the sensor: (n, FEATURES)."""
+    heights, seen = (np.full((len(pixel_mm), _SIDE**2), value, np.float32) for value in (0, 0.5))
+    return np.concatenate([heights, seen] * len(_SCALES) + [_size(pixel_mm)], axis=1)
+
+
+def _size(pixel_mm: FloatArray) -> Float32Array:
+    return ((pixel_mm - _MIDDLE_MM) / _SPREAD_MM).astype(np.float32)[:, None]
 
 
 def mirrored(features: Float32Array) -> Float32Array:

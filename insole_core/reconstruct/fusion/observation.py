@@ -13,9 +13,9 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.reading import Reading
 
 _NOISE_RAW = 0.21
-"""Standard deviation of a mean reading on a surface that faces the sensor."""
+"""Standard deviation of a mean, corrected reading on a surface that faces the sensor."""
 _SPOT_OFFSET_PX = 0.6
-"""How far the centre of the pattern's spots in a window lies from the window's centre."""
+"""How far the spots in a window lie from its centre (0.7 to 1 px), less what is foretold of it."""
 SHARED_PX = 20
 """So many neighbouring readings share their error: the sensor compares windows of 9 x 9 pixels."""
 _LEAST_COSINE = 0.2

@@ -63,7 +63,7 @@ def test_nothing_is_foretold_of_a_plane(network: Network, slope: tuple[float, fl
     v, u = np.mgrid[:101, :121].astype(float)
     error = _error(640 + slope[0] * u + slope[1] * v, network)
 
-    assert np.abs(error[25:-25, 25:-25]).max() < 0.15
+    assert np.abs(error[25:-25, 25:-25]).max() < (0.2 if any(slope) else 0.01)
 
 
 @settings(max_examples=20, deadline=None)
