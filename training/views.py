@@ -17,7 +17,7 @@ from insole_core.sensing.frames import average_raw
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
 from training.feet import varied_foot
 from training.things import varied_thing
@@ -68,8 +68,8 @@ def simulate_examples(seed: int) -> dict[str, Example]:
     """Record one foot, or another thing, with three sensors, somewhere where sensors may stand."""
     rng = np.random.default_rng([seed, 15])
     foot = varied_foot(rng) if seed % _NO_FOOT else varied_thing(rng)
-    scene = RayCaster(build_scene(foot, load_reference_system(), rng))
-    alone = RayCaster(TriangleMesh(foot.vertices, foot.triangles))
+    scene = SceneCaster(build_scene(foot, load_reference_system(), rng))
+    alone = SceneCaster(TriangleMesh(foot.vertices, foot.triangles))
     distance_mm, half_deg = rng.uniform(600, 950), rng.uniform(15, 40)
     poses = {
         "left": _stand(_SOLE_MM, (rng.normal(-3, 7), half_deg, 0), distance_mm, rng),
@@ -101,7 +101,7 @@ def _stand(
     return look_at(position, target + rng.normal(0, 7, 3), down)
 
 
-def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: RayCaster) -> Example:
+def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: SceneCaster) -> Example:
     sensor = device.sensor
     black = np.zeros((480, 640, 3), np.uint8)
     reading = read_volume("x", sensor, pose, _VOLUME, raw=sensor.corrected(raw), color=black)
@@ -112,7 +112,7 @@ def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: RayCaster)
     return Example(kept.raw, true_raw, cosine, pixel_mm)
 
 
-def _truth(reading: Reading, foot: RayCaster) -> tuple[FloatArray, FloatArray]:
+def _truth(reading: Reading, foot: SceneCaster) -> tuple[FloatArray, FloatArray]:
     """Raw numbers of the foot itself, and how it is slanted to the rays."""
     rays = reading.directions(reading.pixels).reshape(-1, 3)
     hits = foot.cast(reading.origin_mm, rays)

@@ -26,7 +26,7 @@ from insole_core.simulate.device import make_device
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import RayCaster
+from insole_core.simulate.ray_caster import SceneCaster
 
 SENSOR = Sensor(
     "kinect-v1",
@@ -134,7 +134,7 @@ def test_the_toes_of_a_simulated_foot_come_nearer_to_the_truth() -> None:
     device = make_device("T", (), 800.0, (640, 480), rng)
     pose = look_at(np.array([-330.0, 60, -720]), np.array([0.0, 60, 5]), np.array([0.0, 1, 0]))
     front = foot.vertices[foot.vertices[:, 1] > 40]
-    caster = RayCaster(foot)
+    caster = SceneCaster(foot)
     recording = record_matched_depth(caster, device, pose, rng, things=front)
     frames = np.stack([recording.frame(rng) for _ in range(5)]).astype(float)
     raw = device.sensor.corrected(np.where(frames < 2047, frames, np.nan).mean(axis=0))
