@@ -164,7 +164,7 @@ def test_outlines_in_the_pictures_show_where_a_ball_ends() -> None:
     away = np.linalg.norm(seen.vertices - [0, 0, radius_mm], axis=1)
     # The error that a real window makes at such a rim, which these readings have not, is taken out.
     assert np.abs(away - radius_mm).mean() < 0.7
-    assert np.abs(away - radius_mm).max() < 1.6
+    assert np.abs(away - radius_mm).max() < 2.4
 
 
 def test_noise_is_smoothed_and_outliers_do_not_count() -> None:
