@@ -7,9 +7,8 @@ bridged; the pulps stand out all the same, and a tip lies ahead of its pulp.
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import find_peaks
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import FloatArray, IntArray
 
 _STRIP_MM = 1.5
 _BAND = (0.13, 0.015)  # shares of the length behind the tip, between which a pulp lies
@@ -44,12 +43,29 @@ def pulp_line(
     if not near.any():
         return None
     x, z = _lower_envelope(sole[near])
-    summits, _ = find_peaks(-z, prominence=_PROMINENCE_MM)
+    summits = _summits(-z, _PROMINENCE_MM)
     summits = summits[np.abs(x[summits] - tip[0]) < search_mm]
     if len(summits) == 0:
         return None
     best = summits[np.abs(x[summits] - tip[0]).argmin()]
     return _summit(sole[near], float(x[best]), search_mm / 2)
+
+
+def _summits(heights: FloatArray, prominence: float) -> IntArray:
+    """Places of a profile (n,) from where it is so far down before it rises higher, both ways.
+
+    As SciPy's `find_peaks` has it, whose import alone takes longer than a reconstruction.
+    """
+    inner = heights[1:-1]
+    rising = np.flatnonzero((inner > heights[:-2]) & (inner >= heights[2:])) + 1
+    return np.array([i for i in rising if _prominence(heights, i) >= prominence], dtype=np.int64)
+
+
+def _prominence(heights: FloatArray, at: int) -> float:
+    higher = np.flatnonzero(heights > heights[at])
+    low = higher[higher < at].max(initial=-1) + 1
+    high = higher[higher > at].min(initial=len(heights))
+    return float(heights[at] - max(heights[low : at + 1].min(), heights[at:high].min()))
 
 
 def _summit(points: FloatArray, x: float, reach_mm: float) -> float:
