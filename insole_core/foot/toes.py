@@ -58,7 +58,8 @@ def _summits(heights: FloatArray, prominence: float) -> IntArray:
     """
     inner = heights[1:-1]
     rising = np.flatnonzero((inner > heights[:-2]) & (inner >= heights[2:])) + 1
-    return np.array([i for i in rising if _prominence(heights, i) >= prominence], dtype=np.int64)
+    far = [int(at) for at in rising if _prominence(heights, int(at)) >= prominence]
+    return np.array(far, dtype=np.int64)
 
 
 def _prominence(heights: FloatArray, at: int) -> float:

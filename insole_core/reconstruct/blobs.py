@@ -111,22 +111,27 @@ def _add_blobs(
     limits: BlobLimits,
 ) -> None:
     """Take the components above a threshold that look like markers and are not taken yet."""
-    mask = (blue > threshold).astype(np.uint8)
+    mask = ((blue > threshold) & (labels < 0)).astype(np.uint8)
+    # What a lower level left over is mostly little, and far from filling the picture.
+    left, upper, width, height = cv2.boundingRect(mask)
+    part = (slice(upper, upper + height), slice(left, left + width))
+    mask = np.ascontiguousarray(mask[part])
+    if not mask.size:
+        return
     _, components, stats, _ = cv2.connectedComponentsWithStats(
         mask, connectivity=8, ltype=cv2.CV_32S
     )
-    v, u = np.divmod(np.flatnonzero(mask), mask.shape[1])
+    v, u = np.divmod(np.flatnonzero(mask), width)
     component = components[v, u]
+    u, v = u + left, v + upper
     features, eccentricity = _features(component, u, v, blue[v, u].astype(float), len(stats))
     widest = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
     good = (features[:, 2] >= limits.least_area_px) & (eccentricity <= limits.largest_eccentricity)
     good &= widest <= limits.largest_width_share * blue.shape[1]
-    good[np.unique(component[labels[v, u] >= 0])] = False
     good[0] = False
     index = np.full(len(stats), -1, dtype=np.int32)
     index[good] = sum(map(len, found)) + np.arange(good.sum())
-    free = labels[v, u] < 0
-    labels[v[free], u[free]] = index[component[free]]
+    labels[v, u] = index[component]
     found.append(features[good])
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import BoolArray, ByteArray
 from insole_core.reconstruct.blobs import Blobs, blueness
 
 _DARK = 40
 """Brightness, of 255, that a hundredth of the pixels exceeds; 140 and more in a usual picture."""
+_MARGIN_PX = 6
 _GLARING = 250
 _GLARING_SHARE = 0.25
 _STEEPEST = 0.15
@@ -38,11 +39,13 @@ def picture_fault(color: ByteArray, blobs: Blobs) -> str:
 
 def _sharpness(color: ByteArray, blobs: Blobs) -> float:
     """Steepest change of the blueness per pixel, as a share of it, of the sharpest blobs."""
-    blue = cv2.GaussianBlur(blueness(color).astype(np.float32), (0, 0), 0.7)
+    rows, columns = (_extent(np.any(blobs.labels >= 0, axis=axis)) for axis in (1, 0))
+    labels = blobs.labels[rows, columns]
+    blue = cv2.GaussianBlur(blueness(color[rows, columns]).astype(np.float32), (0, 0), 0.7)
     along_u, along_v = (
         cv2.Sobel(blue, cv2.CV_32F, du, dv, ksize=1, scale=0.5) for du, dv in ((1, 0), (0, 1))
     )
-    label = cv2.dilate((blobs.labels + 1).astype(np.float32), np.ones((5, 5), np.uint8))
+    label = cv2.dilate((labels + 1).astype(np.float32), np.ones((5, 5), np.uint8))
     at = label > 0
     index = label[at].astype(np.int64) - 1
     order = np.argsort(index, kind="stable")
@@ -50,3 +53,9 @@ def _sharpness(color: ByteArray, blobs: Blobs) -> float:
     steepest = np.maximum.reduceat(np.hypot(along_u, along_v)[at][order], starts)
     bluest = np.maximum.reduceat(blue[at][order], starts)
     return float(np.percentile(steepest / np.maximum(bluest, 1), 75))
+
+
+def _extent(occupied: BoolArray) -> slice:
+    """Span what is occupied, with the pixels around that a blur takes in."""
+    index = np.flatnonzero(occupied)
+    return slice(max(int(index[0]) - _MARGIN_PX, 0), int(index[-1]) + _MARGIN_PX + 1)

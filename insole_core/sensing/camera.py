@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -78,6 +79,13 @@ class Camera:
         return straight
 
     def pixel_rays(self) -> FloatArray:
-        """(height, width, 2) normalised coordinates of every pixel centre."""
-        v, u = np.mgrid[: self.height, : self.width].astype(float)
-        return self.normalised(np.stack([u, v], axis=-1))
+        """(height, width, 2) normalised coordinates of every pixel centre; not to be changed."""
+        return _pixel_rays(self)
+
+
+@lru_cache(maxsize=8)
+def _pixel_rays(camera: Camera) -> FloatArray:
+    v, u = np.mgrid[: camera.height, : camera.width].astype(float)
+    rays = camera.normalised(np.stack([u, v], axis=-1))
+    rays.setflags(write=False)
+    return rays

@@ -14,7 +14,7 @@ from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth
 from insole_core.reconstruct.views_at_once import for_views
 
-_BLOCK_CELLS = 4
+_BLOCK_CELLS = 2
 _LEAST_COSINE = 0.1
 _SAME_SURFACE_MM = 10.0
 
@@ -41,8 +41,7 @@ def mesh_views(views: list[PreparedView], limits: FieldLimits = FieldLimits()) -
     cos² of the incidence.
     """
     placed = [
-        view.reading.origin_mm
-        + view.depth.depth_mm[..., None] * view.reading.directions(view.reading.pixels)
+        view.reading.origin_mm + view.depth.depth_mm[..., None] * view.reading.rays
         for view in views
     ]
     points = np.concatenate([p[np.isfinite(p[..., 2])] for p in placed])

@@ -57,7 +57,7 @@ def observe(
     normals : (n, 3) float64
         Along which the vertices may move.
     """
-    rays = reading.directions(reading.pixels).reshape(-1, 3)
+    rays = reading.rays.reshape(-1, 3)
     hits = caster.cast(reading.origin_mm, rays)
     rays, corners = rays[hits.ray], mesh.triangles[hits.triangle]
     normal = np.einsum("nk,nkc->nc", hits.weights, normals[corners])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -18,6 +19,9 @@ _MARGIN_PX = 6
 _EDGE_PX = 10
 """The sensor's window and its blind columns keep readings so far from the edge of the picture."""
 _LEAST_CUT_PX = 15
+_LEAST_AHEAD_MM = 100.0
+_LENS_PX = 16
+"""A lens bends the edges of the box outwards by less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,16 +99,21 @@ class Reading:
         """(4, 4) colour camera frame to reference frame, mm."""
         return np.asarray(self.sensor2reference @ inverse(self.sensor.depth2color))
 
+    @cached_property
+    def rays(self) -> FloatArray:
+        """(height, width, 3) through all pixels."""
+        return self.directions(self.pixels)
+
     def directions(self, pixels: FloatArray) -> FloatArray:
         """Rays (..., 3) through depth pixels (..., 2): reference frame, 1 along the depth axis."""
+        rotation = self.sensor2reference[:3, :3]
         normalised = self.sensor.depth_camera.normalised(pixels)
-        ahead = np.concatenate([normalised, np.ones((*pixels.shape[:-1], 1))], axis=-1)
-        return np.asarray(ahead @ self.sensor2reference[:3, :3].T)
+        return np.asarray(normalised @ rotation[:, :2].T + rotation[:, 2])
 
     def points(self, raw: FloatArray) -> FloatArray:
         """Give the places (height, width, 3) of a raw image of this part, mm, reference frame."""
         depth_mm = self.sensor.disparity.depth_mm(raw)
-        return self.origin_mm + depth_mm[..., None] * self.directions(self.pixels)
+        return self.origin_mm + depth_mm[..., None] * self.rays
 
     def depth_along(self, points: FloatArray) -> FloatArray:
         """Give the distance (...,) of places in the reference frame along the depth axis, mm."""
@@ -150,12 +159,28 @@ def read_volume(
     ReconstructionError
         When nothing lies there.
     """
-    whole = Reading(name, sensor, sensor2reference, (0, 0), raw, color)
-    inside = is_inside(whole.points(raw), box)
+    rows, columns = _window(box, sensor, sensor2reference)
+    corner = (columns.start, rows.start)
+    seen = Reading(name, sensor, sensor2reference, corner, raw[rows, columns], color)
+    inside = is_inside(seen.points(seen.raw), box)
     check_any_inside(inside)
     rows, columns = (_extent(np.any(inside, axis=axis)) for axis in (1, 0))
-    part = np.where(inside, raw, np.nan)[rows, columns]
-    return replace(whole, corner=(columns.start, rows.start), raw=part)
+    part = np.where(inside, seen.raw, np.nan)[rows, columns]
+    return replace(seen, corner=(corner[0] + columns.start, corner[1] + rows.start), raw=part)
+
+
+def _window(box: Box, sensor: Sensor, sensor2reference: FloatArray) -> tuple[slice, slice]:
+    """Rows and columns of the depth image in which a box is seen; all when it is not ahead."""
+    camera = sensor.depth_camera
+    corners = np.array(list(product(*zip(box.min_mm, box.max_mm, strict=True))))
+    in_sensor = transform(inverse(sensor2reference), corners)
+    size = np.array([camera.width, camera.height])
+    low, high = np.zeros(2, dtype=np.int64), size
+    if in_sensor[:, 2].min() > _LEAST_AHEAD_MM:
+        pixels = camera.project(in_sensor)
+        low = np.clip(np.floor(pixels.min(0)).astype(np.int64) - _LENS_PX, 0, size)
+        high = np.clip(np.ceil(pixels.max(0)).astype(np.int64) + _LENS_PX, 0, size)
+    return slice(int(low[1]), int(high[1])), slice(int(low[0]), int(high[0]))
 
 
 def _extent(occupied: BoolArray) -> slice:

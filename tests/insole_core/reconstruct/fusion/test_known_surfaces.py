@@ -65,7 +65,7 @@ def look(surface: TriangleMesh, tilt_deg: float, color: ByteArray = GREY) -> Rea
     """What a sensor without any error reads of a surface."""
     sensor2reference = pose(tilt_deg)
     whole = Reading("view", SENSOR, sensor2reference, (0, 0), np.zeros((480, 640)), color)
-    rays = whole.directions(whole.pixels).reshape(-1, 3)
+    rays = whole.rays.reshape(-1, 3)
     hits = RayCaster(surface).cast(whole.origin_mm, rays)
     corners = surface.vertices[surface.triangles[hits.triangle]]
     depth_mm = whole.depth_along(np.einsum("nk,nkc->nc", hits.weights, corners))
