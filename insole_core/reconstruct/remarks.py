@@ -16,8 +16,8 @@ from insole_core.sensing.frames import Motion, RawAverage
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
 _UNCERTAIN_MM = 1.5
-_MISFIT_MM = 2.0
-"""Views of a foot that kept still fit each other within 1 mm."""
+_MISFIT_MM = 2.8
+"""Views of a foot that kept still fit each other within 2.5 mm, most within 1.5."""
 _STRAYED_PX = 4.0
 """Far beyond what noise does: 3 mm at 750 mm."""
 
@@ -76,11 +76,11 @@ def warnings_of(
 
 def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
     """Name the two used views that fit each other worst, when they do not fit."""
-    shifts_mm = surface.view_shifts_mm
-    if shifts_mm is None or len(shifts_mm) < 2:
+    gaps_mm = surface.view_gaps_mm
+    if gaps_mm is None or len(gaps_mm) < 2:
         return []
     names = [result.name for result in results if result.used]
-    apart_mm = np.linalg.norm(shifts_mm[:, None] - shifts_mm, axis=2)
+    apart_mm = np.nan_to_num(np.linalg.norm(gaps_mm, axis=2))
     first, second = np.unravel_index(int(apart_mm.argmax()), apart_mm.shape)
     if apart_mm[first, second] < _MISFIT_MM:
         return []

@@ -105,13 +105,14 @@ class Surface:
     mesh
     deviation_mm : (n,) float64, optional
         Standard deviation of every vertex along the surface's normal, where it is known.
-    view_shifts_mm : (views, 3) float64, reference frame, optional
-        The shift of the whole surface that each used view by itself would like.
+    view_gaps_mm : (views, views, 3) float64, reference frame, optional
+        How far the foot seems to have moved from each used view to each other; NaN where too
+        little was seen by both.
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray | None = None
-    view_shifts_mm: FloatArray | None = None
+    view_gaps_mm: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,11 +14,8 @@ from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.view_gaps import view_gaps
 from insole_core.reconstruct.views_at_once import for_views
-
-_SHIFT_ROUNDS = (16, 8, 4, 2)
-_SHIFT_PRIOR = 1e-2
-"""Inverse variance, 1/mm²: keeps a view of next to nothing from being shifted."""
 
 
 @dataclass(frozen=True)
@@ -61,15 +58,14 @@ class RefinedSurface:
         Standard deviation of the vertices along their normals.
     view_offsets_raw : (views, 3) float64
         Offset and tilts that each view was found to have.
-    view_shifts_mm : (views, 3) float64, reference frame
-        The shift of the whole surface that each view by itself would like; near 0 where no other
-        view measured the same.
+    view_gaps_mm : (views, views, 3) float64, reference frame
+        The shift from each view's surface to each other's (see `view_gaps`).
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray
     view_offsets_raw: FloatArray
-    view_shifts_mm: FloatArray
+    view_gaps_mm: FloatArray
 
 
 def refine(
@@ -103,23 +99,8 @@ def refine(
         TriangleMesh(mesh.vertices + moved[:, None] * normals, mesh.triangles),
         system.deviation_mm(solver, weights),
         views.reshape(-1, 3),
-        np.array([_shift_mm(part, displacement, normals, limits.robust) for part in seen]),
+        view_gaps(mesh, normals, displacement, readings, seen),
     )
-
-
-def _shift_mm(
-    part: Observations, displacement: FloatArray, normals: FloatArray, robust: float
-) -> FloatArray:
-    """Shift (3,) of the whole surface that one view would like best, robust least squares."""
-    left = np.asarray(part.residuals - part.design @ displacement)
-    response = np.asarray(part.design @ normals)
-    shift = np.zeros(3)
-    # First nearly all readings count: a view that was moved as a whole has no other outliers.
-    for wider in _SHIFT_ROUNDS:
-        weights = _robust(left - response @ shift, part.information, wider * robust)
-        normal = response.T @ (weights[:, None] * response) + _SHIFT_PRIOR * np.eye(3)
-        shift = np.asarray(np.linalg.solve(normal, response.T @ (weights * left)))
-    return shift
 
 
 def _robust(left: FloatArray, information: FloatArray, robust: float) -> FloatArray:

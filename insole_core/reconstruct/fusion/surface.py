@@ -90,7 +90,7 @@ def fuse(
     deviation_mm = refined.deviation_mm[kept][ends].mean(1)
     touches = touches_of(supported, _rims(views))
     return Surface(
-        replace(fine, colors=colors, touches=touches), deviation_mm, refined.view_shifts_mm
+        replace(fine, colors=colors, touches=touches), deviation_mm, refined.view_gaps_mm
     )
 
 

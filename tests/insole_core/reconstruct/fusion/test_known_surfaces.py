@@ -109,8 +109,8 @@ def test_a_plane_is_a_plane() -> None:
     assert np.abs(z - tilted(x, y)).mean() < 0.5
     assert np.ptp(x) > 100
     assert np.ptp(y) > 100
-    assert surface.view_shifts_mm is not None
-    assert np.abs(surface.view_shifts_mm[:, 2]).max() < 0.6
+    assert surface.view_gaps_mm is not None
+    assert np.abs(surface.view_gaps_mm).max() < 0.6
     assert surface.deviation_mm is not None
     assert 0.02 < np.median(surface.deviation_mm) < 1.0
     assert (surface.mesh.triangle_normals[:, 2] < 0).all(), "the outside faces the sensors"
@@ -180,13 +180,15 @@ def test_noise_is_smoothed_and_outliers_do_not_count() -> None:
     assert abs(error.mean()) < 0.1
 
 
-def test_a_view_that_was_moved_is_told_by_its_shift() -> None:
+@pytest.mark.parametrize("moved_mm", [(0.0, 0.0, 3.0), (3.0, 0.0, 0.0), (0.0, -3.0, 0.0)])
+def test_a_view_that_was_moved_is_told_by_its_shift(moved_mm: tuple[float, ...]) -> None:
     first, second = look(sheet(cap(50.0)), -15.0), look(sheet(cap(50.0)), 15.0)
-    lifted = second.sensor2reference.copy()
-    lifted[2, 3] += 3.0
-    shifts = fused(first, replace(second, sensor2reference=lifted)).view_shifts_mm
-    assert shifts is not None
-    assert (shifts[1] - shifts[0])[2] == pytest.approx(3.0, abs=0.5)
+    elsewhere = second.sensor2reference.copy()
+    elsewhere[:3, 3] += moved_mm
+    gaps_mm = fused(first, replace(second, sensor2reference=elsewhere)).view_gaps_mm
+    assert gaps_mm is not None
+    np.testing.assert_allclose(gaps_mm[0, 1], moved_mm, atol=0.6)
+    np.testing.assert_array_equal(gaps_mm[1, 0], -gaps_mm[0, 1])
 
 
 def test_a_mesh_too_near_by_a_millimetre_has_that_residual() -> None:
