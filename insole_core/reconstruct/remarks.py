@@ -7,7 +7,6 @@ from itertools import combinations
 import numpy as np
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct.coverage import coverage_warnings
 from insole_core.reconstruct.result import Surface, ViewResult
@@ -18,9 +17,7 @@ _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
 _UNCERTAIN_MM = 1.5
 _MISFIT_MM = 2.0
-_MISFIT_ACROSS_MM = 3.0
-"""Along the way from one sensor to the other. Views of a foot that kept still fit each other within
-0.9 of this; most within half."""
+"""Views of a foot that kept still fit each other within 1.2 mm."""
 _STRAYED_PX = 4.0
 """Far beyond what noise does: 3 mm at 750 mm."""
 
@@ -79,31 +76,18 @@ def warnings_of(
 
 def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
     """Name the two used views that fit each other worst, when they do not fit."""
+    if surface.view_gaps_mm is None:
+        return []
     used = [result for result in results if result.used]
-    if surface.view_gaps_mm is None or len(used) < 2:
+    apart_mm = np.nan_to_num(np.linalg.norm(surface.view_gaps_mm, axis=2))
+    first, second = np.unravel_index(int(apart_mm.argmax()), apart_mm.shape)
+    if apart_mm[first, second] < _MISFIT_MM:
         return []
-    pairs = list(combinations(range(len(used)), 2))
-    off = [_misfit(used[i], used[j], surface.view_gaps_mm[i, j]) for i, j in pairs]
-    worst = int(np.argmax(off))
-    if off[worst] < 1:
-        return []
-    first, second = pairs[worst]
-    apart_mm = np.linalg.norm(surface.view_gaps_mm[first, second])
     return [
         f"The views {used[first].name} and {used[second].name} do not fit each other by "
-        f"{apart_mm:.0f} mm; see whether the foot or the reference system was moved between them."
+        f"{apart_mm[first, second]:.0f} mm; see whether the foot or the reference system was moved "
+        "between them."
     ]
-
-
-def _misfit(first: ViewResult, second: ViewResult, gap_mm: FloatArray) -> float:
-    """How far apart two views are, in the largest that may be; 0 where nothing tells."""
-    a, b = first.sensor2reference, second.sensor2reference
-    if a is None or b is None or not np.isfinite(gap_mm).all():
-        return 0.0
-    way = b[:3, 3] - a[:3, 3]
-    across_mm = float(gap_mm @ way / max(float(np.linalg.norm(way)), 1.0))
-    rest_mm = np.sqrt(max(float(gap_mm @ gap_mm) - across_mm**2, 0.0))
-    return float(np.hypot(across_mm / _MISFIT_ACROSS_MM, rest_mm / _MISFIT_MM))
 
 
 def _uncertain_poses(results: list[ViewResult]) -> list[str]:

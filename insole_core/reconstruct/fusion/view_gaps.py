@@ -21,6 +21,8 @@ _SHARED_VERTICES = 36
 """So many vertices, 2 mm apart, lie in one window of the sensor and share its error."""
 _PRIOR = 1e-3
 """Share of a vertex that says that nothing has moved."""
+_WINDOW_MM = 0.5
+"""Error that the sensor's windows have at least, however even the two surfaces look."""
 _LARGEST_DEVIATION_MM = 0.7
 
 
@@ -93,7 +95,8 @@ def _gap_mm(first: _Side, second: _Side, normals: FloatArray) -> FloatArray:
         weights = 1 / (1 + ((height_mm - normal @ shift) / scale_mm) ** 2) ** 2
         matrix = normal.T @ (weights[:, None] * normal) + _PRIOR * np.eye(3)
         shift = np.asarray(np.linalg.solve(matrix, normal.T @ (weights * height_mm)))
-    variance = np.average((height_mm - normal @ shift) ** 2, weights=weights)
+    left_mm = np.sqrt(np.average((height_mm - normal @ shift) ** 2, weights=weights))
     strength, axes = np.linalg.eigh(matrix)
-    told = np.sqrt(_SHARED_VERTICES * variance / strength) < _LARGEST_DEVIATION_MM
+    deviation_mm = max(float(left_mm), _WINDOW_MM) * np.sqrt(_SHARED_VERTICES / strength)
+    told = deviation_mm < _LARGEST_DEVIATION_MM
     return np.asarray(axes @ (told * (axes.T @ shift)))
