@@ -20,6 +20,7 @@ from insole_core.sensing.disparity import DisparityModel
 VERSION = 2
 _SHAPE = (480, 640)
 _ARRAYS = ("slope", "deviation")
+_WHOLE_RANGE = (0.0, 2047.0)
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ class DisparityCorrection:
     slope: Float32Array | None = None
     reference_raw: float = 0.0
     decay: float = 0.0
-    raw_range: tuple[float, float] = (0.0, 2047.0)
+    raw_range: tuple[float, float] = _WHOLE_RANGE
     coverage: ByteArray | None = None
     deviation: Float32Array | None = None
     record: CorrectionRecord = field(default_factory=CorrectionRecord)
@@ -182,6 +183,7 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
     for key in _ARRAYS:
         if key in arrays:
             _check_map(name, key, arrays[key])
+    _check_range(name, arrays.get("raw_range", _WHOLE_RANGE))
     return _assemble(arrays, record)
 
 
@@ -201,11 +203,18 @@ def _check_map(name: str, key: str, array: FloatArray) -> None:
         )
 
 
+def _check_range(name: str, raw_range: object) -> None:
+    if np.shape(raw_range) != (2,):
+        raise InputError(
+            f'{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.'
+        )
+
+
 def _assemble(arrays: dict[str, Any], record: CorrectionRecord) -> DisparityCorrection:
     maps = {key: arrays[key].astype(np.float32) for key in _ARRAYS if key in arrays}
     if "coverage" in arrays:
         maps["coverage"] = arrays["coverage"].astype(np.uint8)
-    low, high = arrays.get("raw_range", (0.0, 2047.0))
+    low, high = arrays.get("raw_range", _WHOLE_RANGE)
     return DisparityCorrection(
         arrays["offset"].astype(np.float32),
         reference_raw=float(arrays.get("reference_raw", 0.0)),

@@ -30,7 +30,15 @@ def make_correction(serial: str) -> DisparityCorrection:
     ramp = np.linspace(-3, 3, 480 * 640, dtype=np.float32).reshape(480, 640)
     record = CorrectionRecord(serial, "2026-11-01T09:00:00+00:00", "smooth map", {"rms": 0.5})
     coverage = np.full((480, 640), 6, np.uint8)
-    return DisparityCorrection(ramp, ramp / 1000, 650.0, (500.0, 900.0), coverage, record=record)
+    return DisparityCorrection(
+        ramp,
+        slope=ramp / 1000,
+        reference_raw=650.0,
+        decay=0.002,
+        raw_range=(500.0, 900.0),
+        coverage=coverage,
+        record=record,
+    )
 
 
 def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:

@@ -98,6 +98,7 @@ def test_age() -> None:
         ({"offset": RAMP, "slope": RAMP[:, :5], "record": np.array("{}")}, '"slope" must hold'),
         ({"offset": RAMP, "record": np.array('{"version": 9}')}, "newer than this program"),
         ({"offset": RAMP, "record": np.array("nonsense")}, "no readable array"),
+        ({"offset": RAMP, "record": np.array("{}"), "raw_range": np.ones(3)}, "two raw numbers"),
     ],
 )
 def test_bad_files_are_refused(tmp_path: Path, arrays: dict[str, np.ndarray], words: str) -> None:
