@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
@@ -203,7 +204,7 @@ def _check_map(name: str, key: str, array: FloatArray) -> None:
         )
 
 
-def _check_range(name: str, raw_range: object) -> None:
+def _check_range(name: str, raw_range: npt.ArrayLike) -> None:
     if np.shape(raw_range) != (2,):
         raise InputError(
             f'{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.'
