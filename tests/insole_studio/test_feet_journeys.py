@@ -231,13 +231,13 @@ def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
     opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
     assert design(opened).corrections == ()
-    assert notices(opened) == ["repeat"]
+    assert "repeat" in notices(opened)
     take_notice(opened)
     (pad,) = design(opened).corrections
     assert isinstance(pad, Pelott)
     assert (pad.height_mm, pad.length_mm) == (before.height_mm, before.length_mm)
     assert pad.id != before.id
-    assert notices(opened) == []
+    assert "repeat" not in notices(opened)
     assert opened.case.history.undo_sentence == "Repeat the last design"
 
 
@@ -249,10 +249,10 @@ def test_a_dismissed_offer_stays_away(
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
     opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
-    (dismiss,) = opened.stage.notices.findChildren(QToolButton)
+    *_, dismiss = opened.stage.notices.findChildren(QToolButton)
     QTest.mouseClick(dismiss, LEFT_BUTTON)
     opened.case.apply(replace(design(opened), thickness_mm=4.0), "Thicken")
-    assert notices(opened) == []
+    assert "repeat" not in notices(opened)
     act(opened, "repeat_last")
     assert len(design(opened).corrections) == 1
 
