@@ -18,7 +18,7 @@ import numpy as np
 from insole_core.foot.border_fit import UsualBorder
 from insole_core.foot.foot import Foot
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
-from insole_core.foot.sole_surface import SoleSurface
+from insole_core.foot.sole_surface import LowFoot, SoleSurface
 from insole_core.foot.toe_end import End
 from insole_core.geometry.arrays import FloatArray
 
@@ -137,12 +137,13 @@ def _landmark(sole: SoleSurface, end: End) -> Landmark:
 
 def _along_foot_axis(foot: Foot) -> SoleSurface:
     """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
-    sole, yaw_deg = SoleSurface(foot), 0.0
+    low = LowFoot.of(foot)
+    sole, yaw_deg = SoleSurface(low), 0.0
     for _ in range(2):
         rear = sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER)
         axis = sole.toe_tips()[1].point - rear.point
         yaw_deg += float(np.degrees(np.arctan2(axis[0], axis[1])))
-        sole = SoleSurface(foot, yaw_deg)
+        sole = SoleSurface(low, yaw_deg)
     return sole
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -15,7 +15,7 @@ from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import smoothed_normals
+from insole_core.geometry.mesh_graph import is_border, smoothed_normals
 from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import rotation_about
 
@@ -51,33 +51,66 @@ outlines: its surface alone stands that far off beside the foot."""
 TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
 
 
-class SoleSurface:
-    """What of a foot lies below `OUTLINE_HEIGHT_MM`, its frayed borders left out but at the toes.
-
-    Beside the foot a border stands off it by a millimetre or two; before the toes it is all that is
-    seen of their tips.
+@dataclass(frozen=True, eq=False)
+class LowFoot:
+    """What of a foot lies below `OUTLINE_HEIGHT_MM`, whichever way its axis runs; insole frame.
 
     Parameters
     ----------
     foot
+    points, normals : (n, 3) float64
+        Its frayed borders left out.
+    toe_points, toe_normals : (m, 3) float64
+        With the borders, and the normals evened. Beside the foot a border stands off it by a
+        millimetre or two; before the toes it is all that is seen of their tips.
+    touches
+        Outlines in pictures, where there are any.
+    """
+
+    foot: Foot
+    points: FloatArray
+    normals: FloatArray
+    toe_points: FloatArray
+    toe_normals: FloatArray
+    touches: Touches | None
+
+    @staticmethod
+    def of(foot: Foot) -> LowFoot:
+        """Take it from the whole."""
+        mesh = foot.mesh
+        low = mesh.vertices[:, 2] < OUTLINE_HEIGHT_MM
+        keep = low & ~_near_border(mesh)
+        keep = keep if keep.sum() > low.sum() / 2 else low
+        return LowFoot(
+            foot,
+            mesh.vertices[keep],
+            mesh.vertex_normals[keep],
+            mesh.vertices[low],
+            smoothed_normals(mesh, _NORMAL_ROUNDS)[low],
+            None if mesh.touches is None else _low_touches(mesh.touches),
+        )
+
+
+class SoleSurface:
+    """The lower part of a foot along its axis.
+
+    Parameters
+    ----------
+    low
     yaw_deg
         Direction of +y here, from the insole frame's +y towards medial.
     """
 
-    def __init__(self, foot: Foot, yaw_deg: float = 0.0) -> None:
-        mirror = np.diag([foot.side.medial_sign, 1.0, 1.0])
+    def __init__(self, low: LowFoot, yaw_deg: float = 0.0) -> None:
+        mirror = np.diag([low.foot.side.medial_sign, 1.0, 1.0])
         self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
-        low = foot.mesh.vertices[:, 2] < OUTLINE_HEIGHT_MM
-        keep = low & ~_near_border(foot.mesh)
-        keep = keep if keep.sum() > low.sum() / 2 else low
-        self.points = foot.mesh.vertices[keep] @ self._insole2sole.T
-        self.normals = foot.mesh.vertex_normals[keep] @ self._insole2sole.T
+        self.points = low.points @ self._insole2sole.T
+        self.normals = low.normals @ self._insole2sole.T
         self.back_mm = float(self.points[:, 1].min())
-        self.length_mm = foot.length_mm
-        self._toes = foot.mesh.vertices[low] @ self._insole2sole.T
-        evened = smoothed_normals(foot.mesh, _NORMAL_ROUNDS)[low]
-        self._toe_normals = evened @ self._insole2sole.T
-        self._touches = None if foot.mesh.touches is None else self._low_touches(foot.mesh.touches)
+        self.length_mm = low.foot.length_mm
+        self._toes = low.toe_points @ self._insole2sole.T
+        self._toe_normals = low.toe_normals @ self._insole2sole.T
+        self._touches = None if low.touches is None else self._turned(low.touches)
         facing = self.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
         self._sole = self.points[facing]
@@ -122,10 +155,9 @@ class SoleSurface:
         low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
         return self._touched(end, towards, (low, high), border, middle)
 
-    def _low_touches(self, touches: Touches) -> Touches:
-        points = touches.points @ self._insole2sole.T
-        low = points[:, 2] < OUTLINE_HEIGHT_MM
-        return Touches(points[low], touches.normals[low] @ self._insole2sole.T)
+    def _turned(self, touches: Touches) -> Touches:
+        turn = self._insole2sole.T
+        return Touches(touches.points @ turn, touches.normals @ turn)
 
     def _touched(
         self,
@@ -261,15 +293,14 @@ def _outermost(
     return int(inside[along[inside].argmax()])
 
 
+def _low_touches(touches: Touches) -> Touches:
+    low = touches.points[:, 2] < OUTLINE_HEIGHT_MM
+    return Touches(touches.points[low], touches.normals[low])
+
+
 def _near_border(mesh: TriangleMesh) -> BoolArray:
     """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
-    edges = np.sort(np.concatenate([mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
-    key = edges[:, 0].astype(np.int64) * len(mesh.vertices) + edges[:, 1]
-    unique, count = np.unique(key, return_counts=True)
-    single = unique[count == 1]
-    border = np.zeros(len(mesh.vertices), dtype=bool)
-    border[np.concatenate([single // len(border), single % len(border)])] = True
-    return _grown(_grown(border, mesh.triangles), mesh.triangles)
+    return _grown(_grown(is_border(mesh), mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:
