@@ -207,7 +207,7 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
             Number("largest_change_mm", "Farthest from the plan", survey.largest_change_mm, "mm"),
         ),
         sentences=(*survey.sentences, *(moved or ("No marker was bumped.",))),
-        tables=(Table("Markers, mm", ("marker", "x", "y", "z", "standard deviation", ""), rows),),
+        tables=(Table("Markers", ("marker", "x", "y", "z", "standard deviation", ""), rows, "mm"),),
     )
 
 

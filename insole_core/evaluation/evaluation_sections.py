@@ -41,9 +41,10 @@ def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
         ),
         tables=(
             Table(
-                "Walls, errors in mm",
+                "Walls",
                 ("correction", "distance, mm", "mean abs", "rms", "95 %", "raw units"),
                 rows,
+                "errors in mm",
             ),
         ),
         plots=(Plot("Mean absolute error over distance", lambda f: _draw_walls(f, errors)),),
@@ -67,7 +68,7 @@ def resolution_section(resolutions: Sequence[Resolution]) -> Section:
             Number("y_mm", "Largest spacing in y", max(r.y_mm for r in ordered), "mm"),
             Number("depth_mm", "Largest depth step", max(r.depth_mm for r in ordered), "mm"),
         ),
-        tables=(Table("Resolution, mm", headings, rows),),
+        tables=(Table("Resolution", headings, rows, "mm"),),
         plots=(Plot("Resolution over distance", lambda f: _draw_resolution(f, ordered)),),
     )
 
@@ -86,7 +87,9 @@ def alignment_section(rows: Sequence[Misalignment]) -> Section:
             Number("x_px", "Largest offset in x", max((r.x_px for r in rows), key=abs), "px"),
             Number("y_px", "Largest offset in y", max((r.y_px for r in rows), key=abs), "px"),
         ),
-        tables=(Table("Offset, px", ("distance, mm", "x", "y", "sd x", "sd y", "points"), texts),),
+        tables=(
+            Table("Offset", ("distance, mm", "x", "y", "sd x", "sd y", "points"), texts, "px"),
+        ),
     )
 
 

@@ -55,11 +55,28 @@ class Number:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of texts under headings."""
+    """Rows of texts under headings.
+
+    Parameters
+    ----------
+    title
+        For people, and the table's key in the JSON.
+    headings
+        For people, and the keys of a row in the JSON.
+    rows
+    unit
+        Of what stands in it, for people.
+    """
 
     title: str
     headings: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    unit: str = ""
+
+    @property
+    def caption(self) -> str:
+        """The title with its unit."""
+        return f"{self.title}, {self.unit}" if self.unit else self.title
 
     @property
     def numeric(self) -> tuple[bool, ...]:
@@ -193,7 +210,7 @@ def section_lines(section: Section) -> list[str]:
             max(len(row[i]) for row in (table.headings, *table.rows))
             for i in range(len(table.headings))
         ]
-        lines += ["", table.title]
+        lines += ["", table.caption]
         lines += [
             "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
             for row in (table.headings, *table.rows)

@@ -72,7 +72,7 @@ def _table_html(table: Table) -> str:
     sides = [' class="number"' if numeric else "" for numeric in table.numeric]
     head = _row_html("th", table.headings, sides)
     rows = "".join(_row_html("td", row, sides) for row in table.rows)
-    return f"{_titled('h3', table.title)}<table>{head}{rows}</table>"
+    return f"{_titled('h3', table.caption)}<table>{head}{rows}</table>"
 
 
 def _row_html(cell: str, texts: Sequence[str], sides: Sequence[str]) -> str:

@@ -95,8 +95,8 @@ class _Paper:
         if not table.rows:
             return
         self._y -= 0.8 * _LINE
-        if table.title:
-            self.heading(table.title, 10)
+        if table.caption:
+            self.heading(table.caption, 10)
         starts, ends = _columns(table)
         self._head(table, starts, ends)
         for row in table.rows:

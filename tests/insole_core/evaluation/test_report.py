@@ -38,7 +38,9 @@ from insole_core.evaluation.report import (
     Number,
     Report,
     Section,
+    Table,
     report_json,
+    section_lines,
     with_limits,
 )
 from insole_core.evaluation.report_files import write_html, write_json, write_pdf
@@ -115,6 +117,14 @@ def test_json_holds_the_numbers(report: Report, tmp_path: Path) -> None:
     assert values["sections"]["noise"]["numbers"]["settled_after_s"]["value"] is None
     assert len(values["sections"]["object"]["tables"]["Distances"]) == 6
     assert values["passed"] is True
+
+
+def test_the_unit_of_a_table_is_for_people_alone() -> None:
+    table = Table("Offset", ("x",), (("1",),), "px")
+    section = Section("s", "S", tables=(table,))
+    assert "Offset, px" in section_lines(section)
+    tables = report_json(Report("t", "s", "now", (section,)))["sections"]["s"]["tables"]
+    assert tables == {"Offset": [{"x": "1"}]}
 
 
 def test_limits_pass_and_fail_by_size_not_sign() -> None:
