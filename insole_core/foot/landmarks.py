@@ -9,7 +9,7 @@ usual proportions between the outermost points of the ball (table `_HEADS`).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
@@ -33,6 +33,7 @@ NAMES = (
 _TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
 _USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.735, 0.64, 0.17
 _HEEL, _REAR = (0.10, 0.22), (0.0, 0.12)
+_MEDIAL, _LATERAL = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
 _HEADS = np.array(
     [  # share across from the 1st to the 5th head, and ahead of their line in ball widths
         (0.0, 0.0), (0.31, 0.124), (0.555, 0.11), (0.782, 0.061), (1.0, 0.0),
@@ -105,13 +106,11 @@ def with_places(
 
 def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     sole = _along_foot_axis(foot)
-    medial, lateral = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
     ends = {
-        "pternion": sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER),
-        "heel_medial": sole.support(medial, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
-        "heel_lateral": sole.support(lateral, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
-        "metatarsale_tibiale": sole.support(medial, _TIBIALE, _USUAL_TIBIALE, _MEDIAL_BORDER),
-        "metatarsale_fibulare": sole.support(lateral, _FIBULARE, _USUAL_FIBULARE, _LATERAL_BORDER),
+        "pternion": _pternion(sole),
+        "heel_medial": sole.support(_MEDIAL, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
+        "heel_lateral": sole.support(_LATERAL, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
+        **_ball(sole),
     }
     for name, end in ends.items():
         yield name, _landmark(sole, end)
@@ -137,14 +136,35 @@ def _landmark(sole: SoleSurface, end: End) -> Landmark:
 
 def _along_foot_axis(foot: Foot) -> SoleSurface:
     """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
-    low = LowFoot.of(foot)
-    sole, yaw_deg = SoleSurface(low), 0.0
+    sole = SoleSurface(LowFoot.of(foot))
     for _ in range(2):
-        rear = sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER)
-        axis = sole.toe_tips()[1].point - rear.point
-        yaw_deg += float(np.degrees(np.arctan2(axis[0], axis[1])))
-        sole = SoleSurface(low, yaw_deg)
+        sole = sole.along(sole.toe_tips()[1].point - _pternion(sole).point)
     return sole
+
+
+def _pternion(sole: SoleSurface) -> End:
+    return sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER)
+
+
+def _ball(sole: SoleSurface) -> dict[str, End]:
+    """The outermost places of the ball, as seen along the foot from the heel to its middle.
+
+    Not along the foot axis: where the toes stand to a side, that would bring one of them forward.
+    """
+    tibiale, fibulare = _across_ball(sole)
+    body = sole.along((tibiale.point + fibulare.point) / 2 - _pternion(sole).point)
+    names = ("metatarsale_tibiale", "metatarsale_fibulare")
+    return {
+        name: replace(end, point=sole.from_insole(body.to_insole(end.point)))
+        for name, end in zip(names, _across_ball(body), strict=True)
+    }
+
+
+def _across_ball(sole: SoleSurface) -> tuple[End, End]:
+    return (
+        sole.support(_MEDIAL, _TIBIALE, _USUAL_TIBIALE, _MEDIAL_BORDER),
+        sole.support(_LATERAL, _FIBULARE, _USUAL_FIBULARE, _LATERAL_BORDER),
+    )
 
 
 def _least(ends: Mapping[str, End], part: str) -> float:

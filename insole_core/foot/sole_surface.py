@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -103,6 +104,7 @@ class SoleSurface:
 
     def __init__(self, low: LowFoot, yaw_deg: float = 0.0) -> None:
         mirror = np.diag([low.foot.side.medial_sign, 1.0, 1.0])
+        self._low, self._yaw_deg = low, yaw_deg
         self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
         self.points = low.points @ self._insole2sole.T
         self.normals = low.normals @ self._insole2sole.T
@@ -114,7 +116,18 @@ class SoleSurface:
         facing = self.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
         self._sole = self.points[facing]
-        self._tree = cKDTree(self._sole[:, :2])
+
+    @cached_property
+    def _tree(self) -> cKDTree:
+        return cKDTree(self._sole[:, :2])
+
+    def along(self, way: FloatArray) -> SoleSurface:
+        """The same with +y in another direction (3,), given as seen from here."""
+        return SoleSurface(self._low, self._yaw_deg + float(np.degrees(np.arctan2(way[0], way[1]))))
+
+    def from_insole(self, point: FloatArray) -> FloatArray:
+        """Bring a point of the insole frame here."""
+        return np.asarray(self._insole2sole @ point)
 
     def to_insole(self, point: FloatArray) -> FloatArray:
         """Bring a point from here to the insole frame."""

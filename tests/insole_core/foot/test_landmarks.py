@@ -39,12 +39,22 @@ def test_landmarks_of_simulated_feet(model):
         assert 0 <= found[name].confidence <= 1
 
 
+def widest_ball_mm(model: FootModel) -> float:
+    """Between the outermost vertices of the ball, across the frame that the model stands in."""
+    vertices = model.mesh.vertices * [model.shape.side.medial_sign, 1.0, 1.0]
+    low = vertices[vertices[:, 2] < 40]
+    share = (low[:, 1] - low[:, 1].min()) / np.ptp(low[:, 1])
+    medial, lateral = low[(share > 0.6) & (share < 0.8)], low[(share > 0.5) & (share < 0.75)]
+    tibiale, fibulare = medial[medial[:, 0].argmax()], lateral[lateral[:, 0].argmin()]
+    return float(np.hypot(*(tibiale - fibulare)[:2]))
+
+
 def test_measures_of_simulated_feet(model):
     foot = place_foot(model.mesh, model.shape.side, frame="reference")
     got, shape = measure(foot, find_landmarks(foot)), model.shape
     # The model's length lies along the reference frame; along the foot axis it is a little more.
     assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.3)
-    assert got["ball_width"] == pytest.approx(shape.ball_width_mm, abs=0.9)
+    assert got["ball_width"] == pytest.approx(widest_ball_mm(model), abs=0.7)
     assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.3)
     assert got["rearfoot_angle_deg"] == pytest.approx(shape.rearfoot_eversion_deg, abs=1.0)
     assert got["achilles_lean_deg"] == pytest.approx(0, abs=0.7)
