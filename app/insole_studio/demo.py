@@ -47,7 +47,7 @@ def _simulate() -> None:
     from insole_core.recording.writer import write_session
     from insole_core.simulate import SimulationOptions, simulate_session
 
-    simulated = simulate_session(SimulationOptions(seed=SEED, matched=True), SILENT)
+    simulated = simulate_session(SimulationOptions(seed=SEED), SILENT)
     write_session(simulated.session, SESSION, simulated.truth, simulated.sensor2reference)
 
 

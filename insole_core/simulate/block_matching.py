@@ -49,8 +49,8 @@ class MatchedRecording:
         The dots, without the camera's noise; about 1 on a wall at 800 mm.
     region
         Of the depth image; nothing is measured elsewhere.
-    pattern : (480, columns) float32
-        As the camera sees it, eight columns to a pixel.
+    pattern : (height, columns) float32
+        As the camera sees it, eight columns to a pixel, in the rows of the region.
     search_raw
         First and last raw number that is compared.
     """
@@ -84,12 +84,12 @@ class MatchedRecording:
 
     def _references(self) -> Iterator[tuple[int, Float32Array, Float32Array, Float32Array]]:
         """Every raw number with the pattern that belongs to it, its local mean and spread."""
-        rows, columns = self.region
+        columns = self.region[1]
         width = columns.stop - columns.start
         first, last = self.search_raw
         # Raw numbers that differ by whole pixels show the same picture, shifted.
         for phase in range(RAW_PER_PX):
-            picture = np.ascontiguousarray(self.pattern[rows, phase::RAW_PER_PX])
+            picture = np.ascontiguousarray(self.pattern[:, phase::RAW_PER_PX])
             mean, spread = _moments(picture)
             for raw in range(first + (phase - first) % RAW_PER_PX, last + 1, RAW_PER_PX):
                 start = columns.start + raw // RAW_PER_PX
@@ -121,13 +121,13 @@ def record_matched_depth(
     """
     camera = device.sensor.depth_camera
     region = _region(camera, transform(inverse(sensor2reference), things))
-    pattern = DotPattern.draw(rng)
+    pattern = DotPattern.draw(rng, region[0])
     light = _Light(caster, device, sensor2reference, pattern)
     image, lowest, highest = light.on(region)
     speckle = rng.gamma(_SPECKLE_CONTRAST**-2, _SPECKLE_CONTRAST**2, image.shape)
     infrared = cv2.GaussianBlur(image * speckle.astype(np.float32), (0, 0), BLUR_PX)
     search = (max(int(lowest) - _SEARCH_RAW, 0), min(int(highest) + _SEARCH_RAW, NO_READING - 1))
-    return MatchedRecording(infrared, region, pattern.seen(), search, camera)
+    return MatchedRecording(infrared, region, pattern.seen(region[0]), search, camera)
 
 
 def _region(camera: Camera, things: FloatArray) -> Region:

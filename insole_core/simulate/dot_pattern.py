@@ -21,6 +21,9 @@ _JITTER = 0.98
 _ACROSS, _DOWN = RAW_PER_PX, 4
 """Texels per pixel: across one for each raw unit, so that a reference image needs no resampling."""
 _WIDTH, _HEIGHT = DEPTH_SIZE
+_ALL_ROWS = slice(0, _HEIGHT)
+_SPREAD_PX = 6
+"""A dot shows in no row farther away than that."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,39 +34,46 @@ class DotPattern:
 
     Parameters
     ----------
-    texture : (480 * 4, (640 + 256) * 8) float32, 1 on average
+    texture : (height * 4, (640 + 256) * 8) float32, about 1 on average
+        Some rows of the pattern, and what spreads into them.
+    rows
+        Of the depth image.
     """
 
     texture: Float32Array
+    rows: slice
 
     @staticmethod
-    def draw(rng: np.random.Generator) -> DotPattern:
-        """Make up the pattern of a device."""
+    def draw(rng: np.random.Generator, rows: slice = _ALL_ROWS) -> DotPattern:
+        """Make up the pattern of a device; only some rows of it are computed."""
         width_px, step_px = _WIDTH + (NO_READING + 1) // RAW_PER_PX, np.sqrt(_PX_PER_DOT)
         nodes = np.meshgrid(np.arange(0, width_px, step_px), np.arange(0, _HEIGHT, step_px))
         u, v = (node + rng.uniform(-0.5, 0.5, node.shape) * step_px * _JITTER for node in nodes)
-        texture = np.zeros((_HEIGHT * _DOWN, width_px * _ACROSS), np.float32)
-        column, row = np.rint(u * _ACROSS).astype(int), np.rint(v * _DOWN).astype(int)
+        part = slice(max(rows.start - _SPREAD_PX, 0), min(rows.stop + _SPREAD_PX, _HEIGHT))
+        texture = np.zeros(((part.stop - part.start) * _DOWN, width_px * _ACROSS), np.float32)
+        column = np.rint(u * _ACROSS).astype(int)
+        row = np.rint(v * _DOWN).astype(int) - part.start * _DOWN
         shown = (column >= 0) & (column < texture.shape[1]) & (row >= 0) & (row < len(texture))
-        np.add.at(texture, (row[shown], column[shown]), 1)
-        texture = _blurred(texture, _DOT_SIGMA_PX)
-        return DotPattern(texture / texture.mean())
+        np.add.at(texture, (row[shown], column[shown]), _PX_PER_DOT * _ACROSS * _DOWN)
+        return DotPattern(_blurred(texture, _DOT_SIGMA_PX), part)
 
     def brightness(self, u: FloatArray, v: FloatArray, raw: FloatArray) -> Float32Array:
         """Light (n,) on surfaces at raw numbers (n,), seen at sub-pixel places u, v (n,)."""
         across = np.clip(u * _ACROSS + raw, 0, self.texture.shape[1] - 2)
-        row = np.clip(np.rint(v * _DOWN).astype(int), 0, len(self.texture) - 1)
+        row = np.rint(v * _DOWN).astype(int) - self.rows.start * _DOWN
+        row = np.clip(row, 0, len(self.texture) - 1)
         column = across.astype(int)
         share = (across - column).astype(np.float32)
         return np.asarray(
             self.texture[row, column] * (1 - share) + self.texture[row, column + 1] * share
         )
 
-    def seen(self) -> Float32Array:
-        """Give the pattern as the camera sees it: (480, (640 + 256) * 8), rows of whole pixels."""
+    def seen(self, rows: slice = _ALL_ROWS) -> Float32Array:
+        """Give rows of the pattern as the camera sees it: (height, (640 + 256) * 8)."""
         across, down = _box(_ACROSS), _box(_DOWN)
         image = cv2.sepFilter2D(self.texture, -1, across, down, borderType=cv2.BORDER_REFLECT)
-        return _blurred(np.asarray(image), BLUR_PX)[::_DOWN]
+        whole = _blurred(np.asarray(image), BLUR_PX)[::_DOWN]
+        return whole[rows.start - self.rows.start : rows.stop - self.rows.start]
 
 
 def _blurred(texture: Float32Array, sigma_px: float) -> Float32Array:

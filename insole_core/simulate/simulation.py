@@ -71,10 +71,10 @@ class SimulationOptions:
         Width and height of the colour images, px: 1280 x 1024, 1280 x 960 or 640 x 480.
     foot_cell_mm
         Resolution of the foot's surface.
-    matched
-        Whether the sensors' dots and the matching of their windows are simulated too: slower, but
-        fine structure is lost and rims are fattened as in a real sensor. Otherwise the depth has
-        errors of the same size, but no window.
+    ideal
+        Whether the sensors have no matching window: the depth has errors of a real one's size, but
+        fine structure is kept and rims are not fattened. ``fused`` makes up for the window of a
+        real sensor, and so does harm to what an ideal one shows (decision 0023).
 
     Raises
     ------
@@ -92,7 +92,7 @@ class SimulationOptions:
     half_angle_deg: float = 27.0
     color_size: tuple[int, int] = (1280, 1024)
     foot_cell_mm: float = DEFAULT_CELL_MM
-    matched: bool = False
+    ideal: bool = False
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -216,7 +216,7 @@ class _DepthView(Protocol):
 def _recorder_of_depth(
     options: SimulationOptions, foot: FootModel, reference_system: ReferenceSystem
 ) -> Callable[[SceneCaster, Device, FloatArray, np.random.Generator], _DepthView]:
-    if not options.matched:
+    if options.ideal:
         return record_depth
     markers = [marker.position_mm for marker in reference_system.markers]
     return partial(record_matched_depth, things=np.vstack([foot.mesh.vertices, *markers]))

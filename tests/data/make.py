@@ -12,7 +12,7 @@ from pathlib import Path
 from insole_core.recording.writer import write_session
 from insole_core.simulate import SimulationOptions, simulate_session
 
-SMALL = SimulationOptions(seed=2, frames=3, color_size=(640, 480), foot_cell_mm=3.5, matched=True)
+SMALL = SimulationOptions(seed=2, frames=3, color_size=(640, 480), foot_cell_mm=3.5)
 
 
 def main() -> None:

@@ -28,9 +28,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="places each sensor stands in (default 1)",
     )
     parser.add_argument(
-        "--matched",
+        "--ideal",
         action="store_true",
-        help="simulate the sensors' dots and block matching too (slower)",
+        help="sensors without a matching window, which see finer than real ones (quicker)",
     )
 
 
@@ -44,7 +44,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         side=Side(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,
-        matched=arguments.matched,
+        ideal=arguments.ideal,
     )
     simulated = simulate_session(options, progress.part(0.0, 0.8))
     write_session(
