@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
@@ -22,22 +23,7 @@ from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView
 from insole_studio.scripted import grab_window
 
-LEFT = Qt.MouseButton.LeftButton
 MIDDLE = Qt.MouseButton.MiddleButton
-
-
-def pixel(view: SceneView, x_mm: float, y_mm: float) -> QPoint:
-    x, y = view.look.pixels_of(np.array([x_mm, y_mm, 0.0]))[0]
-    return QPoint(round(x), round(y))
-
-
-def drag(view: SceneView, start: QPoint, end: QPoint, button: Qt.MouseButton = LEFT) -> None:
-    QTest.mousePress(view.surface, button, pos=start)
-    for share in (0.25, 0.5, 0.75, 1.0):
-        place = start + (end - start) * share
-        QTest.mouseMove(view.surface, place)
-        QApplication.processEvents()
-    QTest.mouseRelease(view.surface, button, pos=end)
 
 
 def only_pelott(app: Application) -> Pelott:
@@ -102,7 +88,7 @@ def test_unlinked_views_turn_alone(opened: Application) -> None:
 
 def test_the_middle_button_pans(opened: Application, view: SceneView) -> None:
     before = pixel(view, 0.0, 150.0)
-    drag(view, QPoint(100, 100), QPoint(130, 80), MIDDLE)
+    drag(view, QPoint(100, 100), QPoint(130, 80), button=MIDDLE)
     assert pixel(view, 0.0, 150.0) - before == QPoint(30, -20)
 
 

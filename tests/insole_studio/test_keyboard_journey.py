@@ -73,7 +73,7 @@ def _type_path(path: Path) -> None:
 
 @pytest.fixture
 def keyboard(qapp: QApplication, qtbot: QtBot, places: Places) -> Iterator[Keyboard]:
-    with ScriptedStudio(places, (1366, 768)) as studio:
+    with ScriptedStudio(places, (960, 640)) as studio:
         # The real dialogs: they are answered by keys as well.
         studio.app.studio.rooms.dialogue.questions = Questions(studio.app.window)
         studio.app.window.activateWindow()

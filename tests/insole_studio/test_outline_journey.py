@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from pointing import LEFT, drag
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
@@ -16,7 +17,7 @@ from insole_studio.scene.view import SceneView
 from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.number_field import NumberField
 
-LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+RIGHT = Qt.MouseButton.RightButton
 
 
 @pytest.fixture(params=["foot", "insole"])
@@ -42,14 +43,6 @@ def pixel(view: SceneView, number: int) -> QPoint:
 def place(view: SceneView, number: int) -> np.ndarray:
     handle = next(h for h in view.handles if h.name == f"outline:{number}")
     return np.array(handle.position_mm[:2])
-
-
-def drag(view: SceneView, start: QPoint, end: QPoint) -> None:
-    QTest.mousePress(view.surface, LEFT, pos=start)
-    QTest.mouseMove(view.surface, (start + end) / 2)
-    QTest.mouseMove(view.surface, end)
-    QApplication.processEvents()
-    QTest.mouseRelease(view.surface, LEFT, pos=end)
 
 
 def test_a_point_is_dragged_and_undone(

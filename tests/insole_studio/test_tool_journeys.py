@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from pointing import LEFT, drag, pixel
+from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 
@@ -22,21 +23,6 @@ from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour
 from insole_studio.workbench.landmarks import metatarsal_line
-
-LEFT = Qt.MouseButton.LeftButton
-
-
-def pixel(view: SceneView, x_mm: float, y_mm: float, z_mm: float = 0.0) -> QPoint:
-    x, y = view.look.pixels_of(np.array([x_mm, y_mm, z_mm]))[0]
-    return QPoint(round(x), round(y))
-
-
-def drag(view: SceneView, way: list[QPoint]) -> None:
-    QTest.mousePress(view.surface, LEFT, pos=way[0])
-    for place in way[1:]:
-        QTest.mouseMove(view.surface, place)
-        QApplication.processEvents()
-    QTest.mouseRelease(view.surface, LEFT, pos=way[-1])
 
 
 def ring(view: SceneView, centre: tuple[float, float], radius_mm: float) -> list[QPoint]:
@@ -65,7 +51,7 @@ def test_a_pad_is_drawn_by_free_hand_and_its_corner_dragged(
     opened: Application, foot: SceneView
 ) -> None:
     act(opened, "tool_free_hand")
-    drag(foot, ring(foot, (0.0, 120.0), 18.0))
+    drag(foot, *ring(foot, (0.0, 120.0), 18.0))
     pad = last(opened)
     assert isinstance(pad, Pelott)
     assert pad.shape == "outline"
@@ -75,7 +61,7 @@ def test_a_pad_is_drawn_by_free_hand_and_its_corner_dragged(
     act(opened, "tool_pelott")
     corner = next(h for h in foot.handles if h.name == "corner:0")
     start = pixel(foot, *corner.position_mm)
-    drag(foot, [start, start + QPoint(10, 0)])
+    drag(foot, start, start + QPoint(10, 0))
     assert last(opened) != pad
     assert len(opened.case.history) == 2
 
@@ -83,7 +69,7 @@ def test_a_pad_is_drawn_by_free_hand_and_its_corner_dragged(
 def test_a_drawing_that_crosses_itself_makes_no_pad(opened: Application, foot: SceneView) -> None:
     act(opened, "tool_free_hand")
     eight = [(-20, 100), (20, 140), (20, 100), (-20, 140)]
-    drag(foot, [pixel(foot, *place) for place in eight])
+    drag(foot, *(pixel(foot, *place) for place in eight))
     assert opened.case.record.design is not None
     assert opened.case.record.design.corrections == ()
     assert "crosses itself" in opened.hand.tool.hint(opened.case)
@@ -94,7 +80,7 @@ def test_a_stroke_raises_the_surface_where_it_went_and_nowhere_else(
 ) -> None:
     before, far = opened.surface.height_mm(0.0, 100.0), opened.surface.height_mm(0.0, 200.0)
     act(opened, "tool_brush")
-    drag(foot, [pixel(foot, -10, 100), pixel(foot, 0, 100), pixel(foot, 10, 100)])
+    drag(foot, pixel(foot, -10, 100), pixel(foot, 0, 100), pixel(foot, 10, 100))
     stroke = last(opened)
     assert isinstance(stroke, BrushStroke)
     assert opened.surface.height_mm(0.0, 100.0) == pytest.approx(before + 1.0, abs=0.1)
@@ -107,7 +93,7 @@ def test_a_landmark_is_dragged(opened: Application, foot: SceneView) -> None:
     act(opened, "tool_key_point")
     name = "metatarsal_head_1"
     start = pixel(foot, *shown_points(opened.case)[name])
-    drag(foot, [start, start + QPoint(4, -4), start + QPoint(8, -8)])
+    drag(foot, start, start + QPoint(4, -4), start + QPoint(8, -8))
     assert confidence(opened.case, name) == 1.0
     assert len(opened.case.history) == 1
 
@@ -134,7 +120,7 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
     ahead = (found.nearest - found.front) / found.distance_mm
     near = np.array(pad.centre_mm) + (found.distance_mm - USUAL_MM - 1.0) * ahead
     start, end = pixel(foot, *pad.centre_mm), pixel(foot, *near)
-    drag(foot, [start, start + (end - start) * 0.5, end])
+    drag(foot, start, start + (end - start) * 0.5, end)
     settled = last(opened)
     assert isinstance(settled, Pelott)
     exact = clearance(opened.case.record, settled)
@@ -227,7 +213,7 @@ def test_maps_follow_a_drag_without_a_new_actor(
     act(opened, f"map_{kind}")
     actor = opened.stage.insole.scene.painter._plotter.actors["surface"]
     act(opened, "tool_pelott")
-    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140)])
+    drag(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140))
     assert opened.stage.insole.scene.painter._plotter.actors["surface"] is actor
     act(opened, f"map_{MapKind.NONE.value}")
 
@@ -239,7 +225,7 @@ def test_the_insole_is_seen_through_the_foot(opened: Application, foot: SceneVie
     # Below the foot by its thickness, and up its sides.
     assert low == pytest.approx(-3.0, abs=0.01)
     act(opened, "tool_pelott")
-    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140)])
+    drag(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 0, 140))
     assert plotter.actors["ghost"].bounds[5] >= high
     act(opened, "ghost")
     assert "ghost" not in plotter.actors
@@ -352,7 +338,7 @@ def test_the_place_of_the_pointer_is_that_of_the_release(
     told: list[str] = []
     opened.stage.pointed.connect(told.append)
     act(opened, "tool_pelott")
-    drag(foot, [pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 10, 140)])
+    drag(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 10, 140))
     y = float(told[-1].split("y")[1].split()[0])
     assert y == pytest.approx(140.0, abs=1.0)
 
@@ -379,7 +365,7 @@ def test_a_pad_of_the_library_lies_at_its_place_at_once(
     assert found is not None
     assert found.distance_mm == pytest.approx(USUAL_MM, abs=0.1)
     start = pixel(foot, *pad.centre_mm)
-    drag(foot, [start, start + QPoint(0, 20), start + QPoint(0, 40)])
+    drag(foot, start, start + QPoint(0, 20), start + QPoint(0, 40))
     moved = last(opened)
     assert isinstance(moved, Pelott)
     assert moved.id == pad.id

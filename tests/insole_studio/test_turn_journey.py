@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from insole_core.foot.aligning import pose_angles
 from insole_studio.bootstrap import Application
@@ -17,8 +18,6 @@ from insole_studio.scene.view import SceneView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.landmarks import landmarks_of
 
-LEFT = Qt.MouseButton.LeftButton
-
 
 @pytest.fixture
 def foot(opened: Application) -> SceneView:
@@ -26,20 +25,8 @@ def foot(opened: Application) -> SceneView:
     return opened.stage.foot.scene
 
 
-def pixel(view: SceneView, place: tuple[float, ...]) -> QPoint:
-    x, y = view.look.pixels_of(np.array(place))[0]
-    return QPoint(round(x), round(y))
-
-
 def handle(view: SceneView, name: str) -> tuple[float, float, float]:
     return next(h.position_mm for h in view.handles if h.name == name)
-
-
-def move(view: SceneView, way: list[QPoint]) -> None:
-    QTest.mousePress(view.surface, LEFT, pos=way[0])
-    for place in way[1:]:
-        QTest.mouseMove(view.surface, place)
-        QApplication.processEvents()
 
 
 def pose(app: Application) -> tuple[float, float, float]:
@@ -60,7 +47,7 @@ def carried(view: SceneView, name: str, turn_deg: float) -> list[QPoint]:
         turned = np.array(
             [x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle), z]
         )
-        way.append(pixel(view, tuple(centre + turned)))
+        way.append(pixel(view, *(centre + turned)))
     return way
 
 
@@ -69,7 +56,7 @@ def test_the_ring_in_the_picture_turns_by_the_angle_of_the_pointer(
 ) -> None:
     before, steps = pose(opened), len(opened.case.history)
     way = carried(foot, "turn-yaw_deg", 10.0)
-    move(foot, way)
+    lead(foot, *way)
     assert "°" in opened.hand.tool.hint(opened.case)  # the angle is told while it changes
     assert opened.hand.tool.foot_step is not None
     assert len(opened.case.history) == steps
@@ -89,10 +76,9 @@ def test_a_ring_seen_from_its_edge_turns_along_the_drag(
     opened: Application, foot: SceneView, name: str, number: int
 ) -> None:
     before = pose(opened)
-    start = pixel(foot, handle(foot, name))
+    start = pixel(foot, *handle(foot, name))
     end = start + (QPoint(0, -20) if number == 0 else QPoint(20, 0))
-    move(foot, [start, end])
-    QTest.mouseRelease(foot.surface, LEFT, pos=end)
+    drag(foot, start, end)
     after = pose(opened)
     assert abs(after[number] - before[number]) > 2.0
     others = [i for i in range(3) if i != number]
@@ -101,7 +87,7 @@ def test_a_ring_seen_from_its_edge_turns_along_the_drag(
 
 def test_escape_lets_the_foot_lie_as_it_did(opened: Application, foot: SceneView) -> None:
     record = opened.case.record
-    move(foot, carried(foot, "turn-yaw_deg", 15.0))
+    lead(foot, *carried(foot, "turn-yaw_deg", 15.0))
     QTest.keyClick(foot.surface, Qt.Key.Key_Escape)
     assert opened.case.record is record
     assert opened.hand.tool.foot_step is None
@@ -116,15 +102,12 @@ def test_the_angle_can_be_typed_as_well(opened: Application, foot: SceneView) ->
 
 def test_the_plane_is_placed_and_turned_by_dragging(opened: Application, foot: SceneView) -> None:
     opened.window.actions_by_key["tool_plane"].trigger()
-    way = [pixel(foot, (0.0, 100.0, 0.0)), pixel(foot, (10.0, 120.0, 0.0))]
-    move(foot, way)
-    QTest.mouseRelease(foot.surface, LEFT, pos=way[-1])
+    drag(foot, pixel(foot, 0.0, 100.0), pixel(foot, 10.0, 120.0))
     plane = opened.case.record.annotations.plane
     assert plane is not None
     assert plane.origin_mm[:2] == pytest.approx((10.0, 120.0), abs=1.0)
-    start = pixel(foot, handle(foot, "plane-pitch"))
-    move(foot, [start, start - QPoint(0, 20)])
-    QTest.mouseRelease(foot.surface, LEFT, pos=start - QPoint(0, 20))
+    start = pixel(foot, *handle(foot, "plane-pitch"))
+    drag(foot, start, start - QPoint(0, 20))
     turned = opened.case.record.annotations.plane
     assert turned is not None
     assert turned.pitch_deg > 2.0

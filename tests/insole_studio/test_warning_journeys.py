@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from pointing import LEFT, drag, pixel
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
@@ -14,27 +15,12 @@ from insole_core.insole.design import InsoleDesign
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
 
-LEFT = Qt.MouseButton.LeftButton
-
 
 @pytest.fixture
 def view(opened: Application) -> SceneView:
     opened.window.actions_by_key["tool_pelott"].trigger()
     scene: SceneView = opened.stage.foot.scene
     return scene
-
-
-def pixel(view: SceneView, x_mm: float, y_mm: float) -> QPoint:
-    x, y = view.look.pixels_of(np.array([x_mm, y_mm, 0.0]))[0]
-    return QPoint(round(x), round(y))
-
-
-def drag(view: SceneView, start: QPoint, end: QPoint) -> None:
-    QTest.mousePress(view.surface, LEFT, pos=start)
-    QTest.mouseMove(view.surface, (start + end) / 2)
-    QTest.mouseMove(view.surface, end)
-    QApplication.processEvents()
-    QTest.mouseRelease(view.surface, LEFT, pos=end)
 
 
 def warnings(app: Application) -> list[QLabel]:

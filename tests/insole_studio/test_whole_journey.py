@@ -10,9 +10,9 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
-from PySide6.QtCore import QEventLoop, QPoint, Qt
+from pointing import LEFT, drag, pixel
+from PySide6.QtCore import QEventLoop, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -25,9 +25,10 @@ from insole_studio.stages.export.stage import ExportStage
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.landmarks import metatarsal_line
 
-LEFT = Qt.MouseButton.LeftButton
 MOST_ACTIONS = 12
 MANUAL = os.environ.get("INSOLE_STUDIO_MANUAL")
+MANUAL_SIZE, SMALL_SIZE = (1366, 768), (960, 640)
+"""Without GL every pixel costs time: only what is looked at is large."""
 
 
 class Hands:
@@ -48,17 +49,12 @@ class Hands:
         self.app.window.actions_by_key[key].trigger()
         self._done()
 
-    def click(self, place: tuple[float, ...]) -> None:
-        QTest.mouseClick(self.view.surface, LEFT, pos=self._pixel(place))
+    def click(self, place: tuple[float, float]) -> None:
+        QTest.mouseClick(self.view.surface, LEFT, pos=pixel(self.view, *place))
         self._done()
 
-    def drag(self, start: tuple[float, ...], end: tuple[float, ...]) -> None:
-        pixels = [self._pixel(start), self._pixel(end)]
-        QTest.mousePress(self.view.surface, LEFT, pos=pixels[0])
-        for share in (0.5, 1.0):
-            QTest.mouseMove(self.view.surface, pixels[0] + (pixels[1] - pixels[0]) * share)
-            QApplication.processEvents()
-        QTest.mouseRelease(self.view.surface, LEFT, pos=pixels[1])
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        drag(self.view, pixel(self.view, *start), pixel(self.view, *end))
         self._done()
 
     def type(self, key: str, text: str) -> None:
@@ -89,11 +85,9 @@ class Hands:
         QApplication.processEvents()
 
     def picture(self, name: str) -> None:
-        self.studio.screenshot(self._pictures / f"{name}.png")
-
-    def _pixel(self, place: tuple[float, ...]) -> QPoint:
-        x, y = self.view.look.pixels_of(np.array([*place, 0.0, 0.0][:3]))[0]
-        return QPoint(round(x), round(y))
+        """Take a picture of the window for the manual."""
+        if MANUAL:
+            self.studio.screenshot(self._pictures / f"{name}.png")
 
     def _done(self) -> None:
         self.actions += 1
@@ -103,7 +97,7 @@ class Hands:
 @pytest.fixture
 def hands(qapp: QApplication, places: Places, tmp_path: Path) -> Iterator[Hands]:
     pictures = Path(MANUAL) if MANUAL else tmp_path
-    with ScriptedStudio(places, (1366, 768)) as studio:
+    with ScriptedStudio(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio, pictures)
 
 

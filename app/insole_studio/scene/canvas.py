@@ -93,6 +93,8 @@ class ImageCanvas(Canvas):
         import pyvista as pv
 
         self.plotter = pv.Plotter(off_screen=True, window_size=(64, 64))
+        # Without GL the processor draws every sample: several a pixel take three times as long.
+        self.plotter.disable_anti_aliasing()
         self.surface = self
         self._image: QImage | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)

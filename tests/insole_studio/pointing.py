@@ -1,0 +1,34 @@
+"""The mouse of a journey: real events in a 3-D view, at places in mm."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from insole_studio.scene.view import SceneView
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def pixel(view: SceneView, x_mm: float, y_mm: float, z_mm: float = 0.0) -> QPoint:
+    """Give where a place of the insole frame is seen."""
+    x, y = view.look.pixels_of(np.array([x_mm, y_mm, z_mm]))[0]
+    return QPoint(round(x), round(y))
+
+
+def lead(view: SceneView, *way: QPoint, button: Qt.MouseButton = LEFT) -> None:
+    """Press at the first place and move on to the last; the picture follows twice."""
+    places = way if len(way) > 2 else (way[0], (way[0] + way[1]) / 2, way[1])
+    QTest.mousePress(view.surface, button, pos=places[0])
+    for number, place in enumerate(places[1:], start=1):
+        QTest.mouseMove(view.surface, place)
+        if number in (len(places) // 2, len(places) - 1):
+            QApplication.processEvents()
+
+
+def drag(view: SceneView, *way: QPoint, button: Qt.MouseButton = LEFT) -> None:
+    """Press, move, release; two places are joined by a straight way."""
+    lead(view, *way, button=button)
+    QTest.mouseRelease(view.surface, button, pos=way[-1])
