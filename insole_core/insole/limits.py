@@ -7,7 +7,7 @@ the clinic's own rules (`insole_core.insole.rules`).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from insole_core.errors import DesignError
@@ -107,7 +107,28 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
 """Least and greatest number of places in a list of them."""
 LEAST_DRAWN_POINTS = 4
+LEAST_ZONE = 0.05
+"""Share of the length over which a correction must at least fade."""
+MOST_SMOOTHING = 1.0
+_ROUNDING = 1e-9
 _CURVE_STRIDE = 4  # of the curve's points, that are enough to see whether it crosses itself
+
+
+def range_beside(part: Any, key: str, allowed: Range) -> Range:
+    """Narrow the range of a value by the other values of its part.
+
+    A zone starts before it ends, and smoothing cannot do more than even out.
+    """
+    zone, _, place = key.rpartition("_")
+    if zone in ("blend", "fade") and place == "start":
+        most = getattr(part, f"{zone}_end") - LEAST_ZONE
+        return replace(allowed, greatest=min(allowed.greatest, most))
+    if zone in ("blend", "fade") and place == "end":
+        least = getattr(part, f"{zone}_start") + LEAST_ZONE
+        return replace(allowed, least=max(allowed.least, least))
+    if key == "strength" and part.mode == "smooth":
+        return replace(allowed, greatest=MOST_SMOOTHING)
+    return allowed
 
 
 def check_design(design: InsoleDesign) -> None:
@@ -172,15 +193,15 @@ def _check_zone(correction: Correction, where: str) -> None:
     for name in ("blend", "fade"):
         start = getattr(correction, f"{name}_start", None)
         end = getattr(correction, f"{name}_end", None)
-        if start is not None and end is not None and end - start < 0.05:
+        if start is not None and end is not None and end - start < LEAST_ZONE - _ROUNDING:
             raise DesignError(
-                f"{name}_end{where} is {end:g}, and must lie at least 0.05 beyond {name}_start"
-                f" ({start:g}), or the surface gets a step."
+                f"{name}_end{where} is {end:g}, and must lie at least {LEAST_ZONE:g} beyond"
+                f" {name}_start ({start:g}), or the surface gets a step."
             )
 
 
 def _check_smoothing(stroke: BrushStroke, where: str) -> None:
-    if stroke.strength > 1:
+    if stroke.strength > MOST_SMOOTHING:
         raise DesignError(
             f"strength{where} is {stroke.strength:g}, and for smoothing must be 0 to 1;"
             " 1 evens out all it can."

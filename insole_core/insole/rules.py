@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
-from itertools import combinations
+from itertools import combinations, islice
 from pathlib import Path
 
 import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.insole.clearance import clearance
 from insole_core.insole.design import (
@@ -35,8 +36,25 @@ _WORDS = {
     "arch_support": "arch support",
     "cut_out": "cut-out",
     "mortons_extension": "Morton's extension",
+    "heel_centre": "heel centre",
+    "metatarsal_head_1": "1st head",
+    "metatarsal_head_2": "2nd head",
+    "metatarsal_head_5": "5th head",
+    "toe_tip_1": "1st toe",
+    "toe_tip_2": "2nd toe",
 }
-"""How shapes are called whose name in a design says too little."""
+"""How shapes and landmarks are called whose name in a design says too little."""
+_ALONG = (
+    ("pternion", "heel_centre"), ("heel_centre", "metatarsal_head_1"),
+    ("heel_centre", "metatarsal_head_2"), ("heel_centre", "metatarsal_head_5"),
+    ("metatarsal_head_1", "toe_tip_1"), ("metatarsal_head_2", "toe_tip_2"),
+)  # fmt: skip
+"""Landmarks of which the second lies nearer to the toes on every foot."""
+_ACROSS = (
+    ("metatarsal_head_1", "metatarsal_head_5"), ("metatarsal_head_1", "metatarsal_head_2"),
+    ("metatarsal_head_2", "metatarsal_head_5"),
+)  # fmt: skip
+"""Landmarks of which the second lies lateral of the first."""
 _USUAL_CUP_MM = 12.0
 _STEP_MM = 2.0
 
@@ -78,6 +96,10 @@ SENTENCES = (
         " {least} to {most} mm behind it are usual."
     ),
     OVERLAP := "The {pad} lies with {share} on the {other_pad}, and their heights add up.",
+    DISORDER := (
+        "The landmarks {landmark} and {other_landmark} stand in an order that no foot has; drag"
+        " them to where they belong."
+    ),
 )
 """What a warning may say; a window translates the sentence and puts the values into it."""
 
@@ -91,7 +113,8 @@ class DesignWarning:
     sentence
         One of `SENTENCES`, names in braces for the values.
     values
-        The numbers, ready to be read; of "pad" and "other_pad" the shape.
+        The numbers, ready to be read; of "pad" and "other_pad" the shape, of "landmark" and
+        "other_landmark" its name.
     correction_id
         The correction that causes it; empty where it is the whole.
     place_mm
@@ -140,6 +163,7 @@ def design_warnings(
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
     return (
+        *islice(_of_landmarks(design.side, landmarks), 1),  # one explains the others
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
@@ -155,6 +179,20 @@ def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
     """
     line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
     return clearance(pad, line).distance_mm
+
+
+def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
+    """Landmarks in an order that no foot has: all measures and places stand on them."""
+    toes, lateral = np.array([0.0, 1.0]), np.array([-side.medial_sign, 0.0])
+    for pairs, towards in ((_ALONG, toes), (_ACROSS, lateral)):
+        for first, second in pairs:
+            if not {first, second} <= landmarks.keys():
+                continue
+            a, b = landmarks[first], landmarks[second]
+            if (b.point[:2] - a.point[:2]) @ towards < 0:
+                x, y = (b if b.origin == "hand" else a).point[:2]
+                values = {"landmark": first, "other_landmark": second}
+                yield DesignWarning(DISORDER, values, place_mm=(float(x), float(y)))
 
 
 def _of_posting(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:

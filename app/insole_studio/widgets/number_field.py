@@ -6,14 +6,23 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
+from insole_studio.texts import tr
+from insole_studio.widgets.refusal import Refusal
+
 COARSE = 10.0
 FINE = 0.1
 _OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
 """With Ctrl these mean undo, redo and export of the whole case, not something inside the field."""
 
+_BEGUN = ("-", "-.", "-,")
+"""The begin of a number below zero."""
+
 
 class NumberField(QDoubleSpinBox):
-    """A number with its unit. Shift makes a step ten times as large, Ctrl a tenth."""
+    """A number with its unit. Shift makes a step ten times as large, Ctrl a tenth.
+
+    A number beyond the range can be typed, and is refused in words: 40 must never be read as 4.
+    """
 
     edited = Signal(float)
     """The user, not the program, gave another value."""
@@ -37,12 +46,19 @@ class NumberField(QDoubleSpinBox):
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.valueChanged.connect(self.edited)
+        self.refusal = Refusal(self)
+        self.lineEdit().textEdited.connect(self.refusal.hide)
 
     def show_value(self, value: float) -> None:
         """Show a value without `edited`; what is being typed stays."""
         if self.value() != value:
             with QSignalBlocker(self):
                 self.setValue(value)
+
+    def show_range(self, least: float, greatest: float) -> None:
+        """Take another range without `edited`."""
+        with QSignalBlocker(self):
+            self.setRange(least, greatest)
 
     def event(self, event: QEvent) -> bool:
         """Leave the window's own shortcuts to the window; the typed number is taken first."""
@@ -55,8 +71,29 @@ class NumberField(QDoubleSpinBox):
         return super().event(event)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
-        """Accept comma and point alike."""
+        """Accept comma and point alike; a number beyond the range waits to be refused."""
+        if self._is_beyond(text) or self._bare(text) in _BEGUN:
+            return (QValidator.State.Intermediate, text, position)
         return super().validate(self._localised(text), position)
+
+    def fixup(self, text: str) -> str:
+        """Say why a number cannot be taken; the one before comes back."""
+        if self._is_beyond(text):
+            least, greatest, before = map(
+                self.textFromValue, (self.minimum(), self.maximum(), self.value())
+            )
+            sentence = tr(
+                "{typed} cannot be taken; put in {least} to {greatest}. It stays {before}."
+            )
+            self.refusal.say(
+                sentence.format(
+                    typed=self._bare(text) + self.suffix(),
+                    least=least,
+                    greatest=greatest + self.suffix(),
+                    before=before + self.suffix(),
+                )
+            )
+        return text
 
     def valueFromText(self, text: str) -> float:
         """Read comma and point alike."""
@@ -97,6 +134,13 @@ class NumberField(QDoubleSpinBox):
         self.interpretText()
         smallest = 10.0 ** -self.decimals()
         self.setValue(self.value() + steps * max(factor * self.singleStep(), smallest))
+
+    def _is_beyond(self, text: str) -> bool:
+        value, is_number = self.locale().toDouble(self._localised(self._bare(text)))
+        return is_number and not self.minimum() <= value <= self.maximum()
+
+    def _bare(self, text: str) -> str:
+        return text.removesuffix(self.suffix()).strip()
 
     def _localised(self, text: str) -> str:
         point = self.locale().decimalPoint()

@@ -152,6 +152,10 @@
             <translation>Inlägget är {height} mm högt och får kanske inte plats i en sko; upp till {usual} mm är vanligt.</translation>
         </message>
         <message>
+            <source>The landmarks {landmark} and {other_landmark} stand in an order that no foot has; drag them to where they belong.</source>
+            <translation>Landmärkena {landmark} och {other_landmark} står i en ordning som ingen fot har; dra dem dit de hör.</translation>
+        </message>
+        <message>
             <source>The rearfoot is posted by {angle}°; more than {usual}° is unusual.</source>
             <translation>Bakfoten är kilad {angle}°; mer än {usual}° är ovanligt.</translation>
         </message>
@@ -194,6 +198,10 @@
         <message>
             <source>{angle}° {kind}</source>
             <translation>{angle}° {kind}</translation>
+        </message>
+        <message>
+            <source>{typed} cannot be taken; put in {least} to {greatest}. It stays {before}.</source>
+            <translation>{typed} går inte; ange {least} till {greatest}. Det förblir {before}.</translation>
         </message>
     </context>
 </TS>

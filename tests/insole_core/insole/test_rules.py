@@ -91,6 +91,27 @@ def test_high_insole_is_warned_of_with_the_place(left_foot):
     assert found.place_mm is not None
 
 
+@pytest.mark.parametrize("side", ["left_foot", "right_foot"])
+@pytest.mark.parametrize(
+    ("moved", "like", "named"),
+    [
+        ("metatarsal_head_5", (-1.15, "metatarsal_head_1"), "1st head and 5th head"),
+        ("heel_centre", (1.0, "toe_tip_2"), "heel centre and 1st head"),
+        ("toe_tip_2", (1.0, "heel_centre"), "2nd head and 2nd toe"),
+    ],
+)
+def test_landmarks_in_impossible_order_are_warned_of_once(request, side, moved, like, named):
+    foot = request.getfixturevalue(side)
+    insole = build_insole(foot, InsoleDesign(foot.side))
+    found = find_landmarks(foot)
+    assert design_warnings(insole, found, RULES) == ()
+    share, other = like
+    x, y, z = found[other].point if share > 0 else found[other].point * [1.15, 1.0, 1.0]
+    (warning,) = design_warnings(insole, with_places(foot, found, {moved: (x, y, z)}), RULES)
+    assert warning.text.startswith(f"The landmarks {named} stand in an order that no foot has")
+    assert warning.place_mm == pytest.approx((x, y))
+
+
 def test_rules_of_the_clinic_are_read_and_checked(tmp_path):
     path = tmp_path / "rules.json"
     rules = {name: getattr(RULES, name) for name in RULES.__dataclass_fields__}

@@ -38,6 +38,38 @@ def test_letters_are_not_taken(field: NumberField) -> None:
     assert typed(field, "abc") == 6.0
 
 
+@pytest.mark.parametrize("text", ["400", "-3", "100,5", "-0.1"])
+def test_a_number_beyond_the_range_is_refused_in_words_and_never_shortened(
+    field: NumberField, text: str
+) -> None:
+    heard: list[float] = []
+    field.edited.connect(heard.append)
+    assert typed(field, text) == 6.0
+    assert heard == []
+    assert field.refusal.isVisible()
+    said = field.refusal.text().replace(",", ".")
+    assert (
+        said
+        == f"{text.replace(',', '.')} mm cannot be taken; put in 0.0 to 100.0 mm. It stays 6.0 mm."
+    )
+    assert field.text().replace(",", ".") == "6.0 mm"
+    QTest.keyClicks(field, "7")
+    assert not field.refusal.isVisible()
+
+
+def test_what_is_typed_is_refused_when_the_field_is_left_as_well(field: NumberField) -> None:
+    field.selectAll()
+    QTest.keyClicks(field, "120")
+    field.clearFocus()
+    assert field.value() == 6.0
+    assert "120" in field.refusal.text()
+
+
+def test_a_field_left_empty_says_nothing(field: NumberField) -> None:
+    assert typed(field, "-") == 6.0
+    assert not field.refusal.isVisible()
+
+
 @pytest.mark.parametrize(
     ("modifier", "value"),
     [

@@ -28,6 +28,7 @@ from insole_core.insole.limits import (
     LAYER_RANGES,
     OUTLINE_RANGES,
     Range,
+    range_beside,
 )
 from insole_core.insole.pad_shapes import local_outline
 from insole_studio.stages.design.rows import ChoiceSpec, FieldSpec
@@ -167,7 +168,23 @@ def with_value(part: Part, key: str, value: float | str) -> Part:
         pair = list(_pair(part, name) or (0.0, 0.0))
         pair[int(number)] = float(value)
         changes = {name: tuple(pair)}
-    return replace(part, **changes)  # type: ignore[type-var]
+    changed = replace(part, **changes)  # type: ignore[type-var]
+    return _within(changed) if isinstance(value, str) else changed
+
+
+def _within(part: Part) -> Part:
+    """Bring the numbers of a part into the ranges that another choice leaves them."""
+    for name in (editable.name for editable in EDITABLE[type(part)]):
+        number = getattr(part, name)
+        if isinstance(number, int | float):
+            allowed = _allowed(part, name)
+            fitting: dict[str, Any] = {name: min(max(number, allowed.least), allowed.greatest)}
+            part = replace(part, **fitting)  # type: ignore[type-var]
+    return part
+
+
+def _allowed(part: Any, name: str) -> Range:
+    return range_beside(part, name, _RANGES[type(part)][name])
 
 
 def _spec(part: Any, editable: Editable, key: str) -> FieldSpec | ChoiceSpec | None:
@@ -180,7 +197,7 @@ def _spec(part: Any, editable: Editable, key: str) -> FieldSpec | ChoiceSpec | N
     value = _number(part, editable)
     if value is None:
         return None
-    allowed = _RANGES[type(part)][editable.name]
+    allowed = _allowed(part, editable.name)
     unit = {"degrees": "°", "": ""}.get(allowed.unit, allowed.unit)
     return FieldSpec(
         key,

@@ -63,6 +63,7 @@ class ParametersView(QScrollArea):
         field = self._fields[spec.key]
         if isinstance(field, NumberField):
             assert isinstance(spec, FieldSpec)
+            field.show_range(spec.least, spec.greatest)
             field.show_value(spec.value)
         else:
             field.show_value(str(spec.value))

@@ -11,6 +11,7 @@ from insole_studio.stages.design.rows import WarningRow
 from insole_studio.texts import translated
 from insole_studio.tools.correction_names import PAD_NAMES
 from insole_studio.tools.hand import Hand
+from insole_studio.tools.key_point import point_text
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.insole_surface import InsoleSurface
 from insole_studio.workbench.landmarks import landmarks_of
@@ -82,4 +83,7 @@ def _text(warning: DesignWarning) -> str:
     for name in ("pad", "other_pad"):
         if name in values:
             values[name] = PAD_NAMES[values[name]]().lower()
+    for name in ("landmark", "other_landmark"):
+        if name in values:
+            values[name] = point_text(values[name])
     return translated(warning.sentence).format(**values)
