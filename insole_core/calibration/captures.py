@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,8 @@ from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import mean_raw
 
 _SHAPE = (480, 640)
-_AHEAD = 8
+_AT_ONCE = 2
+"""Captures: decoding and averaging let other threads run nearly all of the time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,22 +93,24 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     """
     groups = _groups(folder)
     captures = []
-    for done, (name, paths) in enumerate(groups):
-        progress.step(done / len(groups), f"Reading {name}")
-        serial = _serial_beside(paths[0])
-        captures.append(capture_from_frames(name, read_frames(paths), serial=serial))
+    pool = ThreadPoolExecutor(_AT_ONCE)
+    try:
+        reading = [pool.submit(_read_capture, name, paths) for name, paths in groups]
+        for done, (name, _) in enumerate(groups):
+            progress.step(done / len(groups), f"Reading {name}")
+            captures.append(reading[done].result())
+    finally:
+        pool.shutdown(cancel_futures=True)
     return captures
 
 
-def read_frames(paths: list[Path]) -> Iterator[RawArray]:
-    """Decode depth images one after the other, a few ahead of the reader."""
-    with ThreadPoolExecutor(2) as pool:
-        waiting = iter(paths)
-        running = [pool.submit(read_depth, path) for path in itertools.islice(waiting, _AHEAD)]
-        while running:
-            frame = running.pop(0).result()
-            running += [pool.submit(read_depth, path) for path in itertools.islice(waiting, 1)]
-            yield frame
+def _read_capture(name: str, paths: Sequence[Path]) -> WallCapture:
+    return capture_from_frames(name, read_frames(paths), serial=_serial_beside(paths[0]))
+
+
+def read_frames(paths: Iterable[Path]) -> Iterator[RawArray]:
+    """Decode depth images one after the other, each when it is wanted."""
+    return map(read_depth, paths)
 
 
 def read_depth(path: Path) -> RawArray:

@@ -14,7 +14,8 @@ from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import DisparityModel
 
 _TRIALS = 200
-_SEARCH_STEP = 8
+_SEARCH_STEP, _FIT_STEP = 16, 8
+"""Pixels: the first look, and the plane that the map's solution starts from."""
 _NEAR_RAW = 8.0
 """Distance in raw units within which a pixel supports a trial plane."""
 _WALL_RAW = 25.0
@@ -72,11 +73,9 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
     CalibrationError
         When no plane fills at least 4 % of the image.
     """
-    with np.errstate(invalid="ignore"):
-        inverse = 1 / disparity.depth_mm(capture.raw)
     plane = capture.plane
     if plane is None:
-        plane = _refine(_search(inverse, rows, disparity), capture, rows, disparity)
+        plane = _refine(_search(capture.raw, rows, disparity), capture.raw, rows, disparity)
     expected = expected_raw(plane, rows, disparity)
     wall = _largest_region(np.abs(capture.raw - expected) < _WALL_RAW)
     if wall.mean() < _LEAST_SHARE:
@@ -94,9 +93,9 @@ def expected_raw(plane: FloatArray, rows: FloatArray, disparity: DisparityModel)
     return disparity.raw(depth)
 
 
-def _search(inverse: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
+def _search(raw: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
     """Give the plane through three pixels that most pixels support, of many trials (RANSAC)."""
-    coarse = inverse[::_SEARCH_STEP, ::_SEARCH_STEP].ravel()
+    coarse = 1 / disparity.depth_mm(raw[::_SEARCH_STEP, ::_SEARCH_STEP]).ravel()
     known = np.isfinite(coarse)
     values, places = coarse[known], rows[::_SEARCH_STEP, ::_SEARCH_STEP].reshape(-1, 3)[known]
     if len(values) < 3:
@@ -112,11 +111,10 @@ def _search(inverse: FloatArray, rows: FloatArray, disparity: DisparityModel) ->
 
 
 def _refine(
-    plane: FloatArray, capture: WallCapture, rows: FloatArray, disparity: DisparityModel
+    plane: FloatArray, raw: FloatArray, rows: FloatArray, disparity: DisparityModel
 ) -> FloatArray:
     """Least squares over the supporting pixels, in raw units, with falling weights (Tukey)."""
-    step = _SEARCH_STEP // 2
-    raw, places = capture.raw[::step, ::step], rows[::step, ::step]
+    raw, places = raw[::_FIT_STEP, ::_FIT_STEP], rows[::_FIT_STEP, ::_FIT_STEP]
     measured = 1 / disparity.depth_mm(raw)
     plane = plane.copy()
     for _ in range(_ROUNDS):

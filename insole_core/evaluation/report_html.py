@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import base64
 import html
-import io
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from insole_core.evaluation.report import Plot, Report, Section, Table, head_line
 from insole_core.export.atomic import replacing_file
+from insole_core.recording.images import encode_png
 
 _PLOT_IN = (7.2, 4.4)
 _DOTS_PER_IN = 130
@@ -97,15 +98,11 @@ def _titled(tag: str, title: str) -> str:
 
 def plot_png(plot: Plot) -> bytes:
     """Draw a plot as PNG."""
-    stream = io.BytesIO()
-    figure = _drawn(plot)
-    FigureCanvasAgg(figure)
-    figure.savefig(stream, format="png", dpi=_DOTS_PER_IN)
-    return stream.getvalue()
-
-
-def _drawn(plot: Plot) -> Figure:
-    figure = Figure(figsize=_PLOT_IN, layout="constrained")
+    figure = Figure(figsize=_PLOT_IN, dpi=_DOTS_PER_IN, layout="constrained")
+    canvas = FigureCanvasAgg(figure)
     plot.draw(figure)
     figure.suptitle(plot.title)
-    return figure
+    # Figure.savefig draws a figure with a layout twice.
+    canvas.draw()  # type: ignore[no-untyped-call]
+    drawn = np.asarray(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
+    return encode_png(np.ascontiguousarray(drawn[..., :3]))

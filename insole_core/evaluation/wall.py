@@ -16,7 +16,9 @@ from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import DisparityModel
 
 _FAR_OFF_MM = 30.0
-_ROUNDS = 5
+_ROUNDS = 4
+_COARSE_STEP = 4
+_LEAST_POINTS = 100
 _CENTRE = (slice(238, 243), slice(318, 323))
 
 
@@ -125,16 +127,21 @@ def wall_errors(
 def _fitted_depth(depth: FloatArray, rows: FloatArray, name: str) -> tuple[FloatArray, BoolArray]:
     """Depth of the total least squares plane at every pixel, and the pixels that belong to it."""
     points = rows * depth[..., None]
-    known = np.isfinite(depth)
-    valid = known
+    # Which pixels belong to it, every fourth one tells; the plane itself is of all of them.
+    coarse = points[::_COARSE_STEP, ::_COARSE_STEP]
+    near = np.isfinite(coarse[..., 2])
     for _ in range(_ROUNDS):
-        if valid.sum() < 100:
-            raise CalibrationError(
-                f"{name} has no flat surface left to evaluate; capture a flat wall."
-            )
-        used = points[valid]
-        centre = used.mean(0)
-        normal = np.linalg.eigh(np.cov((used - centre).T))[1][:, 0]
-        distance = (points - centre) @ normal
-        valid = known & (np.abs(distance) < _FAR_OFF_MM)
+        centre, normal = _plane(coarse[near], name)
+        near = np.abs((coarse - centre) @ normal) < _FAR_OFF_MM
+    centre, normal = _plane(points[np.abs((points - centre) @ normal) < _FAR_OFF_MM], name)
+    valid = np.abs((points - centre) @ normal) < _FAR_OFF_MM
     return np.asarray((centre @ normal) / (rows @ normal)), valid
+
+
+def _plane(points: FloatArray, name: str) -> tuple[FloatArray, FloatArray]:
+    """Centre and normal of the plane through points (n, 3)."""
+    if len(points) < _LEAST_POINTS:
+        raise CalibrationError(f"{name} has no flat surface left to evaluate; capture a flat wall.")
+    centre = points.mean(0)
+    apart = points - centre
+    return centre, np.linalg.eigh(apart.T @ apart)[1][:, 0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from contextlib import ExitStack
 from datetime import UTC, datetime
@@ -37,10 +38,16 @@ def write_reports(report: Report, paths: Sequence[Path]) -> None:
     ------
     OutputError
     """
+    written: dict[str, Path] = {}
     with ExitStack() as outputs:
         for path in paths:
             beside = outputs.enter_context(replacing_file(path))
-            WRITERS[path.suffix.lower()](report, beside)
+            suffix = path.suffix.lower()
+            if suffix in written:
+                shutil.copyfile(written[suffix], beside)
+            else:
+                WRITERS[suffix](report, beside)
+            written[suffix] = beside
 
 
 def report_paths(folder: Path, stem: str) -> list[Path]:
