@@ -38,16 +38,19 @@ def write_html(report: Report, path: Path) -> None:
     ------
     OutputError
     """
+    with replacing_file(path) as beside:
+        beside.write_text(_page(report), encoding="utf-8")
+
+
+def _page(report: Report) -> str:
     body = "".join(_section_html(section, report.title) for section in report.sections)
     title = html.escape(report.title)
-    page = (
+    return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width">'
         f"<title>{title}</title><style>{_STYLE}</style></head><body><h1>{title}</h1>"
         f'<p class="head">{html.escape(head_line(report))}</p>{body}</body></html>\n'
     )
-    with replacing_file(path) as beside:
-        beside.write_text(page, encoding="utf-8")
 
 
 def _section_html(section: Section, report_title: str) -> str:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.record import Source
+from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -79,6 +80,23 @@ class CannedQuestions:
 
     def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
         return self.path
+
+
+@pytest.fixture(scope="session")
+def undraw_reports() -> Callable[[pytest.MonkeyPatch], None]:
+    """Let reports hold their numbers only; drawing takes longer than most calibrations."""
+
+    def undraw(patch: pytest.MonkeyPatch) -> None:
+        for suffix in (".html", ".pdf"):
+            patch.setitem(WRITERS, suffix, write_json)
+
+    return undraw
+
+
+@pytest.fixture
+def undrawn_reports(undraw_reports, monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests that say nothing of how a report looks."""
+    undraw_reports(monkeypatch)
 
 
 @pytest.fixture(autouse=True)

@@ -19,11 +19,10 @@ from insole_core.calibration.distortion import DistortionCalibration, calibrate_
 from insole_core.calibration.thesis_maps import cubic_map, mean_map
 from insole_core.calibration.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError, InputError
-from insole_core.evaluation.wall import wall_errors
+from insole_core.evaluation.leave_one_out import leave_one_out
 from insole_core.geometry.arrays import FloatArray
 from insole_core.progress import Cancelled, Progress
-from insole_core.sensing.camera import Camera
-from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.nominal import BURRUS, DEPTH_CAMERA
 
 ROWS = plane_rows(CAMERA)
 
@@ -227,27 +226,10 @@ def test_cancelling_stops_the_work(captures: list[WallCapture]) -> None:
         )
 
 
-def burrus_leave_one_out(folder: Path) -> dict[str, list[float]]:
-    """Mean absolute error in mm of every capture, corrected from the others."""
-    camera = Camera(640, 480, 585, 585, 319.5, 239.5)
-    burrus = LinearInverseDisparity(3.3309495, -0.0030711016)
-    captures = read_captures(folder)
-    rows = plane_rows(camera)
-    walls = [fit_wall(capture, rows, burrus) for capture in captures]
-    errors: dict[str, list[float]] = {"algorithm 1": [], "default": []}
-    for i, capture in enumerate(captures):
-        others = [j for j in range(len(captures)) if j != i]
-        default = calibrate_distortion([captures[j] for j in others], camera, burrus).correction
-        corrections = {
-            "algorithm 1": mean_map([walls[j] for j in others]),
-            "default": default,
-        }
-        for name, (error,) in wall_errors([capture], corrections, camera, burrus).items():
-            errors[name].append(error.mean_abs_mm)
-    return errors
-
-
 @pytest.mark.shared
 def test_real_walls_far_apart(shared_data: Path) -> None:
-    errors = burrus_leave_one_out(shared_data / "kinect_v1" / "walls_2")
-    assert np.mean(errors["default"]) < np.mean(errors["algorithm 1"])
+    captures = read_captures(shared_data / "kinect_v1" / "walls_2")
+    found = leave_one_out(captures, DEPTH_CAMERA, BURRUS)
+    left = {name: np.mean([e.mean_abs_mm for e in errors]) for name, errors in found.items()}
+    assert left["default"] < min(left["algorithm 1"], left["algorithm 2"])
+    assert left["default"] < 0.75 * left["raw"]

@@ -19,7 +19,6 @@ from insole_core.calibration.intrinsics import (
     PARAMETERS,
     IntrinsicsOptions,
     calibrate_camera,
-    find_boards,
     parameters_of,
 )
 from insole_core.errors import CalibrationError, InputError, UsageError
@@ -189,15 +188,3 @@ def test_folders_without_pictures(tmp_path: Path) -> None:
     (tmp_path / "color_0.png").write_bytes(b"no picture")
     with pytest.raises(InputError, match="no readable picture"):
         read_grey(picture_paths(tmp_path)[0])
-
-
-@pytest.mark.shared
-def test_real_pictures_of_a_kinect(shared_data: Path) -> None:
-    paths = picture_paths(shared_data / "kinect_v1" / "board_1", "color")
-    found, without = find_boards(paths, BOARD)
-    result = calibrate_camera(found)
-    assert (len(result.pictures), without, result.left_out) == (15, {}, {})
-    assert result.rms_px <= 0.24
-    assert 525 <= result.camera.fx <= 526.5
-    assert 525 <= result.camera.fy <= 526.5
-    assert result.deviations["fx"] < 2

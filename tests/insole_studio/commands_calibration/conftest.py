@@ -24,7 +24,7 @@ class Recorded:
 
 
 @pytest.fixture(scope="session")
-def recorded_once(tmp_path_factory: pytest.TempPathFactory) -> Recorded:
+def recorded_once(tmp_path_factory: pytest.TempPathFactory, undraw_reports) -> Recorded:
     folder = tmp_path_factory.mktemp("recorded")
     device = SimulatedDevice(smooth_distortion(3, 3.0))
     recorded = Recorded(
@@ -34,8 +34,10 @@ def recorded_once(tmp_path_factory: pytest.TempPathFactory) -> Recorded:
         folder / "sensors",
     )
     kept = ["--serial", "SIM1", "--sensors", str(recorded.sensors)]
-    assert run(["calibrate", "color", str(recorded.boards), *BOARD_CALL, *kept]) == 0
-    assert run(["calibrate", "distortion", str(recorded.walls), *kept]) == 0
+    with pytest.MonkeyPatch.context() as patch:
+        undraw_reports(patch)
+        assert run(["calibrate", "color", str(recorded.boards), *BOARD_CALL, *kept]) == 0
+        assert run(["calibrate", "distortion", str(recorded.walls), *kept]) == 0
     return recorded
 
 

@@ -274,6 +274,7 @@ def test_wrong_calls(name: str, recorded, last_line) -> None:
 
 
 @pytest.mark.shared
+@pytest.mark.usefixtures("undrawn_reports")
 def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
     kinect, kept = shared_data / "kinect_v1", ["--serial", "XW1120", "--sensors", str(tmp_path)]
     board = ["--board", "10x7", "--square", "30"]
@@ -290,6 +291,10 @@ def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
     found = camera["sections"]["camera"]["numbers"]
     assert found["pictures"]["value"] == 15
     assert found["rms_px"]["value"] <= 0.24
+    parameters = {
+        row["parameter"]: row for row in camera["sections"]["camera"]["tables"]["Parameters"]
+    }
+    assert float(parameters["fx"]["standard deviation"]) < 2
     report = tmp_path / "object.json"
     words = ["evaluate", "object", str(kinect / "board_1"), *board, *kept]
     assert run([*words, "--report", str(report)]) == 0

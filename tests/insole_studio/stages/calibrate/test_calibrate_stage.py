@@ -17,6 +17,8 @@ from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.workbench.sensor_store import SensorStore
 
+pytestmark = pytest.mark.usefixtures("undrawn_reports")
+
 
 class Chosen:
     """Answers the question for a folder."""
