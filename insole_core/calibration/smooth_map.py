@@ -25,7 +25,7 @@ from insole_core.sensing.correction import decay_lever
 
 SPAN_RAW = 100.0
 """Raw units per unit of l."""
-_ROUNDS = 4
+_ROUNDS = 3
 _MOST_DECAY = 1.0
 """A distortion that falls faster than to a third in a hundred raw units is no lens's."""
 _GAUGE = 1e-4
