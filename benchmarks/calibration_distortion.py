@@ -4,7 +4,7 @@
 
 Without a folder only the speed is measured, from files of simulated frames (21 captures of 10 and
 of 100 frames): wall time, processor time and memory. Nearly all of it is reading: inflating a noisy
-frame of 125 kB takes about 3 ms, undoing its filter 1 ms, looking for motion 1.5 ms, adding it up
+frame of 125 kB takes about 3 ms, undoing its filter 1 ms, looking for motion 0.8 ms, adding it up
 0.6 ms. Two captures are read at a time, since none of that holds Python's lock.
 """
 
