@@ -11,7 +11,8 @@ from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QToolButton
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.record import Source
 from insole_core.cases.scan import ScannedFoot
@@ -208,13 +209,38 @@ def _pixels(view: SceneView) -> np.ndarray:
 
 
 def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(
-    app: Application, make_foot: Callable[[Side], Foot]
+    app: Application, make_foot: Callable[[Side], Foot], qtbot: QtBot
 ) -> None:
     opening, notices = app.studio.rooms.opening, app.studio.rooms.notices
-    foot = replace(make_foot(Side.LEFT), notes=("A sentence of some length. " * 8,))
+    notes = ("Of the file.", "A sentence of some length. " * 8, "Of the foot.")
+    foot = replace(make_foot(Side.LEFT), notes=notes)
     scanned = ScannedFoot(foot, Source("mesh", "/nowhere/foot.ply", "0" * 64))
     opening.take_scan(scanned)
-    assert [notice.key for notice in notices.notices] == ["scan"]
+    (notice,) = notices.notices
+    assert notice.key == "scan"
+    assert notice.text.startswith("Of the foot. A sentence")
+    QApplication.processEvents()
+    bar = app.stage.notices
+    one_line = bar.height()
+    (more,) = [b for b in bar.findChildren(QToolButton) if b.isCheckable()]
+    assert more.isVisible()
+    QTest.mouseClick(more, LEFT)
+    qtbot.waitUntil(lambda: bar.height() > one_line)
+    QTest.mouseClick(more, LEFT)
+    qtbot.waitUntil(lambda: bar.height() == one_line)
     short = replace(scanned, foot=replace(foot, notes=("Short.",)))
     opening.take_scan(short)
     assert notices.notices == []
+
+
+def test_short_notices_stand_beside_each_other(app: Application) -> None:
+    notices = app.studio.rooms.notices
+    notices.put("a", "Short.")
+    QApplication.processEvents()
+    one_line = app.stage.notices.height()
+    notices.put("b", "Short as well.", "Do it", lambda: None)
+    QApplication.processEvents()
+    assert app.stage.notices.height() < 1.5 * one_line
+    first, second = app.stage.notices.findChildren(QFrame, "notice")[-2:]
+    assert first.y() == second.y()
+    assert first.geometry().right() < second.x()

@@ -104,7 +104,8 @@ class Opening:
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
-        self._tell(" ".join(map(spoken, scanned.foot.notes)))
+        # What was found last is about the foot, what was found first about the file.
+        self._tell(" ".join(map(spoken, reversed(scanned.foot.notes))))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
             again = replace(before, foot=scanned.foot, source=scanned.source)

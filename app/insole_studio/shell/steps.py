@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.cases.record import CaseRecord
-from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.side import Side
 from insole_studio.texts import tr
 from insole_studio.widgets.step_strip import Step, StepState
@@ -14,14 +13,13 @@ from insole_studio.widgets.step_strip import Step, StepState
 def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
     """Give the five steps: the current one is where the work is, and what lies behind may be open.
 
-    Who prescribes has accepted the landmarks; the design stays current until it is exported.
+    A foot on the bench is designed on; the design stays current until it is exported.
     """
     prescribed = record.design is not None and bool(record.design.corrections)
-    confirmed = any(point.name in NAMES for point in record.annotations.key_points)
     done = {
         "patient": bool(record.patient.name),
         "capture": record.foot is not None,
-        "foot": record.foot is not None and (confirmed or prescribed),
+        "foot": record.foot is not None,
         "design": prescribed and exported,
         "export": exported,
     }

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
 
 class FlowLayout(QLayout):
-    """As a text flows: from left to right, then down."""
+    """As a text flows: from left to right, then down; what is too wide takes a line of its own."""
 
     def __init__(self, parent: QWidget, margin_px: int, gap_px: int) -> None:
         super().__init__(parent)
@@ -60,11 +60,15 @@ class FlowLayout(QLayout):
         x, y, line_height = rect.left() + margins.left(), rect.top() + margins.top(), 0
         right = rect.left() + rect.width() - margins.right()
         for item in self._items:
-            size = item.sizeHint()
-            if line_height and x + size.width() > right:
-                x, y, line_height = rect.left() + margins.left(), y + line_height + self._gap_px, 0
+            left = rect.left() + margins.left()
+            width, height = item.sizeHint().toTuple()
+            if line_height and x + width > right:
+                x, y, line_height = left, y + line_height + self._gap_px, 0
+            if width > right - left:
+                width = right - left
+                height = item.heightForWidth(width) if item.hasHeightForWidth() else height
             if place:
-                item.setGeometry(QRect(x, y, size.width(), size.height()))
-            x += size.width() + self._gap_px
-            line_height = max(line_height, size.height())
+                item.setGeometry(QRect(x, y, width, height))
+            x += width + self._gap_px
+            line_height = max(line_height, height)
         return y + line_height + margins.bottom() - rect.top()

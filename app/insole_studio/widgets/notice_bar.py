@@ -10,15 +10,15 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from insole_studio.texts import tr
+from insole_studio.widgets.flow import FlowLayout
+from insole_studio.widgets.folded_text import FoldedText
 from insole_studio.widgets.icons import icon
 
 LEAST_PX = 640
@@ -34,7 +34,7 @@ class Notice:
 
 
 class NoticeBar(QWidget):
-    """Shows notices one below the other; takes no room while there is none."""
+    """Shows notices, short ones beside each other; takes no room while there is none."""
 
     taken = Signal(str)
     dismissed = Signal(str)
@@ -42,9 +42,7 @@ class NoticeBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lines = QVBoxLayout(self)
-        self._lines.setContentsMargins(4, 0, 4, 0)
-        self._lines.setSpacing(4)
+        self._lines = FlowLayout(self, margin_px=4, gap_px=4)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
@@ -69,34 +67,58 @@ class NoticeBar(QWidget):
                 line.hide()
                 line.deleteLater()
         for notice in notices:
-            self._lines.addWidget(self._line(notice))
+            line = _Line(notice)
+            line.taken.connect(self.taken)
+            line.dismissed.connect(self.dismissed)
+            self._lines.addWidget(line)
         self.filled.emit(bool(notices))
 
-    def _line(self, notice: Notice) -> QFrame:
-        line = QFrame()
-        line.setObjectName("notice")
-        row = QHBoxLayout(line)
+
+class _Line(QFrame):
+    """One notice: its text, unfolded where it is long, its offer, and the way to be rid of it."""
+
+    taken = Signal(str)
+    dismissed = Signal(str)
+
+    def __init__(self, notice: Notice) -> None:
+        super().__init__()
+        self.setObjectName("notice")
+        self._key = notice.key
+        self._text = FoldedText(notice.text)
+        self._more = _button("down", tr("Read all"))
+        self._more.setCheckable(True)
+        self._more.hide()
+        self._more.toggled.connect(self._unfold)
+        self._text.overflowed.connect(self._show_more)
+        row = QHBoxLayout(self)
         row.setContentsMargins(8, 2, 4, 2)
-        text = QLabel(notice.text)
-        text.setWordWrap(True)
-        row.addWidget(text, 1)
+        row.addWidget(self._text, 1)
+        row.addWidget(self._more)
         if notice.offer:
             take = QPushButton(notice.offer)
-            take.setProperty("notice", notice.key)
             take.clicked.connect(self._take)
             row.addWidget(take)
-        dismiss = QToolButton()
-        dismiss.setIcon(icon("remove"))
-        dismiss.setAutoRaise(True)
-        dismiss.setToolTip(tr("Dismiss"))
-        dismiss.setAccessibleName(tr("Dismiss"))
-        dismiss.setProperty("notice", notice.key)
+        dismiss = _button("remove", tr("Dismiss"))
         dismiss.clicked.connect(self._dismiss)
         row.addWidget(dismiss)
-        return line
+
+    def _show_more(self, too_long: bool) -> None:
+        self._more.setVisible(too_long or self._more.isChecked())
+
+    def _unfold(self, unfolded: bool) -> None:
+        self._text.unfold(unfolded)
 
     def _take(self) -> None:
-        self.taken.emit(self.sender().property("notice"))
+        self.taken.emit(self._key)
 
     def _dismiss(self) -> None:
-        self.dismissed.emit(self.sender().property("notice"))
+        self.dismissed.emit(self._key)
+
+
+def _button(icon_name: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(icon_name))
+    button.setAutoRaise(True)
+    button.setToolTip(tip)
+    button.setAccessibleName(tip)
+    return button

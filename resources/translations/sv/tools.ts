@@ -112,6 +112,10 @@
             <translation>Föreslå {angle}° medialt</translation>
         </message>
         <message>
+            <source>Read all</source>
+            <translation>Läs allt</translation>
+        </message>
+        <message>
             <source>Remove a point of the outline</source>
             <translation>Ta bort en punkt på konturen</translation>
         </message>
