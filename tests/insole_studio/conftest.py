@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -19,6 +20,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Answer, SameSide
 
 LENGTH_MM = 250.0
@@ -149,6 +151,13 @@ def app(
         dialog.done(0)
     built.autosave.forget()
     built.close()
+
+
+@pytest.fixture
+def hands(qapp: QApplication, places: Places) -> Iterator[Hands]:
+    """A user before the empty window."""
+    with ScriptedStudio(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
+        yield Hands(studio)
 
 
 @pytest.fixture

@@ -56,9 +56,10 @@ class NumberField(QDoubleSpinBox):
                 self.setValue(value)
 
     def show_range(self, least: float, greatest: float) -> None:
-        """Take another range without `edited`."""
-        with QSignalBlocker(self):
-            self.setRange(least, greatest)
+        """Take another range without `edited`; what is selected or typed stays."""
+        if (least, greatest) != (self.minimum(), self.maximum()):
+            with QSignalBlocker(self):
+                self.setRange(least, greatest)
 
     def event(self, event: QEvent) -> bool:
         """Leave the window's own shortcuts to the window; the typed number is taken first."""

@@ -85,6 +85,11 @@ def feet_of(record: CaseRecord, choice: OrderChoice) -> tuple[FootRecord, ...]:
     return () if record.current is None else (record.current,)
 
 
+def both_prescribed(record: CaseRecord) -> bool:
+    """Whether both feet of a case have a prescription: they are made together then."""
+    return len(record.feet) == 2 and all(foot.design.corrections for foot in record.feet)
+
+
 def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
     """Give the lines that are written on a piece."""
     if choice.relief is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Protocol
@@ -39,6 +40,7 @@ from insole_studio.workbench.order_memory import OrderMemory
 from insole_studio.workbench.shop_order import (
     OrderChoice,
     block_edges,
+    both_prescribed,
     files_of,
     make_pieces,
     word_of,
@@ -121,7 +123,7 @@ class ExportPresenter:
         self._store, self._shop = rules, shop
         self._ask_path, self._may_replace, self._exported = ask_path, may_replace, exported
         self._memory = memory
-        self._choice = memory.load()
+        self._choice = replace(memory.load(), both=both_prescribed(case.record))
         self._rules = read_rules()
         self._record = CaseRecord()
         self.pieces: tuple[Piece, ...] = ()

@@ -1,0 +1,100 @@
+"""Does in the window what a user does, by real events, and counts it."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from pointing import LEFT, drag, pixel
+from PySide6.QtCore import QEventLoop, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QPushButton
+
+from insole_core.geometry.side import Side
+from insole_studio.scene.view import SceneView
+from insole_studio.scripted import ScriptedStudio
+from insole_studio.stages.export.stage import ExportStage
+from insole_studio.widgets.number_field import NumberField
+
+MANUAL = os.environ.get("INSOLE_STUDIO_MANUAL")
+"""Where the pictures of the manual go; none are taken where it is empty."""
+MANUAL_SIZE, SMALL_SIZE = (1366, 768), (960, 640)
+"""Without GL every pixel costs time: only what is looked at is large."""
+
+
+class Hands:
+    """Does what a user does, by real events, and counts it."""
+
+    def __init__(self, studio: ScriptedStudio) -> None:
+        self.studio = studio
+        self.app = studio.app
+        self.actions = 0
+
+    @property
+    def view(self) -> SceneView:
+        return self.app.stage.foot.scene
+
+    def choose(self, key: str) -> None:
+        """Click a button of the toolbar, or press its shortcut."""
+        self.app.window.actions_by_key[key].trigger()
+        self._done()
+
+    def open(self, path: Path, side: Side | None = None) -> None:
+        """Choose a scan in the dialog, and its side where it does not say it."""
+        answers = self.studio.answers
+        answers.path, answers.side = path, side
+        self.choose("open_archive")
+
+    def take_notice(self, offer: str) -> None:
+        """Press the button of a notice."""
+        buttons = self.app.stage.notices.findChildren(QPushButton)
+        (button,) = [b for b in buttons if b.isVisible() and b.text() == offer]
+        QTest.mouseClick(button, LEFT)
+        self._done()
+
+    def click(self, place: tuple[float, float]) -> None:
+        QTest.mouseClick(self.view.surface, LEFT, pos=pixel(self.view, *place))
+        self._done()
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        drag(self.view, pixel(self.view, *start), pixel(self.view, *end))
+        self._done()
+
+    def type(self, key: str, text: str) -> None:
+        panel = self.app.stage.parameters
+        field = next(f for f in panel.findChildren(NumberField) if f.property("key") == key)
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        self._done()
+
+    def export(self, path: Path) -> None:
+        """Open the stage that checks, and export once the checks are done."""
+        self.studio.answers.path = path
+        self.choose("export")
+        stage = self.app.studio.rooms.exporting.checking.stage
+        assert stage is not None
+        self._wait(stage)
+        stage.view.export.click()
+        self._wait(stage)
+        self._done()
+        if MANUAL:
+            stage.grab().save(f"{MANUAL}/6-checked.png")
+        stage.close()
+
+    def _wait(self, stage: ExportStage) -> None:
+        while stage.jobs.is_running():
+            loop = QEventLoop()
+            stage.jobs.ended.connect(loop.quit)
+            loop.exec()
+        QApplication.processEvents()
+
+    def picture(self, name: str) -> None:
+        """Take a picture of the window for the manual."""
+        if MANUAL:
+            self.studio.screenshot(Path(MANUAL) / f"{name}.png")
+
+    def _done(self) -> None:
+        self.actions += 1
+        self.studio.settle()
