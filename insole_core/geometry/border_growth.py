@@ -62,7 +62,7 @@ def grown(mesh: TriangleMesh, width_mm: float, course: Course = straight_on) -> 
     The given vertices first, without colours.
     """
     count = len(mesh.vertices)
-    ends = _border_edges(mesh)
+    ends = mesh.links.ends
     free = np.bincount(ends.ravel(), minlength=count) == 2
     normals = smoothed_normals(mesh, _EVENING_ROUNDS)
     outwards = _outwards(mesh, ends, normals)
@@ -84,14 +84,6 @@ def grown(mesh: TriangleMesh, width_mm: float, course: Course = straight_on) -> 
 def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArray:
     near, _ = cKDTree(mesh.vertices).query(points)
     return np.asarray(near > _LEAST_DISTANCE * width_mm)
-
-
-def _border_edges(mesh: TriangleMesh) -> IntArray:
-    """Edges (n, 2) with one triangle, in the direction in which that runs through them."""
-    sides = mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64)
-    count = len(mesh.vertices)
-    forth, back = sides @ [count, 1], sides[:, ::-1] @ [count, 1]
-    return np.asarray(sides[~np.isin(forth, back)])
 
 
 def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatArray:

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
+from insole_core.geometry.links import Links
 from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import transform
 
@@ -30,6 +31,11 @@ class TriangleMesh:
     triangles: IndexArray
     colors: ByteArray | None = None
     touches: Touches | None = None
+
+    @cached_property
+    def links(self) -> Links:
+        """How the vertices are joined."""
+        return Links(self.triangles, len(self.vertices))
 
     @cached_property
     def triangle_normals(self) -> FloatArray:
@@ -95,6 +101,12 @@ class TriangleMesh:
         """Bring the mesh from frame a to frame b."""
         touches = None if self.touches is None else self.touches.transformed(a2b)
         return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
+
+    def moved(self, vertices: FloatArray) -> TriangleMesh:
+        """Put the vertices (n, 3) elsewhere; nothing but the triangles is kept."""
+        mesh = TriangleMesh(vertices, self.triangles)
+        mesh.__dict__["links"] = self.links  # cached as if it were computed anew
+        return mesh
 
     def part(self, keep: BoolArray) -> TriangleMesh:
         """Only the vertices with `keep` (n,) true, and the triangles between them."""

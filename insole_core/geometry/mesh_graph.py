@@ -14,25 +14,17 @@ _SHRINK, _GROW = 0.5, -0.52
 
 def edges(mesh: TriangleMesh) -> tuple[IntArray, IntArray]:
     """Give every edge once (n, 2), lower index first, and how many triangles it has (n,)."""
-    sides = np.sort(mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64), axis=1)
-    count = len(mesh.vertices)
-    key, sharing = np.unique(sides[:, 0] * count + sides[:, 1], return_counts=True)
-    return np.stack(np.divmod(key, count), axis=1), sharing
+    return mesh.links.edges
 
 
 def adjacency(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
     """Give the symmetric matrix (n, n) with a 1 for every edge."""
-    ends, _ = edges(mesh)
-    row, column = np.concatenate([ends, ends[:, ::-1]]).T
-    count = len(mesh.vertices)
-    return sparse.csr_array((np.ones(len(row)), (row, column)), (count, count))
+    return mesh.links.adjacency
 
 
 def laplacian(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
     """Give the uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
-    links = adjacency(mesh)
-    degree = np.maximum(links.sum(1), 1)
-    return sparse.csr_array(sparse.diags_array(1 / degree) @ links - sparse.eye_array(len(degree)))
+    return mesh.links.laplacian
 
 
 def is_border(mesh: TriangleMesh) -> BoolArray:

@@ -65,7 +65,7 @@ def drawn_to(mesh: TriangleMesh, rims: list[Rim]) -> TriangleMesh:
             step[held] = way
             step = _DECAY * (step + mean @ step)
         step[held] = way
-        mesh = TriangleMesh(mesh.vertices + step, mesh.triangles)
+        mesh = mesh.moved(mesh.vertices + step)
     return mesh
 
 

@@ -96,7 +96,7 @@ def refine(
         displacement, views = system.solve(solver, weights)
     moved = np.clip(displacement, -limits.farthest_mm, limits.farthest_mm)
     return RefinedSurface(
-        TriangleMesh(mesh.vertices + moved[:, None] * normals, mesh.triangles),
+        mesh.moved(mesh.vertices + moved[:, None] * normals),
         system.deviation_mm(solver, weights),
         views.reshape(-1, 3),
         view_gaps(mesh, normals, displacement, readings, seen),

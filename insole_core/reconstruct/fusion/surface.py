@@ -103,11 +103,11 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
     nearest = [view.reading.distance_mm(mesh.vertices, limits.reach_mm) for view in views]
     mesh = mesh.part(np.any(np.isfinite(nearest), axis=0))
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
-    mesh = TriangleMesh(relaxed(mesh, _RELAXING_ROUNDS), mesh.triangles)
+    mesh = mesh.moved(relaxed(mesh, _RELAXING_ROUNDS))
     rims = _rims(views)
     for number in range(limits.rings + (limits.more_rings if rims else 0)):
         mesh = grown(mesh, limits.ring_mm, partial(bend_to, rims, number < limits.rings))
-        mesh = TriangleMesh(relaxed(mesh, _EVENING_ROUNDS), mesh.triangles)
+        mesh = mesh.moved(relaxed(mesh, _EVENING_ROUNDS))
     return mesh
 
 

@@ -1,0 +1,76 @@
+"""How the vertices of triangles are joined, wherever they lie."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from scipy import sparse
+
+from insole_core.geometry.arrays import IndexArray, IntArray
+
+_Matrix = sparse.csr_array[np.float64]
+
+
+class Links:
+    """The edges of a mesh; computed once for all meshes that differ in their vertices' places only.
+
+    Parameters
+    ----------
+    triangles : (m, 3) int32
+    count
+        Of the vertices, n.
+    """
+
+    def __init__(self, triangles: IndexArray, count: int) -> None:
+        self._triangles = triangles
+        self._count = count
+
+    @cached_property
+    def _sides(self) -> _Matrix:
+        """(n, n) how many triangles run from one vertex to another."""
+        start = self._triangles.ravel()
+        end = self._triangles[:, [1, 2, 0]].ravel()
+        shape = (self._count, self._count)
+        return sparse.csr_array((np.ones(len(start)), (start, end)), shape)
+
+    @cached_property
+    def _both_ways(self) -> _Matrix:
+        return sparse.csr_array(self._sides + self._sides.T)
+
+    @cached_property
+    def edges(self) -> tuple[IntArray, IntArray]:
+        """Every edge once (k, 2), lower index first, in order; how many triangles it has (k,)."""
+        start, end = _entries(self._both_ways)
+        once = start < end
+        sharing = self._both_ways.data[once].astype(np.int64)
+        return np.stack([start[once], end[once]], axis=1), sharing
+
+    @cached_property
+    def ends(self) -> IntArray:
+        """(k, 2) the sides that no other triangle runs through backwards, as their own does."""
+        sides = self._sides.copy()
+        sides.data[:] = 1
+        apart = sparse.csr_array(sides - sides.T)
+        return np.stack(_entries(apart), axis=1)[apart.data > 0]
+
+    @cached_property
+    def adjacency(self) -> _Matrix:
+        """The symmetric matrix (n, n) with a 1 for every edge."""
+        links = self._both_ways.copy()
+        links.data[:] = 1
+        return links
+
+    @cached_property
+    def laplacian(self) -> _Matrix:
+        """The uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
+        degree = np.maximum(np.diff(self.adjacency.indptr), 1)
+        mean = self.adjacency.copy()
+        mean.data /= np.repeat(degree, np.diff(mean.indptr))
+        return sparse.csr_array(mean - sparse.eye_array(self._count, format="csr"))
+
+
+def _entries(matrix: _Matrix) -> tuple[IntArray, IntArray]:
+    """Row and column of what is stored of a matrix, in its order."""
+    rows = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
+    return rows, matrix.indices.astype(np.int64)
