@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from scipy import sparse
 
-from insole_core.geometry.arrays import IndexArray, IntArray
+from insole_core.geometry.arrays import BoolArray, IndexArray, IntArray
 
 _Matrix = sparse.csr_array[np.float64]
 
@@ -25,6 +25,14 @@ class Links:
     def __init__(self, triangles: IndexArray, count: int) -> None:
         self._triangles = triangles
         self._count = count
+
+    @cached_property
+    def corners(self) -> _Matrix:
+        """(n, m) with a 1 where a vertex is a corner of a triangle."""
+        corner = self._triangles.ravel()
+        triangle = np.arange(len(corner)) // 3
+        shape = (self._count, len(self._triangles))
+        return sparse.csr_array((np.ones(len(corner)), (corner, triangle)), shape)
 
     @cached_property
     def _sides(self) -> _Matrix:
@@ -62,12 +70,24 @@ class Links:
         return links
 
     @cached_property
+    def is_border(self) -> BoolArray:
+        """(n,) which vertices lie on an edge with one triangle."""
+        border = np.zeros(self._count, dtype=bool)
+        border[_entries(self._both_ways)[0][self._both_ways.data == 1]] = True
+        return border
+
+    @cached_property
+    def mean(self) -> _Matrix:
+        """(n, n) the mean of the neighbours; nothing for a vertex without any."""
+        mean = self.adjacency.copy()
+        degree = np.diff(mean.indptr)
+        mean.data /= np.repeat(degree, degree)
+        return mean
+
+    @cached_property
     def laplacian(self) -> _Matrix:
         """The uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
-        degree = np.maximum(np.diff(self.adjacency.indptr), 1)
-        mean = self.adjacency.copy()
-        mean.data /= np.repeat(degree, np.diff(mean.indptr))
-        return sparse.csr_array(mean - sparse.eye_array(self._count, format="csr"))
+        return sparse.csr_array(self.mean - sparse.eye_array(self._count, format="csr"))
 
 
 def _entries(matrix: _Matrix) -> tuple[IntArray, IntArray]:

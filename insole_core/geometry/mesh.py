@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -47,18 +48,7 @@ class TriangleMesh:
     @cached_property
     def vertex_normals(self) -> FloatArray:
         """(n, 3) unit normals, area-weighted over the triangles of each vertex."""
-        cross = self._triangle_cross
-        count = len(self.vertices)
-        total = np.stack(
-            [
-                sum(
-                    np.bincount(self.triangles[:, corner], cross[:, axis], minlength=count)
-                    for corner in range(3)
-                )
-                for axis in range(3)
-            ],
-            axis=1,
-        )
+        total = np.asarray(self.links.corners @ self._triangle_cross)
         length = np.linalg.norm(total, axis=1, keepdims=True)
         return np.asarray(np.divide(total, length, out=np.zeros_like(total), where=length > 0))
 
@@ -66,10 +56,7 @@ class TriangleMesh:
     def vertex_areas(self) -> FloatArray:
         """(n,) a third of the area of the triangles round each vertex."""
         third = np.linalg.norm(self._triangle_cross, axis=1) / 6
-        count = len(self.vertices)
-        return np.asarray(
-            sum(np.bincount(self.triangles[:, i], third, minlength=count) for i in range(3))
-        )
+        return np.asarray(self.links.corners @ third)
 
     @cached_property
     def bounds_mm(self) -> FloatArray:
@@ -103,10 +90,21 @@ class TriangleMesh:
         return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
-        """Put the vertices (n, 3) elsewhere; nothing but the triangles is kept."""
-        mesh = TriangleMesh(vertices, self.triangles)
-        mesh.__dict__["links"] = self.links  # cached as if it were computed anew
-        return mesh
+        """Put the vertices (n, 3) elsewhere; of the rest the triangles alone are kept."""
+        return TriangleMesh(vertices, self.triangles)._knowing(
+            self, {"links"} & self.__dict__.keys()
+        )
+
+    def dressed(
+        self, *, colors: ByteArray | None = None, touches: Touches | None = None
+    ) -> TriangleMesh:
+        """Exchange the colours or what outlines touch, or both, of the same surface."""
+        mesh = replace(
+            self,
+            colors=self.colors if colors is None else colors,
+            touches=self.touches if touches is None else touches,
+        )
+        return mesh._knowing(self, self.__dict__.keys() - mesh.__dict__.keys())
 
     def part(self, keep: BoolArray) -> TriangleMesh:
         """Only the vertices with `keep` (n,) true, and the triangles between them."""
@@ -118,6 +116,11 @@ class TriangleMesh:
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""
         return replace(self, triangles=np.ascontiguousarray(self.triangles[:, ::-1]))
+
+    def _knowing(self, other: TriangleMesh, cached: Set[str]) -> TriangleMesh:
+        """Take over what was computed of another mesh and holds of this one as well."""
+        self.__dict__.update({name: other.__dict__[name] for name in cached})
+        return self
 
     @cached_property
     def _triangle_cross(self) -> FloatArray:

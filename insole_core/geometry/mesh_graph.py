@@ -29,10 +29,7 @@ def laplacian(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
 
 def is_border(mesh: TriangleMesh) -> BoolArray:
     """Tell which vertices (n,) lie on an edge with one triangle."""
-    ends, sharing = edges(mesh)
-    border = np.zeros(len(mesh.vertices), dtype=bool)
-    border[ends[sharing == 1]] = True
-    return border
+    return mesh.links.is_border
 
 
 def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
@@ -50,20 +47,20 @@ def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
 
 def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
     """Smooth the vertices (n, 3) without shrinking, Taubin 1995; the border stays."""
-    smoothing = laplacian(mesh)
+    mean = mesh.links.mean
     inner = ~is_border(mesh)[:, None]
     vertices = mesh.vertices
     for _ in range(rounds):
         for step in (_SHRINK, _GROW):
-            vertices = vertices + step * inner * (smoothing @ vertices)
+            vertices = vertices + step * inner * (mean @ vertices - vertices)
     return vertices
 
 
 def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
     """Average the vertex normals (n, 3) over their neighbours, some rounds; unit length."""
-    smoothing = laplacian(mesh)
+    mean = mesh.links.mean
     normals = mesh.vertex_normals
     for _ in range(rounds):
-        normals = normals + 0.7 * (smoothing @ normals)
+        normals = 0.3 * normals + 0.7 * (mean @ normals)
         normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
     return normals

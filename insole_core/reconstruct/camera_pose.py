@@ -14,6 +14,8 @@ _ROUNDS = 20
 _CONVERGED = 1e-9
 _TURN_STEP_RAD = 1e-5
 _SHIFT_STEP_MM = 1e-2
+_STEPS = np.repeat([_TURN_STEP_RAD, _SHIFT_STEP_MM], 3)
+_TURNS = np.stack([rotation_about(axis, np.degrees(_TURN_STEP_RAD)) for axis in np.eye(3)])
 _FREEDOM = 6
 _MEDIAN_OF_SQUARES = 2 * np.log(2)
 """Of the sums of two squares of standard normal numbers."""
@@ -183,26 +185,20 @@ class _Problem:
         design : (n, 2, 2, 6) float64
             Change of the prediction with turn and shift.
         """
-        center = self.seen.faces.mean(0)
-        predicted = self._predict(pose)
+        predicted, *moved = self._predict(_varied(pose, self.seen.faces.mean(0)))
         observed = np.zeros_like(predicted)
         observed[:, 0] = self.seen.pixels / self.noise.pixel_px
         observed[:, 1, 0] = self.seen.distances_mm / self.noise.depth_mm
         unknown = np.isnan(observed)
-        columns = []
-        for axis, size in enumerate([_TURN_STEP_RAD] * 3 + [_SHIFT_STEP_MM] * 3):
-            step = np.zeros(6)
-            step[axis] = size
-            columns.append((self._predict(_moved(pose, step, center)) - predicted) / size)
-        design = np.stack(columns, axis=-1)
+        design = (np.stack(moved, axis=-1) - predicted[..., None]) / _STEPS
         design[unknown] = 0
         return np.where(unknown, 0, observed - predicted), design
 
-    def _predict(self, pose: FloatArray) -> FloatArray:
-        predicted = np.zeros((len(self.seen.faces), 2, 2))
-        pixels = self.camera.project(transform(pose, self.seen.centers))
-        predicted[:, 0] = pixels / self.noise.pixel_px
-        predicted[:, 1, 0] = transform(pose, self.seen.faces)[:, 2] / self.noise.depth_mm
+    def _predict(self, poses: FloatArray) -> FloatArray:
+        predicted = np.zeros((len(poses), len(self.seen.faces), 2, 2))
+        pixels = self.camera.project(_placed(poses, self.seen.centers))
+        predicted[:, :, 0] = pixels / self.noise.pixel_px
+        predicted[:, :, 1, 0] = _placed(poses, self.seen.faces)[..., 2] / self.noise.depth_mm
         return predicted
 
 
@@ -220,6 +216,20 @@ def _normal_equations(
     weighted = weights[..., None, None] * design
     normal = np.einsum("nkci,nkcj->ij", weighted, design)
     return normal, np.einsum("nkci,nkc->i", weighted, scaled)
+
+
+def _placed(poses: FloatArray, points: FloatArray) -> FloatArray:
+    """Bring points (n, 3) to the frames of many poses: (k, n, 3)."""
+    return np.asarray(points @ poses[:, :3, :3].swapaxes(1, 2) + poses[:, None, :3, 3])
+
+
+def _varied(pose: FloatArray, center: FloatArray) -> FloatArray:
+    """Give a pose and what it becomes by a small step in each direction: (7, 4, 4)."""
+    poses = np.tile(pose, (7, 1, 1))
+    poses[1:4, :3, :3] = _TURNS @ pose[:3, :3]
+    poses[1:4, :3, 3] = transform(pose, center) - poses[1:4, :3, :3] @ center
+    poses[4:, :3, 3] += _SHIFT_STEP_MM * np.eye(3)
+    return poses
 
 
 def _moved(pose: FloatArray, step: FloatArray, center: FloatArray) -> FloatArray:

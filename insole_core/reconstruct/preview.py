@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
@@ -19,5 +17,5 @@ def coarse_foot(views: list[PreparedView]) -> TriangleMesh:
     """Give a coloured mesh in a tenth of the time of the fine one, mm, reference frame."""
     mesh = mesh_views(views, _LATTICE)
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
-    mesh = replace(mesh, vertices=relaxed(mesh, _RELAXING_ROUNDS))
-    return replace(mesh, colors=color_vertices(mesh, [view.reading for view in views]))
+    mesh = mesh.moved(relaxed(mesh, _RELAXING_ROUNDS))
+    return mesh.dressed(colors=color_vertices(mesh, [view.reading for view in views]))

@@ -1,4 +1,4 @@
-"""The same work for several views, three at a time."""
+"""The same work for several views, three at a time; and two kinds of work at once."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TypeVar
 
 _View = TypeVar("_View")
 _Result = TypeVar("_Result")
+_Other = TypeVar("_Other")
 
 VIEWS_AT_ONCE = 3
 """The arrays of a view are large, so numpy, OpenCV and Embree run outside the interpreter's lock
@@ -19,3 +20,11 @@ def for_views(work: Callable[[_View], _Result], views: Iterable[_View]) -> list[
     """Give the results in the order of the views."""
     with ThreadPoolExecutor(VIEWS_AT_ONCE) as pool:
         return list(pool.map(work, views))
+
+
+def both(first: Callable[[], _Result], second: Callable[[], _Other]) -> tuple[_Result, _Other]:
+    """Give what two calls give that do not need each other."""
+    with ThreadPoolExecutor(1) as pool:
+        beside = pool.submit(first)
+        other = second()
+        return beside.result(), other

@@ -11,6 +11,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
 from insole_core.geometry.touches import Touches
 from insole_core.reconstruct.fusion.rim import Beyond, Rim
+from insole_core.reconstruct.views_at_once import for_views
 
 _SHORT_MM = (0.4, 9.0)
 _LEAST_AHEAD = 0.3  # cosine between the way off the border and the way to the outline
@@ -73,8 +74,7 @@ def _ways(mesh: TriangleMesh, rims: list[Rim]) -> tuple[BoolArray, FloatArray]:
     """Which vertices (n,) must move, and how (m, 3): what stands out, and what should touch."""
     normals = smoothed_normals(mesh, 2)
     total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
-    for rim in rims:
-        beyond = rim.against(mesh.vertices)
+    for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):
         chosen = beyond.beyond_mm > 0
         chosen[beyond.outermost] = True
         chosen &= (beyond.beyond_mm > _NEAR_MM[0]) & (beyond.beyond_mm < _NEAR_MM[1])
@@ -90,25 +90,28 @@ def lies_before(mesh: TriangleMesh, rims: list[Rim], reach_mm: float) -> BoolArr
     """Tell which vertices (n,) lie so near before a place where an outline is touched."""
     normals = smoothed_normals(mesh, 1)
     proved = np.zeros(len(mesh.vertices), dtype=bool)
-    for rim in rims:
-        beyond = rim.against(mesh.vertices)
-        touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
-        if len(touching) == 0:
-            continue
-        touched = cKDTree(mesh.vertices[beyond.vertex[touching]])
-        away, _ = touched.query(mesh.vertices, distance_upper_bound=reach_mm)
-        sight = rim.eye_mm - mesh.vertices
-        towards = np.einsum("nc,nc->n", normals, sight) / np.linalg.norm(sight, axis=1)
-        proved |= np.isfinite(away) & (towards > _LEAST_TOWARDS)
+    for proved_by in for_views(lambda rim: _lies_before(mesh, rim, normals, reach_mm), rims):
+        proved |= proved_by
     return proved
+
+
+def _lies_before(mesh: TriangleMesh, rim: Rim, normals: FloatArray, reach_mm: float) -> BoolArray:
+    beyond = rim.against(mesh.vertices)
+    touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
+    if len(touching) == 0:
+        return np.zeros(len(normals), dtype=bool)
+    touched = cKDTree(mesh.vertices[beyond.vertex[touching]])
+    away, _ = touched.query(mesh.vertices, distance_upper_bound=reach_mm)
+    sight = rim.eye_mm - mesh.vertices
+    towards = np.einsum("nc,nc->n", normals, sight) / np.linalg.norm(sight, axis=1)
+    return np.asarray(np.isfinite(away) & (towards > _LEAST_TOWARDS))
 
 
 def touches_of(mesh: TriangleMesh, rims: list[Rim]) -> Touches:
     """Give the rays that touch a mesh, each with the place where they do."""
     normals = smoothed_normals(mesh, 2)
     points, outwards = [np.zeros((0, 3))], [np.zeros((0, 3))]
-    for rim in rims:
-        beyond = rim.against(mesh.vertices)
+    for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):
         touching = _touching(beyond, normals, _TOUCHED_MM, _TOUCHED_FACING)
         points.append(beyond.on_ray(touching, mesh.vertices))
         outwards.append(beyond.outward[touching])

@@ -120,6 +120,7 @@ class _System:
     information: FloatArray
     bending: sparse.csr_array[np.float64]
     bent_mm: FloatArray
+    plate: sparse.csr_array[np.float64]
     limits: RefinementLimits
 
     @staticmethod
@@ -130,6 +131,7 @@ class _System:
         limits: RefinementLimits,
     ) -> _System:
         bending = laplacian(mesh)
+        tiny = 1e-6 * sparse.eye_array(bending.shape[0])
         bent_mm = np.einsum("nc,nc->n", np.asarray(bending @ mesh.vertices), normals)
         return _System(
             sparse.csr_array(sparse.vstack([part.design for part in seen])),
@@ -138,6 +140,7 @@ class _System:
             np.concatenate([part.information for part in seen]),
             bending,
             bent_mm,
+            sparse.csr_array(limits.stiffness * (bending.T @ bending) + tiny),
             limits,
         )
 
@@ -147,11 +150,11 @@ class _System:
 
     def factorised(self, weights: FloatArray) -> SuperLU:
         weighted = sparse.diags_array(weights) @ self.design
-        normal = self.design.T @ weighted + self.limits.stiffness * (self.bending.T @ self.bending)
-        tiny = 1e-6 * sparse.eye_array(normal.shape[0])
         return splu(
-            sparse.csc_array(normal + tiny),
+            sparse.csc_array(self.design.T @ weighted + self.plate),
             permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,  # positive definite: the diagonal will do, and keeps the order
+            panel_size=2,
             options={"SymmetricMode": True},
         )
 

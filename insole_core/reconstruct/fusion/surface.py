@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray
+from insole_core.geometry.arrays import BoolArray, IntArray
 from insole_core.geometry.border_growth import grown
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
@@ -16,11 +16,13 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contact import bend_to, drawn_to, lies_before, touches_of
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
+from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
 from insole_core.reconstruct.fusion.rim import Rim
 from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices
 from insole_core.reconstruct.result import Surface
+from insole_core.reconstruct.views_at_once import both, for_views
 
 _RELAXING_ROUNDS = 10
 _EVENING_ROUNDS = 3
@@ -80,18 +82,22 @@ def fuse(
     coarse = _mesh(views, limits)
     progress.step(0.4, "Refining the surface")
     refined = refine(coarse, readings, limits.refinement)
-    mesh = drawn_to(refined.mesh, _rims(views))
+    rims = _rims(views)
+    mesh = drawn_to(refined.mesh, rims)
     kept = _is_supported(mesh, views, limits)
     kept[kept] = in_large_pieces(mesh.part(kept), _LEAST_PIECE)
     progress.step(0.8, "Colouring the surface")
     supported = mesh.part(kept)
-    fine, ends = subdivided(supported)
-    colors = color_vertices(fine, readings, supported)
-    deviation_mm = refined.deviation_mm[kept][ends].mean(1)
-    touches = touches_of(supported, _rims(views))
-    return Surface(
-        replace(fine, colors=colors, touches=touches), deviation_mm, refined.view_gaps_mm
+    touches, (fine, ends) = both(
+        lambda: touches_of(supported, rims), lambda: _colored(supported, readings)
     )
+    deviation_mm = refined.deviation_mm[kept][ends].mean(1)
+    return Surface(fine.dressed(touches=touches), deviation_mm, refined.view_gaps_mm)
+
+
+def _colored(mesh: TriangleMesh, readings: list[Reading]) -> tuple[TriangleMesh, IntArray]:
+    fine, ends = subdivided(mesh)
+    return fine.dressed(colors=color_vertices(fine, readings, mesh)), ends
 
 
 def _rims(views: list[PreparedView]) -> list[Rim]:
@@ -100,7 +106,9 @@ def _rims(views: list[PreparedView]) -> list[Rim]:
 
 def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
     mesh = mesh_views(views, limits.lattice)
-    nearest = [view.reading.distance_mm(mesh.vertices, limits.reach_mm) for view in views]
+    nearest = for_views(
+        lambda view: view.reading.distance_mm(mesh.vertices, limits.reach_mm), views
+    )
     mesh = mesh.part(np.any(np.isfinite(nearest), axis=0))
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
     mesh = mesh.moved(relaxed(mesh, _RELAXING_ROUNDS))
@@ -113,12 +121,16 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
 
 def _is_supported(mesh: TriangleMesh, views: list[PreparedView], limits: FusionLimits) -> BoolArray:
     """Tell which vertices (n,) have a reading near them and lie beside no outline."""
-    near = np.zeros(len(mesh.vertices), dtype=bool)
-    beside = np.zeros(len(mesh.vertices), dtype=bool)
-    for view in views:
-        distance_mm = view.reading.distance_mm(mesh.vertices, limits.own_mm)
-        near |= distance_mm < limits.support_mm
-        own = np.isfinite(distance_mm)
-        if view.outline is not None:
-            beside[own] |= is_beside(mesh.vertices[own], view.reading, view.outline)
-    return (near | lies_before(mesh, _rims(views), limits.proof_mm)) & ~beside
+    near, beside = np.any(for_views(lambda view: _near_and_beside(mesh, view, limits), views), 0)
+    return np.asarray((near | lies_before(mesh, _rims(views), limits.proof_mm)) & ~beside)
+
+
+def _near_and_beside(
+    mesh: TriangleMesh, view: PreparedView, limits: FusionLimits
+) -> tuple[BoolArray, BoolArray]:
+    distance_mm = view.reading.distance_mm(mesh.vertices, limits.own_mm)
+    own = np.isfinite(distance_mm)
+    beside = np.zeros(len(own), dtype=bool)
+    if view.outline is not None:
+        beside[own] = is_beside(mesh.vertices[own], view.reading, view.outline)
+    return np.asarray(distance_mm < limits.support_mm), beside
