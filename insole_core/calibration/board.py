@@ -83,7 +83,7 @@ class Chequerboard:
         """Find all corners; a part of a chequerboard cannot be used, since its place is unknown."""
         corners = _chequerboard_corners(grey, self.columns, self.rows)
         if corners is None:
-            raise CalibrationError(f"{name}: {self._why_not(grey)}")
+            raise self._not_found(name, grey)
         edge = cv2.estimateChessboardSharpness(grey, (self.columns, self.rows), corners)[0][0]
         if _BLURRED_EDGE_PX < edge < _EDGE_UNKNOWN_PX:
             raise CalibrationError(
@@ -94,14 +94,16 @@ class Chequerboard:
             name, grey.shape[::-1], self.points_mm, corners.reshape(-1, 2).astype(float)
         )
 
-    def _why_not(self, grey: ByteArray) -> str:
+    def _not_found(self, name: str, grey: ByteArray) -> CalibrationError:
         wanted = f"{self.columns}×{self.rows} inner corners"
         if cv2.findChessboardCornersSB(grey, (3, 3), flags=cv2.CALIB_CB_LARGER)[0]:
-            return (
-                f"a chequerboard is seen, but not one of {wanted}; show all of it, or count its "
-                "inner corners (a row has one less than squares)."
+            return CalibrationError(
+                f"{name}: a chequerboard is seen, but not one of {wanted}; show all of it, or "
+                "count its inner corners (a row has one less than squares)."
             )
-        return f"no chequerboard of {wanted} is seen; show the whole board, flat and well lit."
+        return CalibrationError(
+            f"{name}: no chequerboard of {wanted} is seen; show the whole board, flat and well lit."
+        )
 
 
 @dataclass(frozen=True)

@@ -7,33 +7,40 @@ import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 
 import insole_core
+import insole_studio
 from insole_core import errors
-from insole_core.errors import InputError
+from insole_core.calibration.board import Chequerboard
+from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.resources import resource_path
 from insole_studio.phrasebook import Phrasebook
 from insole_studio.texts import load_language, spoken
 
 CORE = Path(insole_core.__file__).parent
+WORKBENCH = Path(insole_studio.__file__).parent / "workbench"
 BOOK: dict[str, str] = json.loads(
     (resource_path("translations") / "sv/sentences.json").read_text("utf-8")
 )
 TRANSLATED = (
-    "cases", "compare", "export", "foot", "geometry", "insole", "recording", "reconstruct",
-    "sensing", "solids", "json_object.py",
+    "calibration", "cases", "compare", "evaluation", "export", "foot", "geometry", "insole",
+    "recording", "reconstruct", "sensing", "simulate", "solids", "json_object.py",
 )  # fmt: skip
-"""Rooms whose errors the window shows while a foot is opened, designed on, and exported."""
+"""Rooms whose errors the window shows."""
 REMARKS = (
+    "calibration/applying.py", "calibration/distortion.py", "calibration/intrinsics.py",
     "cases/scan.py", "compare/sources.py", "export/atomic.py", "foot/mesh_file.py",
     "foot/measures.py", "foot/placing.py", "foot/side_check.py", "reconstruct/assignment.py",
     "reconstruct/coverage.py", "reconstruct/image_assignment.py", "reconstruct/picture.py",
     "reconstruct/pose_quality.py", "reconstruct/registration.py", "reconstruct/remarks.py",
 )  # fmt: skip
 """Files that write warnings and reasons of their own."""
+STEPS = ("calibration_steps.py", "camera_step.py", "stereo_steps.py", "wall_steps.py")
+"""Files of the application that tell commands and window alike how a calibration went."""
 ERRORS = {name for name in vars(errors) if name.endswith("Error")}
 
 
@@ -99,6 +106,12 @@ def test_every_remark_about_a_scan_has_a_swedish_one() -> None:
     assert sorted(found - set(BOOK)) == []
 
 
+def test_every_sentence_of_a_calibration_has_a_swedish_one() -> None:
+    found = {text for name in STEPS for text in said_by(WORKBENCH / name)}
+    assert len(found) > 20
+    assert sorted(found - set(BOOK)) == []
+
+
 def said_by(path: Path) -> Iterator[str]:
     """All that looks like a sentence: four words and more that are no documentation."""
     tree = ast.parse(path.read_text("utf-8"))
@@ -138,6 +151,17 @@ def test_a_reason_within_a_sentence_is_said_as_well() -> None:
     assert said == (
         "Ingen fot kan göras av s.zip, eftersom ingen av dess vyer kan användas"
         " (markörerna som syns ligger nästan på en linje, så sensorns plats är osäker)."
+    )
+
+
+def test_the_reason_why_no_picture_of_a_board_can_be_used_is_said_as_well() -> None:
+    grey = np.full((480, 640), 90, np.uint8)
+    with pytest.raises(CalibrationError) as caught:
+        Chequerboard(9, 6, 30).find("color_000.png", grey)
+    said = Phrasebook(BOOK).say(f"None of the 3 pictures can be used: {caught.value}")
+    assert said == (
+        "Ingen av de 3 bilderna kan användas: color_000.png: inget schackbräde med 9×6 inre hörn"
+        " syns; visa hela tavlan, plan och väl belyst."
     )
 
 

@@ -8,13 +8,15 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from insole_core.geometry.arrays import ByteArray
 
+_MARGIN_PX = 24
+
 
 class PictureView(QWidget):
-    """Shows a picture as large as fits, in its own shape."""
+    """Shows a picture as large as fits, in its own shape; or a sentence while there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._image = QImage()
+        self._image, self._sentence = QImage(), ""
         self.setMinimumSize(160, 120)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -23,6 +25,12 @@ class PictureView(QWidget):
         height, width = picture.shape[:2]
         packed = picture.tobytes()
         self._image = QImage(packed, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+        self.update()
+
+    def show_sentence(self, sentence: str) -> None:
+        """Say something in the place of the picture."""
+        self._image, self._sentence = QImage(), sentence
+        self.setAccessibleName(sentence)
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -36,4 +44,9 @@ class PictureView(QWidget):
             place.moveCenter(self.rect().center())
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             painter.drawImage(place, self._image)
+        else:
+            inside = self.rect().adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
+            painter.setPen(self.palette().placeholderText().color())
+            middle = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(inside, middle, self._sentence)
         painter.end()

@@ -54,6 +54,8 @@ def calibrate_distortion_step(
             f"{found.covered_share:.0%} of the image.",
             f"The walls were off by {figures['rms_before_raw']:.1f} raw units and are now off by "
             f"{figures['rms_after_raw']:.1f} (noise included).",
+            "A bulge that all walls share is taken for distortion; if they were one wall, check it "
+            "with a straightedge.",
         ),
         advice=found.advice,
     )

@@ -80,6 +80,14 @@
             <translation>Härnäst: {step}.</translation>
         </message>
         <message>
+            <source>No picture yet: choose a folder.</source>
+            <translation>Ingen bild ännu: välj en mapp.</translation>
+        </message>
+        <message>
+            <source>No picture yet: start the live picture, or choose a folder.</source>
+            <translation>Ingen bild ännu: starta direktbilden, eller välj en mapp.</translation>
+        </message>
+        <message>
             <source>Nothing is missing: calibrate.</source>
             <translation>Ingenting saknas: kalibrera.</translation>
         </message>

@@ -6,8 +6,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-import numpy as np
-
 from insole_core.calibration.board import Board, Chequerboard
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray
@@ -25,7 +23,6 @@ from insole_studio.workbench.calibration_steps import StepResult
 from insole_studio.workbench.sensor_store import SensorStore
 
 CHANNEL = "calibrate"
-_NOTHING = np.zeros((3, 4, 3), np.uint8)
 
 
 class CalibratePanel(Protocol):
@@ -45,6 +42,7 @@ class CalibratePanel(Protocol):
     def show_board(self, board: BoardSize) -> None: ...  # noqa: D102
     def show_looks(self, rows: Sequence[LookRow]) -> None: ...  # noqa: D102
     def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
+    def show_no_picture(self, sentence: str) -> None: ...  # noqa: D102
     def show_next(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
     def show_error(self, sentence: str) -> None: ...  # noqa: D102
     def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
@@ -229,7 +227,9 @@ class CalibratePresenter:
     def _forget(self) -> None:
         self._readiness = self._result = None
         self._panel.show_looks([])
-        self._panel.show_picture(_NOTHING)
+        live = tr("No picture yet: start the live picture, or choose a folder.")
+        folder = tr("No picture yet: choose a folder.")
+        self._panel.show_no_picture(live if self._step.live else folder)
         self._show_buttons()
 
     def _show_readiness(self, readiness: Readiness) -> None:

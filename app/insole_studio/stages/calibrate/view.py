@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LiveRow, LookRow, StepRow
-from insole_studio.texts import tr
+from insole_studio.texts import spoken, tr
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
 from insole_studio.widgets.sentences import Sentences, WorkBar
@@ -126,14 +126,19 @@ class CalibrateView(QWidget):
         with QSignalBlocker(self.looks):
             self.looks.clear()
             for row in rows:
-                item = QListWidgetItem(f"{'✓' if row.usable else '✗'}  {row.name}: {row.sentence}")
-                item.setToolTip(row.sentence)
+                said = spoken(row.sentence)
+                item = QListWidgetItem(f"{'✓' if row.usable else '✗'}  {row.name}: {said}")
+                item.setToolTip(said)
                 self.looks.addItem(item)
             self.looks.setCurrentRow(0)
 
     def show_picture(self, picture: ByteArray) -> None:
         """Show (height, width, 3) uint8, RGB."""
         self._picture.show_picture(picture)
+
+    def show_no_picture(self, sentence: str) -> None:
+        """Say in the place of the picture why there is none."""
+        self._picture.show_sentence(sentence)
 
     def show_serial(self, serial: str) -> None:
         """Show the sensor that is calibrated."""
@@ -147,11 +152,11 @@ class CalibrateView(QWidget):
         self.automatic.setVisible(row.running)
         self.take.setVisible(row.running)
         self.take.setEnabled(row.can_take)
-        self._live_sentence.setText(row.sentence)
+        self._live_sentence.setText(spoken(row.sentence))
 
     def show_next(self, sentences: Sequence[str]) -> None:
         """Show what comes next, or what was found."""
-        self._next.setText("\n".join(f"• {sentence}" for sentence in sentences))
+        self._next.setText("\n".join(f"• {spoken(sentence)}" for sentence in sentences))
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence hides it."""
