@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_studio.scene.painter import MATERIAL, polydata
 
-NAME_PX = 15
+NAME_PX, FRAME_PX = 15, 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,5 +71,10 @@ class Companion:
         )
         # The ground belongs to the text: the renderer's own shapes stand beside a centred one.
         style = actor.mapper.GetInputAlgorithm().GetTextProperty()
-        style.SetBackgroundColor(*Color(name.color).float_rgb)
+        ground = Color(name.color).float_rgb
+        style.SetBackgroundColor(*ground)
         style.SetBackgroundOpacity(1.0)
+        # Wide enough for the dots of Ä and Ö, which the ground alone leaves out.
+        style.SetFrame(True)
+        style.SetFrameColor(*ground)
+        style.SetFrameWidth(round(FRAME_PX * self._ratio))

@@ -137,6 +137,11 @@ class MainWindow(QMainWindow):
         self._section.hide()  # it comes with the first cut
         self._notices.hide()
 
+    def come_forward(self) -> None:
+        """Stand before what else is open, with the keys."""
+        self.raise_()
+        self.activateWindow()
+
     def close_for_good(self) -> None:
         """Close without asking again."""
         self._may_close = True

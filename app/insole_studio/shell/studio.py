@@ -86,7 +86,7 @@ class Studio(QObject):
         rooms.capture.captured.connect(rooms.opening.open_path)
         rooms.foot.foot_made.connect(rooms.opening.take_scan)
         rooms.foot.closed.connect(rooms.capture.hand_on, Qt.ConnectionType.QueuedConnection)
-        rooms.foot.closed.connect(window.activateWindow)  # the keys are the window's again
+        rooms.foot.closed.connect(window.come_forward, Qt.ConnectionType.QueuedConnection)
         rooms.foot.unreadable.connect(rooms.dialogue.show_error)
 
     def _go_to_step(self, key: str) -> None:

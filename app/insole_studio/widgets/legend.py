@@ -15,7 +15,7 @@ WHOLE_FROM = 100.0
 
 
 class Legend(QWidget):
-    """A strip of colour between its least and its greatest number."""
+    """A strip of colour between its least and its greatest number, and what they are of."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,31 +27,42 @@ class Legend(QWidget):
         self._coloring = coloring
         self.setVisible(coloring is not None)
         self.setToolTip("" if coloring is None else coloring.title)
+        self.updateGeometry()
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for the strip and two numbers."""
-        return QSize(BAR_PX + 2 * NUMBER_PX, 22)
+        """Room for the name, the strip and two numbers."""
+        return QSize(self.minimumSizeHint().width() + self._name_px, 22)
 
     def minimumSizeHint(self) -> QSize:
-        """The same: it does not shrink."""
-        return self.sizeHint()
+        """Where there is little room, the name is left to the tooltip."""
+        return QSize(BAR_PX + 2 * NUMBER_PX, 22)
+
+    @property
+    def _name_px(self) -> int:
+        if self._coloring is None:
+            return 0
+        return self.fontMetrics().horizontalAdvance(self._coloring.title)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw number, strip, number."""
         if self._coloring is None:
             return
         painter = QPainter(self)
-        strip = QRectF(NUMBER_PX, 5, BAR_PX, self.height() - 10)
+        start = self.width() - self.minimumSizeHint().width()
+        strip = QRectF(start + NUMBER_PX, 5, BAR_PX, self.height() - 10)
         gradient = QLinearGradient(strip.topLeft(), strip.topRight())
         for number, color in enumerate(self._coloring.colors):
             gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))
         painter.fillRect(strip, gradient)
         decimals = 0 if max(abs(limit) for limit in self._coloring.limits) >= WHOLE_FROM else 1
         low, high = (f"{limit:.{decimals}f}" for limit in self._coloring.limits)
-        left = QRectF(0, 0, NUMBER_PX - 6, self.height())
+        left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter
+        if start >= self._name_px:
+            name = QRectF(start - self._name_px, 0, self._name_px, self.height())
+            painter.drawText(name, vertical, self._coloring.title)
         painter.drawText(left, vertical | Qt.AlignmentFlag.AlignRight, low)
         painter.drawText(
             right, vertical | Qt.AlignmentFlag.AlignLeft, f"{high} {self._coloring.unit}"

@@ -43,6 +43,7 @@ class NoticeBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lines = FlowLayout(self, margin_px=4, gap_px=4)
+        self._lines.setContentsMargins(4, 0, 4, 0)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:

@@ -81,7 +81,7 @@
         </message>
         <message>
             <source>No scan yet. Capture a foot, or open a recorded session or a mesh.</source>
-            <translation>Ingen skanning ännu. Ta upp en fot, eller öppna en inspelad session eller ett nät.</translation>
+            <translation>Ingen skanning ännu. Ta upp en fot, eller öppna en inspelad session eller en ytmodell.</translation>
         </message>
         <message>
             <source>One step more or less; with Shift ten, with Ctrl a tenth</source>

@@ -44,6 +44,10 @@
             <translation>Kopiera: {name}</translation>
         </message>
         <message>
+            <source>Corrections and measures come with the scan.</source>
+            <translation>Korrigeringar och mått kommer med avbildningen.</translation>
+        </message>
+        <message>
             <source>Drag a point of the outline; double click adds one on the line, or takes one away</source>
             <translation>Dra i en punkt på konturen; dubbelklick lägger till en på linjen eller tar bort en</translation>
         </message>

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan import ScannedFoot
+from insole_core.errors import ReconstructionError
 from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
@@ -79,6 +80,7 @@ class Bench:
         self.panel, self.session, self.jobs, self._qtbot = FakePanel(), session, jobs, qtbot
         self.handed: list[ScannedFoot] = []
         self.left: list[bool] = []
+        self.needed = 0
         self.errors: list[Exception] = []
         self.limits = [DEFAULT_LIMITS]
         self.asked: list[str] = []
@@ -91,8 +93,12 @@ class Bench:
             hand_over=self.handed.append,
             ask=self._ask,
             finished=self.left.append,
+            needed_again=self._need,
             unreadable=self.errors.append,
         )
+
+    def _need(self) -> None:
+        self.needed += 1
 
     def _ask(self, sentence: str) -> bool:
         self.asked.append(sentence)
@@ -367,3 +373,22 @@ def test_nothing_can_be_pressed_before_there_is_a_session(bench: Bench) -> None:
     bench.panel.view_chosen.emit("left")
     bench.panel.marker_moved.emit("S1", (1.0, 1.0))
     assert bench.presenter.edits == NO_EDITS
+
+
+def test_a_stage_that_was_left_comes_back_when_its_foot_cannot_be_made(
+    opened: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_args: object, **_options: object) -> None:
+        raise ReconstructionError("No view can be used; correct the markers.")
+
+    monkeypatch.setattr("insole_studio.stages.reconstruct.presenter.make_foot", fail)
+    opened.settle()
+    opened.presenter.make()
+    opened.presenter.go_on()
+    assert opened.left == [False]  # left, while its foot is still made
+    opened.settle()
+    assert opened.needed == 1
+    assert opened.panel.sentences == "No view can be used; correct the markers."
+    opened.presenter.make()
+    opened.settle()
+    assert opened.needed == 1  # nobody had left

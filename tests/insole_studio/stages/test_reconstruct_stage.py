@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.insole.design import Pelott
@@ -91,6 +91,11 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     assert stage.view.table.text_at(0, "Remarks") == "Good"
     QTest.mouseClick(stage.view.go_on, LEFT)
     assert app.studio.rooms.foot.stage is None
+    QTest.qWaitForWindowActive(app.window)
+    assert app.window.isActiveWindow()
+    assert QApplication.focusWidget() is app.stage.foot.scene.surface
+    steps = [button.text() for button in app.stage.steps.findChildren(QToolButton)]
+    assert [text for text in steps if text.startswith("◉")] == ["◉  Design"]
     app.stage.steps.chosen.emit("foot")
     again = shown_stage(app)
     assert again is not stage

@@ -75,6 +75,7 @@ class ParametersView(QScrollArea):
             self._rows, self._field_px = TOUCH_ROWS, TOUCH_FIELD_PX
         content = QWidget()
         flow = FlowLayout(content, margin_px=4, gap_px=12)
+        flow.setContentsMargins(8, 4, 4, 4)  # in line with the titles of the panels
         for group in groups:
             flow.addWidget(self._group(group))
         self.setWidget(content)

@@ -64,6 +64,11 @@ class PatientView(QScrollArea):
         self.sides.offer_chosen.connect(self.action_requested)
         self._no_side = QLabel(tr("comes with the scan"))
         self._no_side.setObjectName("quiet")
+        self._later = QLabel(tr("Corrections and measures come with the scan."))
+        self._later.setObjectName("quiet")
+        self._later.setWordWrap(True)
+        self._of_foot = QWidget()
+        """What there is only with a foot: corrections, warnings, measures."""
         self.variants = VariantRow()
         self.variants.chosen.connect(self.variant_chosen)
         self.variants.action_requested.connect(self.action_requested)
@@ -99,6 +104,8 @@ class PatientView(QScrollArea):
         """Show which feet there are, and which is at hand."""
         self.sides.show_feet(at_hand, present)
         self._form.setRowVisible(self._no_side, at_hand is None)
+        self._of_foot.setVisible(at_hand is not None)
+        self._later.setVisible(at_hand is None)
 
     def show_variants(self, names: Sequence[str], chosen: str) -> None:
         """Show the variants of the foot at hand."""
@@ -161,14 +168,22 @@ class PatientView(QScrollArea):
         layout.setSpacing(8)
         layout.addWidget(self.sides)
         layout.addLayout(form)
+        layout.addWidget(self._later)
+        layout.addWidget(self._of_foot)
+        layout.addStretch(1)
+        self._lay_out_of_foot()
+        return content
+
+    def _lay_out_of_foot(self) -> None:
+        layout = QVBoxLayout(self._of_foot)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
         layout.addWidget(_heading(tr("Corrections")))
         layout.addWidget(self.variants)
         layout.addLayout(self._corrections)
         layout.addLayout(self._warnings)
         layout.addWidget(_heading(tr("Measures")))
         layout.addWidget(self._measures)
-        layout.addStretch(1)
-        return content
 
     def _correction_line(self, row: CorrectionRow) -> QWidget:
         eye = _button(row, "eye" if row.enabled else "eye-off", tr("Switch on or off"))

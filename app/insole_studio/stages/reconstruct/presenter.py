@@ -88,6 +88,8 @@ class ReconstructPresenter:
         Whether to go on although a sentence speaks against it.
     finished
         Is told that the stage has done its work; with True when nothing runs any more.
+    needed_again
+        Is told that what the stage was left for cannot be had: there is something to put right.
     unreadable
         Is given the error when the session cannot be read at all.
     """
@@ -102,6 +104,7 @@ class ReconstructPresenter:
         hand_over: Callable[[ScannedFoot], None],
         ask: Callable[[str], bool],
         finished: Callable[[bool], None],
+        needed_again: Callable[[], None],
         unreadable: Callable[[Exception], None],
     ) -> None:
         self._panel = panel
@@ -111,6 +114,7 @@ class ReconstructPresenter:
         self._hand_over = hand_over
         self._ask = ask
         self._finished = finished
+        self._needed_again = needed_again
         self._unreadable = unreadable
         self._work: Correcting | None = None
         self._markers = MarkerPresenter(panel)
@@ -314,9 +318,12 @@ class ReconstructPresenter:
             return
         if not isinstance(error, InsoleError):
             raise error
-        self._trouble, self._leaves = str(error), False
+        was_left, self._leaves = self._leaves, False
+        self._trouble = str(error)
         self._show_sentences()
         self._show_buttons()
+        if was_left:
+            self._needed_again()
 
     def _give(self, made: MadeFoot) -> None:
         self._handed = made

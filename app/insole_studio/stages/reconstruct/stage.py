@@ -71,6 +71,7 @@ class ReconstructStage(StageFrame):
             hand_over=self.foot_made.emit,
             ask=ask,
             finished=self._leave,
+            needed_again=self._come_back,
             unreadable=self._give_up,
         )
         box = BoxHand(lambda: self.presenter.box, self.view.show_box, self.presenter.edit_box)
@@ -105,6 +106,11 @@ class ReconstructStage(StageFrame):
             self.close()
         else:
             self.hide()
+
+    def _come_back(self) -> None:
+        self.show()
+        self.raise_()
+        self.activateWindow()
 
     def _give_up(self, error: Exception) -> None:
         self.unreadable.emit(error)
