@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import SuperLU, splu
+from scipy.sparse.linalg import LinearOperator, SuperLU, cg, splu
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -15,7 +15,10 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
 from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.view_gaps import view_gaps
-from insole_core.reconstruct.views_at_once import for_views
+from insole_core.reconstruct.views_at_once import both, for_views
+
+_EXACT = 1e-6
+"""Residual of the normal equations, as a share of their right side: micrometres."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +80,9 @@ def refine(
 
     Unknown are the displacements and, per view, an offset and two tilts of the disparity; the
     residuals are disparities along the rays, where the sensor's noise is even; the prior is a
-    thin plate. One linear system, solved a few times with the weights of the last solution.
+    thin plate. One linear system, solved a few times with the weights of the last solution: the
+    first time directly, then by conjugate gradients from there, for which the first is so near
+    that a few steps will do.
 
     Parameters
     ----------
@@ -88,16 +93,16 @@ def refine(
     caster = RayCaster(mesh)
     seen = for_views(lambda reading: observe(reading, mesh, normals, caster), readings)
     system = _System.of(mesh, normals, seen, limits)
-    displacement = np.zeros(len(mesh.vertices))
-    views = np.zeros(3 * len(seen))
-    for _ in range(limits.rounds):
-        weights = system.robust_weights(displacement, views)
-        solver = system.factorised(weights)
-        displacement, views = system.solve(solver, weights)
+    weights = system.robust_weights(np.zeros(system.size))
+    inverse = system.inverse(weights)
+    deviation_mm, found = both(
+        lambda: system.deviation_mm(inverse, weights), lambda: system.improved(inverse, weights)
+    )
+    displacement, views = np.split(found, [len(mesh.vertices)])
     moved = np.clip(displacement, -limits.farthest_mm, limits.farthest_mm)
     return RefinedSurface(
         mesh.moved(mesh.vertices + moved[:, None] * normals),
-        system.deviation_mm(solver, weights),
+        deviation_mm,
         views.reshape(-1, 3),
         view_gaps(mesh, normals, displacement, readings, seen),
     )
@@ -144,42 +149,104 @@ class _System:
             limits,
         )
 
-    def robust_weights(self, displacement: FloatArray, views: FloatArray) -> FloatArray:
-        left = self.residuals - self.design @ displacement - self.terms @ views
+    @property
+    def size(self) -> int:
+        """Number of the unknowns: displacements of the vertices, then three terms of every view."""
+        return len(self.bent_mm) + int(self.terms.shape[1])
+
+    def robust_weights(self, found: FloatArray) -> FloatArray:
+        left = self.residuals - self._predicted(found)
         return _robust(left, self.information, self.limits.robust)
 
-    def factorised(self, weights: FloatArray) -> SuperLU:
+    def pull(self, weights: FloatArray) -> FloatArray:
+        """Right side of the normal equations (unknowns,)."""
+        pull = self._gathered(weights * self.residuals)
+        bent = np.asarray(self.bending.T @ self.bent_mm)
+        pull[: len(bent)] -= self.limits.stiffness * bent
+        return pull
+
+    def inverse(self, weights: FloatArray) -> _Inverse:
+        """Factorise the normal equations; the views are eliminated (Schur complement)."""
         weighted = sparse.diags_array(weights) @ self.design
-        return splu(
+        solver = splu(
             sparse.csc_array(self.design.T @ weighted + self.plate),
             permc_spec="MMD_AT_PLUS_A",
             diag_pivot_thresh=0.0,  # positive definite: the diagonal will do, and keeps the order
             panel_size=2,
             options={"SymmetricMode": True},
         )
-
-    def solve(self, solver: SuperLU, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Solve for displacements and view terms; the views are eliminated (Schur complement)."""
-        pull = self.design.T @ (weights * self.residuals)
-        alone = solver.solve(
-            np.asarray(pull - self.limits.stiffness * (self.bending.T @ self.bent_mm))
-        )
         coupling = np.asarray(self.design.T @ (weights[:, None] * self.terms))
         response = solver.solve(coupling)
-        prior = np.eye(self.terms.shape[1]) / self.limits.view_offset_raw**2
-        schur = self.terms.T @ (weights[:, None] * self.terms) + prior - coupling.T @ response
-        pull_views = self.terms.T @ (weights * self.residuals) - coupling.T @ alone
-        views = np.linalg.solve(schur, pull_views)
-        return alone - response @ views, views
+        own = self.terms.T @ (weights[:, None] * self.terms) + self._views_prior()
+        return _Inverse(solver, coupling, response, own - coupling.T @ response)
 
-    def deviation_mm(self, solver: SuperLU, weights: FloatArray) -> FloatArray:
+    def improved(self, inverse: _Inverse, weights: FloatArray) -> FloatArray:
+        """Solve (unknowns,), and again with the weights that follow from it."""
+        found = inverse.applied(self.pull(weights))
+        for _ in range(self.limits.rounds - 1):
+            found = self.solved(self.robust_weights(found), found, inverse)
+        return found
+
+    def solved(self, weights: FloatArray, start: FloatArray, nearly: _Inverse) -> FloatArray:
+        """Solve the normal equations of weights whose inverse is nearly known, from a start."""
+        shape = (self.size, self.size)
+        normal = LinearOperator(shape, lambda found: self._normal(weights, found), dtype=float)
+        inverse = LinearOperator(shape, nearly.applied, dtype=float)
+        # No residual changes its weight by more than 200 times, so a hundred steps always do.
+        found, _ = cg(normal, self.pull(weights), start, rtol=_EXACT, M=inverse)
+        return np.asarray(found)
+
+    def _normal(self, weights: FloatArray, found: FloatArray) -> FloatArray:
+        displacement, views = np.split(found, [len(self.bent_mm)])
+        prior = np.concatenate([np.asarray(self.plate @ displacement), self._views_prior() @ views])
+        return np.asarray(self._gathered(weights * self._predicted(found)) + prior)
+
+    def _predicted(self, found: FloatArray) -> FloatArray:
+        displacement, views = np.split(found, [len(self.bent_mm)])
+        return np.asarray(np.asarray(self.design @ displacement) + self.terms @ views)
+
+    def _gathered(self, weighted: FloatArray) -> FloatArray:
+        of_vertices = np.asarray(self.design.T @ weighted)
+        return np.asarray(np.concatenate([of_vertices, self.terms.T @ weighted]))
+
+    def _views_prior(self) -> FloatArray:
+        return np.asarray(np.eye(self.terms.shape[1]) / self.limits.view_offset_raw**2)
+
+    def deviation_mm(self, inverse: _Inverse, weights: FloatArray) -> FloatArray:
         """Spread of draws from the posterior, by perturbing data and prior and solving."""
         rng = np.random.default_rng(0)
         count = self.limits.samples
         data = np.sqrt(weights)[:, None] * rng.standard_normal((len(weights), count))
         plate = rng.standard_normal((self.bending.shape[0], count))
         pull = self.design.T @ data + np.sqrt(self.limits.stiffness) * (self.bending.T @ plate)
-        return np.asarray(np.sqrt((solver.solve(pull) ** 2).mean(1)))
+        return np.asarray(np.sqrt((inverse.solver.solve(pull) ** 2).mean(1)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Inverse:
+    """The inverse of the normal equations of all unknowns.
+
+    Parameters
+    ----------
+    solver
+        Of the vertices alone.
+    coupling, response : (n, 3 * views) float64
+        What the vertices and the views have to do with each other, and what the vertices answer.
+    schur : (3 * views, 3 * views) float64
+        Of the views, after that.
+    """
+
+    solver: SuperLU
+    coupling: FloatArray
+    response: FloatArray
+    schur: FloatArray
+
+    def applied(self, pull: FloatArray) -> FloatArray:
+        """Solve for displacements and view terms (unknowns,)."""
+        of_vertices, of_views = np.split(pull, [len(self.coupling)])
+        alone = self.solver.solve(of_vertices)
+        views = np.linalg.solve(self.schur, of_views - self.coupling.T @ alone)
+        return np.concatenate([alone - self.response @ views, views])
 
 
 def _block_diagonal(parts: list[FloatArray]) -> FloatArray:
