@@ -9,6 +9,9 @@ from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 from insole_studio.texts import tr
 from insole_studio.widgets.refusal import Refusal
 
+TOUCH_HEIGHT_PX = 36
+"""A field that is higher is made for fingers."""
+TOUCH_BUTTONS_PX = 84
 COARSE = 10.0
 FINE = 0.1
 _OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
@@ -48,6 +51,16 @@ class NumberField(QDoubleSpinBox):
         self.valueChanged.connect(self.edited)
         self.refusal = Refusal(self)
         self.lineEdit().textEdited.connect(self.refusal.hide)
+
+    @property
+    def is_for_fingers(self) -> bool:
+        """Whether the style makes it a target for fingers."""
+        self.ensurePolished()
+        return self.sizeHint().height() > TOUCH_HEIGHT_PX
+
+    def narrow(self, width_px: int) -> None:
+        """Be no wider than this; fingers get their buttons beside it."""
+        self.setFixedWidth(width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0))
 
     def show_value(self, value: float) -> None:
         """Show a value without `edited`; what is being typed stays."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import Measure
 from insole_studio.texts import tr
+from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -58,9 +58,7 @@ class MeasureGrid(QWidget):
     def _add(self, row: int, measure: Measure) -> None:
         both = len(measure.values) == _BOTH
         is_angle = both and measure.unit == "°"
-        name = QLabel(f"{measure.name} (°)" if is_angle else measure.name)
-        if measure.key:
-            self._lead(name, measure.key)
+        name = self._name(f"{measure.name} (°)" if is_angle else measure.name, measure.key)
         name.setWordWrap(True)
         name.setToolTip(measure.tip)
         self._grid.addWidget(name, row, 0)
@@ -72,11 +70,11 @@ class MeasureGrid(QWidget):
                 number.setObjectName("quiet")
             self._grid.addWidget(number, row, column, _RIGHT)
 
-    def _lead(self, name: QLabel, key: str) -> None:
-        """Make a name lead to the place of its measure, by mouse and by keys."""
-        plain = "color: inherit; text-decoration: none"
-        name.setText(f'<a href="{key}" style="{plain}">{escape(name.text())}</a>')
-        by = Qt.TextInteractionFlag
-        name.setTextInteractionFlags(by.LinksAccessibleByMouse | by.LinksAccessibleByKeyboard)
+    def _name(self, words: str, key: str) -> QLabel:
+        """A name that leads to the place of its measure, where it has one."""
+        if not key:
+            return QLabel(words)
+        name = LinkLabel(words, key, underlined=False)
         name.setCursor(Qt.CursorShape.PointingHandCursor)
         name.linkActivated.connect(self.chosen)
+        return name

@@ -24,10 +24,8 @@ from insole_studio.widgets.number_field import NumberField
 
 ROWS, TOUCH_ROWS = 3, 2
 """Fields above each other: what a low screen has room for with a mouse, and with fingers."""
-TOUCH_HEIGHT_PX = 36
-"""A field that is higher is made for fingers."""
 ROW_HEIGHT_PX = 26
-FIELD_PX, TOUCH_FIELD_PX = 88, 172
+FIELD_PX = 88
 SHORT_TEXT, SHORT_PX, TOUCH_SHORT_PX = 3, 32, 46
 CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
@@ -43,7 +41,7 @@ class ParametersView(QScrollArea):
         super().__init__(parent)
         self._shape: tuple[object, ...] = ()
         self._fields: dict[str, NumberField | Choice] = {}
-        self._rows, self._field_px = ROWS, FIELD_PX
+        self._rows = ROWS
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(LEAST_PX)
@@ -70,9 +68,7 @@ class ParametersView(QScrollArea):
 
     def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
         self._fields = {}
-        self._rows, self._field_px = ROWS, FIELD_PX
-        if self._for_fingers:
-            self._rows, self._field_px = TOUCH_ROWS, TOUCH_FIELD_PX
+        self._rows = TOUCH_ROWS if self._for_fingers else ROWS
         content = QWidget()
         flow = FlowLayout(content, margin_px=4, gap_px=12)
         flow.setContentsMargins(8, 4, 4, 4)  # in line with the titles of the panels
@@ -105,8 +101,7 @@ class ParametersView(QScrollArea):
 
     @property
     def _for_fingers(self) -> bool:
-        self.ensurePolished()
-        return NumberField("", least=0, greatest=1, step=1).sizeHint().height() > TOUCH_HEIGHT_PX
+        return NumberField("", least=0, greatest=1, step=1).is_for_fingers
 
     def _add_field(
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
@@ -114,7 +109,10 @@ class ParametersView(QScrollArea):
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        field.setFixedWidth(CHOICE_PX if isinstance(spec, ChoiceSpec) else self._field_px)
+        if isinstance(field, NumberField):
+            field.narrow(FIELD_PX)
+        else:
+            field.setFixedWidth(CHOICE_PX)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Signal
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -14,7 +13,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPlainTextEdit,
     QPushButton,
-    QScrollArea,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -25,16 +23,17 @@ from insole_studio.stages.design.measure_grid import MeasureGrid
 from insole_studio.stages.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.stages.design.variant_row import VariantRow
 from insole_studio.texts import tr
-from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
+from insole_studio.widgets.upright_scroll import UprightScroll
 
 LEAST_PX = 216
 
 
-class PatientView(QScrollArea):
+class PatientView(UprightScroll):
     """Lays out the patient panel."""
 
     field_edited = Signal(str, str)
@@ -79,17 +78,11 @@ class PatientView(QScrollArea):
         self._warnings = QVBoxLayout()
         self._warnings.setSpacing(4)
         self.setWidget(self._content())
-        self.setWidgetResizable(True)
-        self.setFrameShape(QScrollArea.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll_by_finger(self)
 
     def minimumSizeHint(self) -> QSize:
-        """Never cut the lines: they cannot be scrolled sideways."""
-        content = self.widget()
-        inside = 0 if content is None else content.minimumSizeHint().width()
-        bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(max(LEAST_PX, inside + bar), super().minimumSizeHint().height())
+        """Be a panel, also with short lines."""
+        hint = super().minimumSizeHint()
+        return QSize(max(LEAST_PX, hint.width()), hint.height())
 
     def show_fields(self, values: dict[str, str]) -> None:
         """Show the fields; what is being typed stays."""
@@ -137,15 +130,9 @@ class PatientView(QScrollArea):
                 widget.hide()
                 widget.deleteLater()
         for number, row in enumerate(rows):
-            label = QLabel(f'<a href="{number}" style="color: inherit">{escape(row.text)}</a>')
-            if not row.leads:
-                label.setText(escape(row.text))
+            label = LinkLabel(row.text, str(number)) if row.leads else QLabel(row.text)
             label.setObjectName("warning")
             label.setWordWrap(True)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
-            if row.leads:
-                keys = Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-                label.setTextInteractionFlags(label.textInteractionFlags() | keys)
             label.linkActivated.connect(self._choose_warning)
             self._warnings.addWidget(label)
 

@@ -12,6 +12,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.choice import Choice
 from insole_studio.widgets.number_field import NumberField
 
+LIMIT_PX = 96
 _SIGNS = {
     CheckState.PASSED: "✓",
     CheckState.WARNING: "!",
@@ -81,7 +82,7 @@ class _Row(QWidget):
             decimals = 2 if row.name == "cutter" else 1
             self.limit = NumberField(row.unit, least=0, greatest=500, step=0.5, decimals=decimals)
             self.limit.setAccessibleName(row.title)
-            self.limit.setFixedWidth(96)
+            self.limit.narrow(LIMIT_PX)
             self.limit.edited.connect(self._edit)
             grid.addWidget(self.limit, 0, 2)
 

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -29,8 +27,8 @@ from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
 from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
-from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.sentences import Sentences, WorkBar
+from insole_studio.widgets.upright_scroll import UprightScroll
 from insole_studio.workbench.shop_order import OrderChoice
 
 _FORM_PX, _CHECKS_PX = 320, 376
@@ -78,6 +76,9 @@ class ExportView(QWidget):
         self.export.setShortcut(QKeySequence("Ctrl+Return"))
         self.export.setToolTip(tr("Write the files for the shop") + " (Ctrl+Enter)")
         self.export.clicked.connect(self.export_requested)
+        self._form_area, self._checks_area = UprightScroll(), UprightScroll()
+        self._form_area.setWidget(self.form)
+        self._checks_area.setWidget(self.check_list)
         self._bounds: FloatArray | None = None
         self._side: Side | None = None
         self._lay_out()
@@ -97,6 +98,7 @@ class ExportView(QWidget):
     def show_checks(self, rows: Sequence[CheckRow]) -> None:
         """Show the checks."""
         self.check_list.show_rows(rows)
+        self._fit_sides()
 
     def show_pieces(self, names: dict[str, str], chosen: str) -> None:
         """Offer what can be looked at: key and text of each; one alone is not offered."""
@@ -202,6 +204,17 @@ class ExportView(QWidget):
         """Give what is said beside the checks."""
         return self._notes.text()
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Give the columns the width that their style needs."""
+        super().showEvent(event)
+        self._fit_sides()
+
+    def _fit_sides(self) -> None:
+        for part, area, least_px in self._sides:
+            for widget in area.findChildren(QWidget):
+                widget.ensurePolished()
+            part.setFixedWidth(max(least_px, area.needed_px))
+
     def _place_words(self) -> None:
         self.model.scene.painter.show_directions(self._side, self._bounds)
 
@@ -211,14 +224,14 @@ class ExportView(QWidget):
     def _lay_out(self) -> None:
         left, right, middle = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
         left.addWidget(_heading(tr("Order")))
-        left.addWidget(_scrolled(self.form), 1)
+        left.addWidget(self._form_area, 1)
         self._piece_row.addStretch(1)
         middle.addLayout(self._piece_row)
         middle.addWidget(self.model, 1)
         self._summary.setContentsMargins(8, 0, 8, 0)
         middle.addWidget(self._summary)
         right.addWidget(_heading(tr("Checks")))
-        right.addWidget(_scrolled(self.check_list), 1)
+        right.addWidget(self._checks_area, 1)
         for widget in (self._notes, self._error, self._reason_label, self.reason, self._progress):
             right.addWidget(widget)
         buttons = QHBoxLayout()
@@ -226,14 +239,19 @@ class ExportView(QWidget):
         buttons.addWidget(self.export, 1)
         right.addLayout(buttons)
         layout = QHBoxLayout()
-        for column, width in ((left, _FORM_PX), (middle, 0), (right, _CHECKS_PX)):
+        parts = []
+        for column in (left, middle, right):
             part = QWidget()
             column.setContentsMargins(0, 0, 0, 0)
             column.setSpacing(8)
             part.setLayout(column)
-            if width:
-                part.setFixedWidth(width)
-            layout.addWidget(part, 0 if width else 1)
+            layout.addWidget(part)
+            parts.append(part)
+        layout.setStretch(1, 1)
+        self._sides = (
+            (parts[0], self._form_area, _FORM_PX),
+            (parts[2], self._checks_area, _CHECKS_PX),
+        )
         whole = QVBoxLayout(self)
         whole.addWidget(self._patient)
         whole.addLayout(layout, 1)
@@ -243,13 +261,3 @@ def _heading(text: str) -> QLabel:
     label = QLabel(text)
     label.setObjectName("heading")
     return label
-
-
-def _scrolled(widget: QWidget) -> QScrollArea:
-    area = QScrollArea()
-    area.setWidget(widget)
-    area.setWidgetResizable(True)
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    scroll_by_finger(area)
-    return area

@@ -1,0 +1,30 @@
+"""A column that is scrolled up and down only."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+from insole_studio.widgets.finger_scroll import scroll_by_finger
+
+
+class UprightScroll(QScrollArea):
+    """Never cuts its lines: they cannot be scrolled sideways."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll_by_finger(self)
+
+    @property
+    def needed_px(self) -> int:
+        """The width of the widest line, with the bar beside it."""
+        content = self.widget()
+        inside = 0 if content is None else content.minimumSizeHint().width()
+        return inside + self.verticalScrollBar().sizeHint().width()
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the widest line."""
+        return QSize(self.needed_px, super().minimumSizeHint().height())
