@@ -2,7 +2,8 @@
 
 The core writes plain English with values in it and knows nothing of languages. The phrasebook
 holds the sentences with numbered holes, "{0} is flat, which is no surface of a foot; …"; what
-stands in a hole may itself be a sentence of the book, such as the reason within an error.
+stands in a hole may itself be a sentence of the book, such as the reason within an error, or a list
+of its words.
 """
 
 from __future__ import annotations
@@ -47,8 +48,15 @@ class Phrasebook:
         for pattern, translation in self._holed:
             found = pattern.fullmatch(sentence)
             if found is not None:
-                return _filled(translation, [self._say(value) for value in found.groups()])
+                return _filled(translation, [self._say_value(value) for value in found.groups()])
         return sentence
+
+    def _say_value(self, value: str) -> str:
+        """Say what stands in a hole: a sentence, a word, or a list of which all is known."""
+        listed = value.split(", ")
+        said = [self._say(part) for part in listed]
+        known = all(part != saying for part, saying in zip(listed, said, strict=True))
+        return ", ".join(said) if known else self._say(value)
 
 
 def _pattern(template: str) -> re.Pattern[str]:

@@ -161,8 +161,19 @@ def test_the_reason_why_no_picture_of_a_board_can_be_used_is_said_as_well() -> N
     said = Phrasebook(BOOK).say(f"None of the 3 pictures can be used: {caught.value}")
     assert said == (
         "Ingen av de 3 bilderna kan användas: color_000.png: inget schackbräde med 9×6 inre hörn"
-        " syns; visa hela tavlan, plan och väl belyst."
+        " syns; visa hela brädet, plant och väl belyst."
     )
+
+
+def test_a_list_of_words_is_said_word_by_word() -> None:
+    said = Phrasebook(BOOK).say(
+        "The board was hardly seen in these parts: upper left, lower right."
+    )
+    assert said == "Brädet syntes knappt i dessa delar: uppe till vänster, nere till höger."
+    sides = Phrasebook(BOOK | {"Turn it: {0}.": "Vrid det: {0}."}).say(
+        "Turn it: 4 × right, 3 × up."
+    )
+    assert sides == "Vrid det: 4 × åt höger, 3 × uppåt."
 
 
 @pytest.mark.parametrize("unknown", ["", "Nobody has said this.", "{0} [a-z]+ (", "x" * 300])

@@ -190,9 +190,9 @@ class CalibrateView(QWidget):
 
     def _board_form(self) -> QWidget:
         corners = QHBoxLayout()
-        corners.addWidget(self._columns)
+        corners.addWidget(self._columns, 1)
         corners.addWidget(QLabel("×"))
-        corners.addWidget(self._rows)
+        corners.addWidget(self._rows, 1)
         widget = QWidget()
         form = QFormLayout(widget)
         form.setContentsMargins(0, 0, 0, 0)
