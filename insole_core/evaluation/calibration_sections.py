@@ -19,7 +19,7 @@ from insole_core.calibration.intrinsics import (
 from insole_core.calibration.marker_survey import MarkerSurvey
 from insole_core.calibration.reference_file import BumpCheck, FaceCheck, positions
 from insole_core.calibration.stereo import StereoCalibration
-from insole_core.evaluation.report import Number, Plot, Section, Table
+from insole_core.evaluation.report import Number, Plot, Section, Share, Table
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.recording.session import ReferenceSystem
@@ -148,7 +148,7 @@ def distortion_section(calibration: DistortionCalibration) -> Section:
         title="Distortion of the depth sensor",
         numbers=(
             Number("walls", "Walls used", len(calibration.walls)),
-            Number("covered_share", "Share of the image covered", calibration.covered_share),
+            Share("covered_share", "Share of the image covered", calibration.covered_share),
             Number("deviation_raw", "Standard deviation", calibration.deviation_raw, "raw units"),
         ),
         sentences=calibration.advice + _left_out(calibration.left_out),
@@ -298,3 +298,5 @@ def _draw_boards(figure: Figure, calibration: CameraCalibration) -> None:
         axes.plot(x, z, -y)
     axes.plot([0], [0], [0], "k^")
     axes.set(xlabel="to the right", ylabel="away", zlabel="upwards", aspect="equal")
+    axes.locator_params(nbins=4)
+    axes.tick_params(labelsize=7)

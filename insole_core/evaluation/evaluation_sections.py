@@ -11,7 +11,7 @@ from insole_core.evaluation.alignment import Misalignment
 from insole_core.evaluation.artefact import ArtefactEvaluation
 from insole_core.evaluation.distances import ObjectEvaluation
 from insole_core.evaluation.noise import Noise, WarmUp
-from insole_core.evaluation.report import Number, Plot, Section, Table
+from insole_core.evaluation.report import Number, Plot, Section, Share, Table
 from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
@@ -76,13 +76,16 @@ def resolution_section(resolutions: Sequence[Resolution]) -> Section:
 def alignment_section(rows: Sequence[Misalignment]) -> Section:
     """Report the misalignment of colour and depth: table 2."""
     texts = tuple(
-        (f"{r.distance_mm:.0f}", f"{r.x_px:+.2f}", f"{r.y_px:+.2f}", f"{r.sd_x_px:.2f}",
+        (f"{r.distance_mm:.0f}", f"{r.x_px:+z.2f}", f"{r.y_px:+z.2f}", f"{r.sd_x_px:.2f}",
          f"{r.sd_y_px:.2f}", str(r.points))
         for r in rows
     )  # fmt: skip
     return Section(
         key="alignment",
         title="Colour on depth",
+        sentences=(
+            "How far to the right (x) and below (y) of where the depth expects it colour is seen.",
+        ),
         numbers=(
             Number("x_px", "Largest offset in x", max((r.x_px for r in rows), key=abs), "px"),
             Number("y_px", "Largest offset in y", max((r.y_px for r in rows), key=abs), "px"),
@@ -90,6 +93,7 @@ def alignment_section(rows: Sequence[Misalignment]) -> Section:
         tables=(
             Table("Offset", ("distance, mm", "x", "y", "sd x", "sd y", "points"), texts, "px"),
         ),
+        plots=(Plot("Offset over distance", lambda f: _draw_alignment(f, rows)),),
     )
 
 
@@ -97,7 +101,7 @@ def object_section(result: ObjectEvaluation) -> Section:
     """Report a known object: figures 17 to 19."""
     listed = len(result.distances) if len(result.distances) <= _LISTED else _LARGEST
     rows = tuple(
-        (f"{d.first}-{d.second}", d.axis, f"{d.true_mm:.2f}", f"{d.measured_mm:.2f}",
+        (_pair(d.first, d.second), d.axis, f"{d.true_mm:.2f}", f"{d.measured_mm:.2f}",
          f"{d.error_mm:+.2f}", f"{d.relative:.2%}")
         for d in sorted(result.distances, key=lambda d: -abs(d.error_mm))[:listed]
     )  # fmt: skip
@@ -116,7 +120,7 @@ def object_section(result: ObjectEvaluation) -> Section:
             Number("mean_abs_mm", "Mean absolute error", result.mean_abs_mm, "mm"),
             Number("sd_abs_mm", "Standard deviation of it", result.sd_abs_mm, "mm"),
             Number("max_abs_mm", "Largest error", result.max_abs_mm, "mm"),
-            Number("mean_relative", "Mean relative error", result.mean_relative),
+            Share("mean_relative", "Mean relative error", result.mean_relative),
             *by_axis,
         ),
         tables=(
@@ -149,7 +153,7 @@ def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> Section:
     numbers = [
         Number("sd_raw", "Noise of one frame", noise.sd_raw, "raw units"),
         Number("sd_mm", "Noise of one frame", noise.sd_mm, "mm"),
-        Number("missing_share", "Share without reading", noise.missing_share),
+        Share("missing_share", "Share without reading", noise.missing_share),
     ]
     plots: tuple[Plot, ...] = ()
     if warm_up is not None:
@@ -161,6 +165,17 @@ def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> Section:
     return Section("noise", "Noise and warm-up", tuple(numbers), plots=plots)
 
 
+def _pair(first: str, second: str) -> str:
+    """Name two points; the picture that both are in only once."""
+    picture, found, point = first.rpartition(":")
+    other, _, other_point = second.rpartition(":")
+    return (
+        f"{picture}: {point} – {other_point}"
+        if found and other == picture
+        else f"{first} – {second}"
+    )
+
+
 def _draw_walls(figure: Figure, errors: Mapping[str, Sequence[WallError]]) -> None:
     axes = figure.subplots()
     for name, listed in errors.items():
@@ -169,6 +184,21 @@ def _draw_walls(figure: Figure, errors: Mapping[str, Sequence[WallError]]) -> No
             [e.distance_mm for e in ordered], [e.mean_abs_mm for e in ordered], "o-", label=name
         )
     axes.set(xlabel="distance, mm", ylabel="mean absolute error, mm", ylim=(0, None))
+    axes.grid(visible=True, alpha=0.3)
+    axes.legend()
+
+
+def _draw_alignment(figure: Figure, rows: Sequence[Misalignment]) -> None:
+    axes = figure.subplots()
+    distance = [r.distance_mm for r in rows]
+    axes.axhline(0, color="#999999", linewidth=0.8)
+    axes.errorbar(
+        distance, [r.x_px for r in rows], [r.sd_x_px for r in rows], fmt="o-", capsize=3, label="x"
+    )
+    axes.errorbar(
+        distance, [r.y_px for r in rows], [r.sd_y_px for r in rows], fmt="s-", capsize=3, label="y"
+    )
+    axes.set(xlabel="distance, mm", ylabel="offset and standard deviation, px")
     axes.grid(visible=True, alpha=0.3)
     axes.legend()
 

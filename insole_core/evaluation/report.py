@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -42,15 +42,28 @@ class Number:
     @property
     def text(self) -> str:
         """The number with its unit."""
-        space = "" if self.unit == "°" else " "
-        return f"{self.value:.4g}{space}{self.unit}".strip()
+        return self.said(self.value)
 
     @property
     def verdict(self) -> str:
         """The judgement in words; empty without a limit."""
         if self.limit is None:
             return ""
-        return f"{'passed' if self.passed else 'failed'} (limit {self.limit:g} {self.unit})".strip()
+        return f"{'passed' if self.passed else 'failed'} (limit {self.said(self.limit)})"
+
+    def said(self, value: float) -> str:
+        """Write a value of this number for people."""
+        space = "" if self.unit == "°" else " "
+        return f"{value:.4g}{space}{self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class Share(Number):
+    """A part of a whole, which people read in percent."""
+
+    def said(self, value: float) -> str:
+        """Write it in percent."""
+        return f"{100 * value:.3g} %"
 
 
 @dataclass(frozen=True)
@@ -137,12 +150,8 @@ class Report:
 
 def with_limits(section: Section, limits: dict[str, float]) -> Section:
     """Give a section whose numbers are judged by limits, number key to largest absolute value."""
-    numbers = tuple(
-        Number(n.key, n.label, n.value, n.unit, limits.get(n.key, n.limit)) for n in section.numbers
-    )
-    return Section(
-        section.key, section.title, numbers, section.sentences, section.tables, section.plots
-    )
+    numbers = tuple(replace(n, limit=limits.get(n.key, n.limit)) for n in section.numbers)
+    return replace(section, numbers=numbers)
 
 
 def report_json(report: Report) -> dict[str, Any]:

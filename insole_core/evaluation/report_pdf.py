@@ -23,7 +23,8 @@ _WIDE_LETTERS = 98
 _LETTER = 0.0094
 """Width of a letter, of the page's."""
 _GAP_LETTERS = 3
-_PLOTS_A_PAGE = 3
+_PLOT_HEIGHT = (_TOP - _BOTTOM) / 3
+"""Of the page's."""
 _GREY, _RED, _GREEN = "#595959", "#b00020", "#00692b"
 
 
@@ -106,16 +107,21 @@ class _Paper:
             self._row(table, row, starts, ends)
 
     def plots(self, plots: Sequence[Plot]) -> None:
-        """Draw plots on pages of their own."""
-        for first in range(0, len(plots), _PLOTS_A_PAGE):
-            self._end_page()
-            page = self._room(0)
-            page.set_layout_engine("constrained", rect=(_LEFT, _BOTTOM, _RIGHT - _LEFT, 0.88))
-            places = page.subfigures(_PLOTS_A_PAGE, 1, squeeze=False, hspace=0.06).ravel()
-            for plot, place in zip(plots[first : first + _PLOTS_A_PAGE], places, strict=False):
+        """Draw plots below each other: below the text as far as they find room, then on pages."""
+        rest = list(plots)
+        self._y -= _LINE
+        while rest:
+            page = self._room(_PLOT_HEIGHT / _LINE)
+            count = min(len(rest), int((self._y - _BOTTOM) / _PLOT_HEIGHT + 1e-6))
+            height = count * _PLOT_HEIGHT
+            area = (_LEFT, self._y - height, _RIGHT - _LEFT, height)
+            page.set_layout_engine("constrained", rect=area)
+            places = page.subfigures(count, 1, squeeze=False, hspace=0.06).ravel()
+            for plot, place in zip(rest, places, strict=False):
                 plot.draw(place)
                 place.suptitle(plot.title, fontsize=_TEXT_PT + 2, weight="bold")
             self._end_page()
+            rest = rest[count:]
 
     def _head(self, table: Table, starts: Sequence[float], ends: Sequence[float]) -> None:
         if not any(table.headings):

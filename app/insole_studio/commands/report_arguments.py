@@ -49,7 +49,7 @@ def check_reports(arguments: argparse.Namespace) -> None:
     check_report_paths(arguments.report)
 
 
-def conclude(section: Section, title: str, serial: str, arguments: argparse.Namespace) -> None:
+def conclude(section: Section, serial: str, arguments: argparse.Namespace) -> None:
     """Print an evaluation, write its reports, and judge it.
 
     Raises
@@ -63,7 +63,7 @@ def conclude(section: Section, title: str, serial: str, arguments: argparse.Name
     from insole_studio.workbench.calibration_report import make_report, write_reports
 
     section = judged(section, _limits_of(arguments, section.key))
-    report = make_report(title, serial, [section])
+    report = make_report(section.title, serial, [section])
     write_reports(report, arguments.report)
     print("\n".join(section_lines(section)))
     if not report.passed:

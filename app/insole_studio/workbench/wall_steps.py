@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.calibration.board import Board
-from insole_core.calibration.captures import WallCapture, read_captures
+from insole_core.calibration.captures import WallCapture, check_same_device, read_captures
 from insole_core.calibration.disparity_fit import centre_pairs, fit_linear_inverse, fit_tangent
 from insole_core.calibration.distortion import calibrate_distortion
 from insole_core.calibration.wall_boards import with_board_planes
@@ -142,7 +142,7 @@ def place_walls(
 
 
 def check_recorded_with(serial: str, captures: Sequence[WallCapture]) -> None:
-    """Refuse captures whose own sensor.json names another device.
+    """Refuse captures whose own sensor.json names another device, or that are of several.
 
     Raises
     ------
@@ -154,3 +154,4 @@ def check_recorded_with(serial: str, captures: Sequence[WallCapture]) -> None:
             f"{other.name} was recorded with sensor {other.serial}, not with {serial}; use the "
             "captures of one sensor."
         )
+    check_same_device(captures)

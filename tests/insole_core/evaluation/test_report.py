@@ -38,6 +38,7 @@ from insole_core.evaluation.report import (
     Number,
     Report,
     Section,
+    Share,
     Table,
     report_json,
     section_lines,
@@ -100,12 +101,29 @@ def test_html_holds_everything(report: Report, tmp_path: Path) -> None:
     assert 'src="http' not in page
 
 
+def pages(path: Path) -> int:
+    content = path.read_bytes()
+    assert content.startswith(b"%PDF")
+    return content.count(b"/Type /Page ") + content.count(b"/Type /Page\n")
+
+
 def test_pdf_has_the_pages(report: Report, tmp_path: Path) -> None:
     write_pdf(report, tmp_path / "report.pdf")
-    content = (tmp_path / "report.pdf").read_bytes()
-    assert content.startswith(b"%PDF")
     plots = sum(len(section.plots) for section in report.sections)
-    assert content.count(b"/Type /Page ") + content.count(b"/Type /Page\n") > plots
+    assert plots / 3 < pages(tmp_path / "report.pdf") <= plots
+
+
+def test_a_short_evaluation_is_one_page(tmp_path: Path) -> None:
+    section = alignment_section([Misalignment(800, 0.5, -0.001, 0.1, 0.1, 6)])
+    write_pdf(Report(section.title, "A", "now", (section,)), tmp_path / "a.pdf")
+    assert pages(tmp_path / "a.pdf") == 1
+    assert section.tables[0].rows[0][2] == "+0.00"
+
+
+def test_shares_are_read_in_percent() -> None:
+    (judged,) = with_limits(Section("s", "S", (Share("a", "A", 0.034),)), {"a": 0.02}).numbers
+    assert judged.text == "3.4 %"
+    assert judged.verdict == "failed (limit 2 %)"
 
 
 def test_json_holds_the_numbers(report: Report, tmp_path: Path) -> None:

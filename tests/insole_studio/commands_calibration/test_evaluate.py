@@ -79,6 +79,17 @@ def test_too_few_walls_to_leave_one_out(tmp_path: Path, last_line) -> None:
     assert "needs captures at 5 distances or more, but there are 3" in last_line()
 
 
+@pytest.mark.parametrize("what", ["wall", "resolution"])
+def test_captures_of_two_sensors(what: str, tmp_path: Path, last_line) -> None:
+    (tmp_path / "walls").mkdir()
+    for serial in ("SIM1", "SIM2"):
+        device = SimulatedDevice(np.zeros((480, 640)), serial=serial)
+        written = write_walls(tmp_path / serial, device, WALLS[:1], 1)
+        (written / "wall_000").rename(tmp_path / "walls" / serial)
+    assert run(["evaluate", what, str(tmp_path / "walls")]) == 1
+    assert "The captures come from different sensors: SIM1 (SIM1), SIM2 (SIM2)" in last_line()
+
+
 def test_correction_of_another_sensor(recorded, tmp_path: Path, perfect, capsys) -> None:
     other = SensorStore(tmp_path / "perfect").folder_of("SIM1")
     text = (other / "sensor.json").read_text().replace("SIM1", "SIM2")

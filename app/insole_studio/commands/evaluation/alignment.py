@@ -34,4 +34,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     points = read_correspondences(arguments, sensor, progress.part(0, 0.9))
     progress.step(0.9, "Measuring the misalignment")
     section = alignment_section(evaluate_alignment(sensor, points))
-    conclude(section, "Evaluation of colour on depth", sensor.serial, arguments)
+    conclude(section, sensor.serial, arguments)

@@ -36,6 +36,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.evaluation.artefact import evaluate_artefact
     from insole_core.evaluation.artefact_points import plate_points, sphere_points
     from insole_core.evaluation.evaluation_sections import artefact_section
+    from insole_studio.workbench.wall_steps import check_recorded_with
 
     sensor = evaluated_sensor(arguments)
     captures = read_captures(arguments.folder, progress.part(0, 0.6))
@@ -45,6 +46,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             f"{unknown[0]} in {arguments.folder} is neither a bar nor a plate; name the captures "
             "bar_000 … and plate_000 …."
         )
+    check_recorded_with(sensor.serial, captures)
     progress.step(0.6, "Measuring spheres and plates")
     pairs = [
         sphere_points(one, sensor, arguments.diameter)
@@ -55,4 +57,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     section = artefact_section(
         evaluate_artefact(pairs, plates, arguments.diameter, arguments.spacing)
     )
-    conclude(section, "Acceptance with an artefact", sensor.serial, arguments)
+    conclude(section, sensor.serial, arguments)

@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     measure = _measure_points if arguments.board is None else _measure_boards
     section = object_section(measure(arguments, sensor, progress.part(0, 0.9)))
     progress.step(0.9, "Writing the report")
-    conclude(section, "Evaluation of a known object", sensor.serial, arguments)
+    conclude(section, sensor.serial, arguments)
 
 
 def _measure_boards(

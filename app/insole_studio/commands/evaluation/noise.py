@@ -39,4 +39,4 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         progress.step(0.5, "Following the warm-up")
         moments = ((i * arguments.every, frame) for i, frame in enumerate(read_frames(paths)))
         warm_up = measure_warm_up(moments, sensor.disparity)
-    conclude(noise_section(noise, warm_up), "Noise and warm-up", sensor.serial, arguments)
+    conclude(noise_section(noise, warm_up), sensor.serial, arguments)

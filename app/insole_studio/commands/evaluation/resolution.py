@@ -25,12 +25,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     check_reports(arguments)
     from insole_core.evaluation.evaluation_sections import resolution_section
     from insole_core.evaluation.resolution import evaluate_resolution
-    from insole_studio.workbench.wall_steps import read_walls
+    from insole_studio.workbench.wall_steps import check_recorded_with, read_walls
 
     sensor = evaluated_sensor(arguments)
     captures = read_walls(arguments.folder, progress=progress.part(0, 0.8))
+    check_recorded_with(sensor.serial, captures)
     progress.step(0.8, "Measuring the resolution")
     section = resolution_section(
         [evaluate_resolution(one, sensor.depth_camera, sensor.disparity) for one in captures]
     )
-    conclude(section, "Evaluation of the resolution", sensor.serial, arguments)
+    conclude(section, sensor.serial, arguments)

@@ -44,15 +44,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     measure = _leave_one_out if arguments.leave_one_out else _before_and_after
     section = measure(captures, sensor, progress.part(0.4, 0.9))
     progress.step(0.9, "Writing the report")
-    conclude(section, "Evaluation of a flat wall", sensor.serial, arguments)
+    conclude(section, sensor.serial, arguments)
 
 
 def _leave_one_out(captures: list[WallCapture], sensor: Sensor, progress: Progress) -> Section:
-    from insole_core.calibration.captures import check_same_device
     from insole_core.evaluation.evaluation_sections import wall_section
     from insole_core.evaluation.leave_one_out import leave_one_out
 
-    check_same_device(captures)
     section = wall_section(leave_one_out(captures, sensor.depth_camera, sensor.disparity, progress))
     return replace(section, title="Error of a flat wall, each corrected from the others")
 
