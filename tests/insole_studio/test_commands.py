@@ -299,3 +299,9 @@ def test_the_other_foot_must_be_the_other(
     assert run([*call, "--report", str(report)]) == 2
     assert "--other" in last_line(capsys)
     assert not report.exists()
+
+
+def test_the_command_sets_the_threads_of_linear_algebra_before_numpy_reads_them() -> None:
+    code = "import sys, insole_studio.__main__; print('numpy' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"

@@ -8,17 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
-from simulated_board import COLOR_CAMERA, board_poses, chequer_print, photograph
-from simulated_device import CAMERA, DISPARITY, SimulatedDevice, wall
-from simulated_folders import BOARD
+from simulated_board import board_poses, chequer_print, photograph
+from simulated_device import SimulatedDevice, wall
+from simulated_folders import BOARD, SENSOR
 
 from insole_core.calibration.reference_file import load_reference_system
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rigid
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
-from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.place import Place
 from insole_studio.capture.workplace import DEFAULT_SYSTEM
 from insole_studio.stages.calibrate.rows import BoardSize
@@ -32,17 +30,13 @@ WALL_MM = 700.0
 @pytest.fixture(scope="session")
 def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """One sensor that sees a board in colour and a wall in depth."""
-    texture = chequer_print(BOARD.columns, BOARD.rows, 60)
+    texture = chequer_print(BOARD.columns, BOARD.rows, 30)
     (placed,) = board_poses(2, 1, BOARD.points_mm.mean(0), 600)
     placed[:3, 3] -= placed[:3, :2] @ np.full(2, 1.5 * BOARD.square_mm)
-    grey = photograph(texture, 2.0, placed, COLOR_CAMERA)
+    grey = photograph(texture, 1.0, placed, SENSOR.color_camera)
     color = np.repeat(grey[..., None], 3, axis=-1)
     depth = list(SimulatedDevice(np.zeros((480, 640))).frames(wall(WALL_MM, 3, -2), 4))
-    sensor = Sensor(
-        "kinect-v1", "SIM1", CAMERA, COLOR_CAMERA, rigid(np.eye(3), np.array([-25.0, 0, 0])),
-        DISPARITY, faces=("sole",),
-    )  # fmt: skip
-    view = View("left", sensor, len(depth), 1, lambda index: depth[index], lambda _index: color)
+    view = View("left", SENSOR, len(depth), 1, lambda index: depth[index], lambda _index: color)
     manifest = Manifest(
         "2026-01-01T00:00:00+00:00",
         Side.LEFT,
