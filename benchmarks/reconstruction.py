@@ -26,7 +26,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import reconstruct
-from insole_core.reconstruct.fusion.prepared_view import prepare
+from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
 from insole_core.reconstruct.fusion.reading import Reading, read_volume
 from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.measured_view import measure_view
@@ -107,7 +107,7 @@ def _compare(path: Path) -> None:
         seconds = _best(lambda peer=peer: peer(_readings(session)))
         rows.append([name, *truth.figures(peer(readings)), *seconds])
     for name, floor in _floors(session, readings, path, truth):
-        rows.append([name, *truth.figures(fuse([prepare(one) for one in floor]).mesh), "", ""])
+        rows.append([name, *truth.figures(fuse(floor).mesh), "", ""])
     head = ["", "error mean", "p95", "complete", "stray", "s after reading", "processor s"]
     print_table(head, rows)
     _steps(session)
@@ -135,16 +135,18 @@ def _steps(session: Session) -> None:
 
 def _floors(
     session: Session, readings: list[Reading], path: Path, truth: Truth
-) -> Iterator[tuple[str, list[Reading]]]:
+) -> Iterator[tuple[str, list[PreparedView]]]:
     """Give what `fused` would start from if it knew more."""
     placed = _with_true_poses(readings, path)
-    yield "floor: true poses", placed
+    yield "floor: true poses", [prepare(one) for one in placed]
     files = [path / "views" / view.name / "true_correction.npz" for view in session.views]
     if all(file.exists() for file in files):
         views = [_recalibrated(view, file) for view, file in zip(session.views, files, strict=True)]
         known = _readings(replace(session, views=tuple(views)))
-        yield "floor: and true distortion", _with_true_poses(known, path)
-    yield "floor: and depth without error", [_exact(one, truth.mesh) for one in placed]
+        known = _with_true_poses(known, path)
+        yield "floor: and true distortion", [prepare(one) for one in known]
+    without = [prepare(_exact(one, truth.mesh), exact=True) for one in placed]
+    yield "floor: and depth without error", without
 
 
 def _recalibrated(view: View, file: Path) -> View:

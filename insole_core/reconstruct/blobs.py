@@ -160,6 +160,8 @@ def _features(
 
 def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
     """Keep the largest blobs, thesis algorithm 3, step 7."""
+    if len(features) <= most:
+        return Blobs(features[:, :2], features[:, 2], labels)
     kept = np.sort(np.argsort(-features[:, 2], kind="stable")[:most])
     index = np.full(len(features) + 1, -1, dtype=np.int32)
     index[kept] = np.arange(len(kept))

@@ -27,10 +27,11 @@ def picture_fault(color: ByteArray, blobs: Blobs) -> str:
     blobs
         What was found in it; focus is judged at the rims of the markers.
     """
-    brightness = cv2.resize(color, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
-    if np.percentile(brightness.max(2), 99) < _DARK:
+    small = cv2.resize(color, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+    red, green, blue = cv2.split(small)
+    if np.percentile(cv2.max(cv2.max(red, green), blue), 99) < _DARK:
         return "its colour picture is almost dark; give more light or a longer exposure"
-    if (brightness.min(2) >= _GLARING).mean() > _GLARING_SHARE:
+    if (cv2.min(cv2.min(red, green), blue) >= _GLARING).mean() > _GLARING_SHARE:
         return "its colour picture is overexposed; take away light or shorten the exposure"
     if len(blobs) and _sharpness(color, blobs) < _STEEPEST:
         return "its colour picture is out of focus; clean the lens and see that the camera is still"

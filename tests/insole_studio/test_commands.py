@@ -264,7 +264,7 @@ def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
     out.write_text("of yesterday")
     process = subprocess.Popen(
-        [sys.executable, "-m", "insole_studio", "simulate", str(out)],
+        [sys.executable, "-m", "insole_studio", "simulate", str(out), "--ideal"],
         stderr=subprocess.PIPE,
         text=True,
     )

@@ -33,9 +33,17 @@ class PreparedView:
     rim: Rim | None = None
 
 
-def prepare(reading: Reading) -> PreparedView:
-    """Find the outline of the foot in a view; correct and smooth what lies within."""
+def prepare(reading: Reading, *, exact: bool = False) -> PreparedView:
+    """Find the outline of the foot in a view; correct and smooth what lies within.
+
+    Parameters
+    ----------
+    reading
+    exact
+        Whether it has no error of a matching window that is to be taken out.
+    """
     outline = find_silhouette(reading)
-    corrected = without_matching_error(within_outline(reading, outline))
+    within = within_outline(reading, outline)
+    corrected = within if exact else without_matching_error(within)
     rim = None if outline is None else find_rim(corrected, outline)
     return PreparedView(corrected, outline, smooth_depth(corrected), rim)
