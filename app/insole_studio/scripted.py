@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QWidget
 
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
@@ -18,6 +20,7 @@ from insole_studio.bootstrap import (
     build_application,
     qt_application,
 )
+from insole_studio.scene.view import SceneView
 from insole_studio.shell.answers import AnsweredQuestions, Answers
 from insole_studio.texts import tr
 
@@ -112,12 +115,17 @@ class ScriptedStudio:
 
 def grab_window(app: Application) -> QImage:
     """Give a picture of the window with its 3-D views, which Qt alone cannot see."""
-    image = app.window.grab().toImage()
+    return grab(app.window, (app.stage.insole.scene, app.stage.foot.scene))
+
+
+def grab(window: QWidget, scenes: Iterable[SceneView]) -> QImage:
+    """Give a picture of a window with those of its 3-D views that are seen."""
+    image = window.grab().toImage()
     painter = QPainter(image)
-    for view in (app.stage.insole.scene, app.stage.foot.scene):
-        if view.isVisible():
-            picture = view.picture()
+    for scene in scenes:
+        if scene.isVisible():
+            picture = scene.picture()
             picture.setDevicePixelRatio(image.devicePixelRatio())
-            painter.drawImage(view.surface.mapTo(app.window, QPoint(0, 0)), picture)
+            painter.drawImage(scene.surface.mapTo(window, QPoint(0, 0)), picture)
     painter.end()
     return image

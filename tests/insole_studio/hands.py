@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 
 from insole_core.geometry.side import Side
 from insole_studio.scene.view import SceneView
-from insole_studio.scripted import ScriptedStudio
+from insole_studio.scripted import ScriptedStudio, grab
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.widgets.number_field import NumberField
 
@@ -80,7 +80,7 @@ class Hands:
         self._wait(stage)
         self._done()
         if MANUAL:
-            stage.grab().save(f"{MANUAL}/6-checked.png")
+            grab(stage, [stage.view.model.scene]).save(f"{MANUAL}/6-checked.png")
         stage.close()
 
     def _wait(self, stage: ExportStage) -> None:

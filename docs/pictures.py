@@ -1,0 +1,131 @@
+"""Take the pictures of the documentation: ``python docs/pictures.py``, on a screen or under Xvfb.
+
+    QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" python docs/pictures.py
+
+The feet are those of one simulated person: the right one is the bundled example, the left one is
+simulated here. The pictures of the standard case are taken by its journey in the tests.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.geometry.side import Side
+from insole_core.insole.design import Pelott, Posting
+from insole_core.recording.hand_edits import HandEdits, ViewEdits
+from insole_core.recording.hand_edits_file import write_edits
+from insole_core.recording.writer import write_session
+from insole_core.resources import resource_path
+from insole_core.simulate import SimulationOptions, simulate_session
+from insole_studio.bootstrap import Places
+from insole_studio.scripted import ScriptedStudio, grab
+from insole_studio.stages.reconstruct.rows import FootMap
+from insole_studio.stages.reconstruct.stage import ReconstructStage
+
+DOCS = Path(__file__).parent
+EXAMPLE = resource_path("example/example.insole")
+SEED = 21
+"""That of the example."""
+SMALL, LARGE = (1366, 768), (1600, 900)
+STAGE = (1366, 730)
+NOT_A_MARKER = ((460.0, 665.0), (550.0, 665.0), (550.0, 750.0), (460.0, 750.0))
+"""Round something blue in the left view, colour px."""
+EDITS = HandEdits(
+    {"left": ViewEdits(excluded=("S3",), ignored=(NOT_A_MARKER,)), "top": ViewEdits(off=True)}
+)
+
+
+def main() -> None:
+    """Take them all."""
+    with tempfile.TemporaryDirectory() as folder:
+        here = Path(folder)
+        places = Places(here / "settings.json", here / "autosave")
+        session = here / "left_foot.zip"
+        simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.LEFT, distance_mm=700))
+        write_session(simulated.session, session)
+        take_windows(places)
+        take_feet(places, session)
+        take_foot_stage(places, session)
+
+
+def take_windows(places: Places) -> None:
+    """The window in both themes, a pelott in the hand."""
+    for name, size, dark in (("light", SMALL, False), ("dark-height-map", LARGE, True)):
+        with ScriptedStudio(places, size, dark) as studio:
+            studio.open(EXAMPLE)
+            act(studio, "tool_pelott")
+            studio.app.case.select("pelott")
+            if dark:
+                act(studio, "map_height")
+            studio.screenshot(DOCS / f"images/window-{name}.png")
+
+
+def take_feet(places: Places, session: Path) -> None:
+    """Both feet side by side, then two variants of one."""
+    with ScriptedStudio(places, SMALL) as studio:
+        studio.open(EXAMPLE)
+        studio.open(session)
+        rooms, case = studio.app.studio.rooms, studio.app.case
+        rooms.foot.close()
+        rooms.feet.take(Side.RIGHT)
+        rooms.feet.copy_prescription()
+        for notice in rooms.notices.notices:
+            rooms.notices.drop(notice.key)
+        act(studio, "beside_foot", "map_difference")
+        studio.screenshot(DOCS / "manual/images/feet-compared.png")
+
+        act(studio, "variant_duplicate")
+        studio.answers.typed = "higher pad"
+        act(studio, "variant_name")
+        design = case.record.design
+        assert design is not None
+        for correction in design.corrections:
+            if isinstance(correction, Pelott):
+                design = design.with_changed(replace(correction, height_mm=9.0))
+            if isinstance(correction, Posting):
+                design = design.with_changed(replace(correction, rearfoot_deg=2.0))
+        case.apply(design, "Change the variant")
+        act(studio, "beside_variant", "map_difference")
+        studio.screenshot(DOCS / "manual/images/variants-compared.png")
+
+
+def take_foot_stage(places: Places, session: Path) -> None:
+    """The views in their colours, their distance, and what is corrected by hand."""
+    with ScriptedStudio(places, SMALL) as studio:
+        studio.open(session)
+        take_stage(studio, "views")
+        stage_of(studio).presenter.choose_map(FootMap.AGREEMENT)
+        take_stage(studio, "agreement")
+    write_edits(EDITS, session)
+    with ScriptedStudio(places, SMALL) as studio:
+        studio.open(session)
+        stage_of(studio).view.table.selectRow(0)
+        take_stage(studio, "corrected")
+
+
+def take_stage(studio: ScriptedStudio, name: str) -> None:
+    """Take the foot stage."""
+    stage = stage_of(studio)
+    stage.resize(*STAGE)
+    studio.settle()
+    grab(stage, [stage.view.foot.scene]).save(str(DOCS / f"images/foot-{name}.png"))
+
+
+def stage_of(studio: ScriptedStudio) -> ReconstructStage:
+    """Give the foot stage that is open."""
+    stage = studio.app.studio.rooms.foot.stage
+    assert stage is not None
+    return stage
+
+
+def act(studio: ScriptedStudio, *keys: str) -> None:
+    """Run actions of the menus."""
+    for key in keys:
+        studio.app.window.actions_by_key[key].trigger()
+        studio.settle()
+
+
+if __name__ == "__main__":
+    main()
