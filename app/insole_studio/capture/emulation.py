@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.session import Session, View
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
@@ -18,6 +19,7 @@ from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
 from kinect_v1.models import Model
 from kinect_v1.pixels import mosaic
 
+_INFRARED_SIZE = (640, 488)
 _CUT_ROWS = 32
 """A picture of 1280 × 960 is one of 1280 × 1024 without so many rows at top and bottom."""
 
@@ -91,7 +93,14 @@ def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
 def _footage(view: View) -> dict[str, list[bytes]]:
     depth = [view.read_depth(index) for index in range(view.depth_count)]
     mosaics = [mosaic(_whole(view.read_color(index))) for index in range(view.color_count)]
-    return make_footage(depth, mosaics)
+    infrared = [_in_grey(view.read_color(index)) for index in range(view.color_count)]
+    return make_footage(depth, mosaics, infrared)
+
+
+def _in_grey(color: ByteArray) -> RawArray:
+    """Let the colour picture stand for an infrared one, (488, 640), which no session holds."""
+    grey = cv2.resize(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY), _INFRARED_SIZE)
+    return 4 * grey.astype(np.uint16)
 
 
 def _whole(color: ByteArray) -> ByteArray:

@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_studio.capture.plan import MOST_SENSORS
 
-Kind = Literal["depth", "color"]
+Kind = Literal["depth", "color", "infrared"]
 
-_KINDS: tuple[Kind, ...] = ("depth", "color")
+_KINDS: tuple[Kind, ...] = ("depth", "color", "infrared")
+_BYTES_PER_PX: dict[Kind, int] = {"depth": 2, "color": 3, "infrared": 1}
 _PLACES = 3
 _LARGEST_BYTES = 512 * 640 * 3
 _COUNT, _HEIGHT, _WIDTH = range(3)
@@ -32,7 +33,8 @@ class Picture:
     Parameters
     ----------
     image
-        (height, width) uint16 raw numbers, or (height, width, 3) uint8, RGB.
+        (height, width) uint16 raw numbers, (height, width, 3) uint8, RGB, or (height, width) uint8,
+        infrared.
     number
         Grows with every picture.
     """
@@ -58,8 +60,8 @@ class FrameBoard:
         )
 
     def write(self, sensor: int, image: RawArray | ByteArray) -> None:
-        """Show a picture of sensor number `sensor`; depth or colour as its shape says."""
-        kind: Kind = "depth" if image.ndim == 2 else "color"
+        """Show a picture of sensor number `sensor`; of what, its shape and numbers say."""
+        kind = _kind(image)
         head = self._heads()[sensor, _KINDS.index(kind)]
         count = int(head[_COUNT]) + 1
         place = self._place(sensor, kind, count)
@@ -75,7 +77,7 @@ class FrameBoard:
             if count <= after:
                 return None
             height, width = int(head[_HEIGHT]), int(head[_WIDTH])
-            size = height * width * (3 if kind == "color" else 2)
+            size = height * width * _BYTES_PER_PX[kind]
             copied = self._place(sensor, kind, count)[:size].copy()
             if int(head[_COUNT]) < count + _PLACES - 1:  # else it was written over meanwhile
                 return Picture(_shaped(copied, kind, height, width), count)
@@ -89,7 +91,15 @@ class FrameBoard:
         return places[sensor, _KINDS.index(kind), count % _PLACES]
 
 
+def _kind(image: RawArray | ByteArray) -> Kind:
+    if image.ndim == 3:
+        return "color"
+    return "depth" if image.dtype == np.uint16 else "infrared"
+
+
 def _shaped(data: NDArray[np.uint8], kind: Kind, height: int, width: int) -> NDArray[Any]:
     if kind == "color":
         return data.reshape(height, width, 3)
+    if kind == "infrared":
+        return data.reshape(height, width)
     return data.view(np.uint16).reshape(height, width)

@@ -14,7 +14,7 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_studio.capture.errors import SensorError
 from insole_studio.capture.messages import Sensors, SensorState
 from insole_studio.capture.plan import MOST_SENSORS
-from insole_studio.capture.rig import OpenSensor, Rig, raw_image
+from insole_studio.capture.rig import OpenSensor, Rig, infrared_picture, raw_image
 
 _RATE_FRAMES = 16
 
@@ -26,7 +26,7 @@ class LiveSensors:
     ----------
     rig
     show
-        Is given every depth image and colour preview, by slot.
+        Is given every depth image, and colour preview or infrared picture, by slot.
     """
 
     def __init__(self, rig: Rig, show: Callable[[int, RawArray | ByteArray], None]) -> None:
@@ -36,6 +36,7 @@ class LiveSensors:
         self._times: dict[str, deque[float]] = {}
         self._problem: str | None = None
         self._places: frozenset[tuple[int, int]] = frozenset()
+        self._infrared: set[str] = set()
         self.opened: dict[str, OpenSensor] = {}
 
     @property
@@ -70,9 +71,20 @@ class LiveSensors:
         for serial, sensor in self.opened.items():
             self._note(serial, None)
             try:
-                sensor.start()
+                if serial in self._infrared:
+                    sensor.start_infrared()
+                else:
+                    sensor.start()
             except SensorError as error:
                 self._note(serial, str(error))
+
+    def watch_infrared(self, serial: str, on: bool) -> None:
+        """Stream infrared pictures of a sensor in place of colour, or colour again."""
+        if on:
+            self._infrared.add(serial)
+        else:
+            self._infrared.discard(serial)
+        self.start()
 
     def pump(self) -> bool:
         """Show what has come; tell whether anything has."""
@@ -120,7 +132,9 @@ class LiveSensors:
             state = self._states[serial]
             self._states[serial] = replace(state, discarded=depth.discarded)
         if color is not None:
-            self._show(self._states[serial].slot, preview(color.image))
+            infrared = infrared_picture(color)
+            picture = preview(color.image) if infrared is None else infrared
+            self._show(self._states[serial].slot, picture)
         return depth is not None or color is not None
 
     def _state(self, serial: str) -> SensorState:

@@ -66,11 +66,19 @@ class Identify:
 
 
 @dataclass(frozen=True)
+class Infrared:
+    """Let a sensor send infrared pictures in place of colour, or colour again."""
+
+    serial: str
+    on: bool
+
+
+@dataclass(frozen=True)
 class Quit:
     """Switch everything off and end."""
 
 
-Command = Start | Cancel | Placed | Find | Tilt | Identify | Quit
+Command = Start | Cancel | Placed | Find | Tilt | Identify | Infrared | Quit
 
 
 @dataclass(frozen=True)

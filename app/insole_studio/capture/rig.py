@@ -18,7 +18,7 @@ from insole_studio.capture.factory import factory_sensor
 from insole_studio.capture.status import FoundSensor
 from kinect_v1.camera import Camera, CameraSettings, open_camera
 from kinect_v1.errors import KinectError
-from kinect_v1.modes import BAYER_640, BAYER_1280, StreamMode
+from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode
 from kinect_v1.motor import Led, Posture
 from kinect_v1.pixels import demosaic
 from kinect_v1.sensors import SensorInfo, list_sensors
@@ -154,6 +154,21 @@ class OpenSensor:
             if self._depth is None:
                 self._depth = self._camera.start_depth()
 
+    def start_infrared(self) -> None:
+        """Stream infrared pictures in place of colour, and depth; `start` brings colour back.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller carries too much already.
+        SensorError
+        """
+        with translating():
+            if self._color is None or self._color.mode is not IR_640:
+                self._color = self._camera.start_video(IR_640)
+            if self._depth is None:
+                self._depth = self._camera.start_depth()
+
     @property
     def streams(self) -> bool:
         """Whether depth and colour run."""
@@ -207,6 +222,8 @@ class OpenSensor:
 
     def poll_color(self) -> Frame | None:
         """Give the next colour frame if one waits; `color_picture` makes it a picture.
+
+        An infrared one after `start_infrared`; `infrared_picture` makes it a picture.
 
         Raises
         ------
@@ -313,6 +330,16 @@ def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
 def _found(info: SensorInfo) -> FoundSensor:
     model = info.model.value if info.model else None
     return FoundSensor(info.serial, model, info.bus, info.place, info.problem)
+
+
+def infrared_picture(frame: Frame) -> ByteArray | None:
+    """Give the infrared picture (480, 640) uint8 of a frame; None when it is one of colour.
+
+    Of its 488 rows the upper 480, which the known shift to the depth image holds for.
+    """
+    if frame.mode is not IR_640:
+        return None
+    return np.right_shift(frame.image[:480], 2).astype(np.uint8)
 
 
 def raw_image(frame: Frame) -> RawArray:

@@ -21,6 +21,7 @@ from insole_studio.capture.messages import (
     Event,
     Find,
     Identify,
+    Infrared,
     Placed,
     Quit,
     Sensors,
@@ -126,6 +127,8 @@ class _Service:
                 self._tilt(command)
             elif isinstance(command, Identify):
                 self._live.opened[command.serial].blink(command.on)
+            elif isinstance(command, Infrared):
+                self._live.watch_infrared(command.serial, command.on)
             elif isinstance(command, Quit):
                 self._quitting = True
         except KeyError as error:

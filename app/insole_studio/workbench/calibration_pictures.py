@@ -10,10 +10,11 @@ from typing import Literal
 
 from insole_core.errors import OutputError
 from insole_core.export.atomic import describe, replacing_file
+from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
 from insole_core.recording.session import View
 
-LiveKind = Literal["boards", "walls"]
+LiveKind = Literal["boards", "walls", "infrared"]
 
 
 def folder_of_today(root: Path, serial: str, step: str) -> Path:
@@ -39,6 +40,16 @@ def keep_view(view: View, folder: Path, kind: LiveKind) -> None:
     _write_depth(view, folder / f"depth_{number:03d}")
     _write(folder / f"depth_{number:03d}.png", encode_png(view.read_depth(0)))
     _write(folder / f"color_{number:03d}.png", encode_png(view.read_color(0)))
+
+
+def keep_infrared(picture: ByteArray, folder: Path) -> None:
+    """Add an infrared picture (height, width) uint8 of the board.
+
+    Raises
+    ------
+    OutputError
+    """
+    _write(folder / f"ir_{_next_number(folder, 'ir_'):03d}.png", encode_png(picture))
 
 
 def _write_depth(view: View, folder: Path) -> None:

@@ -24,8 +24,8 @@
             <translation>Färgkamera</translation>
         </message>
         <message>
-            <source>Cover the emitter, light the board well, and take 16 infrared pictures of it: turned by 20 to 40° to all sides, in all parts of the picture. Where the sensor gives no infrared pictures this step is left out.</source>
-            <translation>Täck projektorn, belys brädet väl och ta 16 infraröda bilder av det: vridet 20 till 40° åt alla håll, i alla delar av bilden. Där sensorn inte ger infraröda bilder utelämnas steget.</translation>
+            <source>Cover the emitter, light the board well, and take 16 infrared pictures of it: turned by 20 to 40° to all sides, in all parts of the picture.</source>
+            <translation>Täck projektorn, belys brädet väl och ta 16 infraröda bilder av det: vridet 20 till 40° åt alla håll, i alla delar av bilden.</translation>
         </message>
         <message>
             <source>Depth camera (infrared)</source>
@@ -80,10 +80,6 @@
             <translation>Härnäst: {step}.</translation>
         </message>
         <message>
-            <source>No picture yet: choose a folder.</source>
-            <translation>Ingen bild ännu: välj en mapp.</translation>
-        </message>
-        <message>
             <source>No picture yet: start the live picture, or choose a folder.</source>
             <translation>Ingen bild ännu: starta direktbilden, eller välj en mapp.</translation>
         </message>
@@ -106,10 +102,6 @@
         <message>
             <source>Sensor</source>
             <translation>Sensor</translation>
-        </message>
-        <message>
-            <source>Sensors give no infrared picture here; choose a folder with such pictures.</source>
-            <translation>Sensorerna ger ingen infraröd bild här; välj en mapp med sådana bilder.</translation>
         </message>
         <message>
             <source>Serial number</source>

@@ -25,12 +25,16 @@ def test_the_newest_picture_of_each_kind_and_sensor(board: FrameBoard) -> None:
     board.write(2, depth)
     board.write(2, color)
     board.write(3, color[::-1])
+    infrared = color[..., 0]
+    board.write(3, infrared)
     found = board.read(2, "depth")
     assert found is not None
     assert found.number == 2
     assert np.array_equal(found.image, depth)
     assert np.array_equal(board.read(2, "color").image, color)  # type: ignore[union-attr]
     assert np.array_equal(board.read(3, "color").image, color[::-1])  # type: ignore[union-attr]
+    assert np.array_equal(board.read(3, "infrared").image, infrared)  # type: ignore[union-attr]
+    assert board.read(3, "depth") is None
     assert board.read(2, "depth", after=found.number) is None
 
 

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
+import numpy as np
 import pytest
 from capture_samples import SERIALS, Bench
 
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.recording.reader import read_session
+from insole_studio.capture.emulation import EmulatedRoom
 from insole_studio.capture.live import LiveSensors
+from insole_studio.capture.rig import Rig
+from kinect_v1.usb_bus import UsbBus
 
 PATIENCE_S = 20.0
 
@@ -60,6 +67,30 @@ def test_a_sensor_whose_controller_is_full_waits(make: Callable[..., Bench]) -> 
     live.close()
     assert [problem is not None for problem in problems] == [False, True, False]
     assert "bus 4 is full" in str(problems[1])
+
+
+def test_infrared_in_place_of_colour_and_back(small_session: Path) -> None:
+    shown: list[RawArray | ByteArray] = []
+    live = LiveSensors(
+        Rig(UsbBus(EmulatedRoom(read_session(small_session)).bus)),
+        lambda slot, image: shown.append(image) if slot == 0 else None,
+    )
+    live.find()
+    live.start()
+    serial = live.summary.states[0].serial
+
+    def comes(shape: tuple[int, ...], dtype: type) -> bool:
+        return any(image.shape == shape and image.dtype == dtype for image in shown)
+
+    try:
+        live.watch_infrared(serial, on=True)
+        live.start()
+        pump_until(live, lambda: comes((480, 640), np.uint8) and comes((480, 640), np.uint16))
+        live.watch_infrared(serial, on=False)
+        shown.clear()
+        pump_until(live, lambda: comes((512, 640, 3), np.uint8))
+    finally:
+        live.close()
 
 
 def test_level_and_lean(bench: Bench) -> None:

@@ -25,12 +25,20 @@ from insole_core.recording.session import Manifest, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.frame_board import Kind, Picture
 from insole_studio.capture.guidance import depth_colors
-from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Told
+from insole_studio.capture.messages import (
+    Command,
+    Event,
+    Infrared,
+    Sensors,
+    SensorState,
+    Start,
+    Told,
+)
 from insole_studio.capture.plan import make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
 from insole_studio.texts import tr
 from insole_studio.workbench.calibration_overlay import draw_distances, draw_missing_cells
-from insole_studio.workbench.calibration_pictures import LiveKind, keep_view
+from insole_studio.workbench.calibration_pictures import LiveKind, keep_infrared, keep_view
 from insole_studio.workbench.calibration_readiness import (
     Readiness,
     look_at_board,
@@ -44,6 +52,8 @@ _STEADY_SHARE, _NEW_SHARE = 0.004, 0.06
 """Of the picture's width: the board that moves less stands still, one that moved more is new."""
 _STEADY_MM, _NEW_MM = 4.0, 45.0
 _VIEW, _FRAMES = "calibration", 10
+_SHOWN: dict[LiveKind, Kind] = {"boards": "color", "walls": "depth", "infrared": "infrared"}
+_KINDS: tuple[Kind, ...] = tuple(_SHOWN.values())
 
 
 class Service(Protocol):
@@ -90,8 +100,8 @@ class LivePictures:
         self._service: Service | None = None
         self._draft: tempfile.TemporaryDirectory[str] | None = None
         self._numbers: dict[Kind, int] = {}
-        self._depth: Picture | None = None
-        self._color: Picture | None = None
+        self._newest: dict[Kind, Picture] = {}
+        self._in_infrared = ""
         self._looked_s = 0.0
         self._places: list[FloatArray] = []
         self._before: FloatArray | None = None
@@ -119,14 +129,14 @@ class LivePictures:
         if self._service is not None:
             self._service.close()
         self._service, self.states, self.problem = None, (), ""
-        self._numbers, self._depth, self._color = {}, None, None
+        self._numbers, self._newest, self._in_infrared = {}, {}, ""
         self._end_draft()
 
     def forget_places(self) -> None:
         """Begin another step: nothing was taken yet."""
         self._places, self._before = [], None
 
-    def poll(self, serial: str) -> Path | None:
+    def poll(self, serial: str, kind: LiveKind) -> Path | None:
         """Take the news and the newest pictures; give the folder of a capture that has ended well.
 
         The folder is a session that the next `keep` reads.
@@ -148,8 +158,9 @@ class LivePictures:
                     self._end_draft()
         state = self._state(serial)
         if state is not None:
-            self._depth = self._newest(state.slot, "depth") or self._depth
-            self._color = self._newest(state.slot, "color") or self._color
+            self._watch_infrared(serial if kind == "infrared" else "")
+            for shown in _KINDS:
+                self._take_newest(state.slot, shown)
             self.problem = state.problem or self.problem
         return done
 
@@ -158,13 +169,16 @@ class LivePictures:
     ) -> Callable[[Progress], Glance] | None:
         """Give the work of looking at the newest picture, now and then."""
         now = time.monotonic()
-        newest = self._color if kind == "boards" else self._depth
+        newest = self._newest.get(_SHOWN[kind])
         if newest is None or now - self._looked_s < _LOOK_PERIOD_S:
             return None
         self._looked_s = now
         image = newest.image
         if kind == "boards":
             return lambda _progress: glance_at_board(image, board, known)
+        if kind == "infrared":
+            grey = np.asarray(cv2.cvtColor(image, cv2.COLOR_GRAY2RGB))
+            return lambda _progress: glance_at_board(grey, board, known)
         return lambda _progress: glance_at_wall(image, sensor, known)
 
     def is_worth_taking(self, glance: Glance) -> bool:
@@ -178,12 +192,26 @@ class LivePictures:
             return False
         return all(_apart(place, taken) > new for taken in self._places)
 
+    def take_infrared(self, folder: Path) -> Callable[[Progress], Path] | None:
+        """Give the work of adding the newest infrared picture to a folder."""
+        newest = self._newest.get("infrared")
+        if newest is None:
+            return None
+        self._remember_place()
+        image = newest.image
+
+        def keep(progress: Progress) -> Path:
+            progress.step(0.0, tr("Keeping the picture"))
+            keep_infrared(image, folder)
+            return folder
+
+        return keep
+
     def take(self, serial: str) -> None:
         """Let the service record what the sensor sees now."""
         if self._service is None or self._draft is not None:
             return
-        if self._before is not None:
-            self._places.append(self._before)
+        self._remember_place()
         self._draft = tempfile.TemporaryDirectory(prefix="calibration-")
         manifest = Manifest(
             recorded_at=datetime.now(UTC).isoformat(timespec="seconds"),
@@ -215,15 +243,29 @@ class LivePictures:
             self._draft.cleanup()
         self._draft = None
 
+    def _remember_place(self) -> None:
+        if self._before is not None:
+            self._places.append(self._before)
+
+    def _watch_infrared(self, serial: str) -> None:
+        """Let this sensor alone send infrared pictures; none with an empty serial."""
+        if self._service is None or serial == self._in_infrared:
+            return
+        if self._in_infrared:
+            self._service.send(Infrared(self._in_infrared, on=False))
+        if serial:
+            self._service.send(Infrared(serial, on=True))
+        self._in_infrared = serial
+        self._newest.clear()
+
     def _state(self, serial: str) -> SensorState | None:
         return next((state for state in self.states if state.serial == serial), None)
 
-    def _newest(self, slot: int, kind: Kind) -> Picture | None:
+    def _take_newest(self, slot: int, kind: Kind) -> None:
         assert self._service is not None
         found = self._service.picture(slot, kind, self._numbers.get(kind, 0))
         if found is not None:
-            self._numbers[kind] = found.number
-        return found
+            self._numbers[kind], self._newest[kind] = found.number, found
 
 
 def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> Glance:

@@ -77,9 +77,16 @@ class LivePresenter:
 
     def take(self) -> None:
         """Take a picture now."""
-        if self._presenter.serial and self._presenter.live_kind:
+        folder = self._folder()
+        if folder is None:
+            return
+        if self._presenter.live_kind == "infrared":
+            work = self._live.take_infrared(folder)
+            if work is not None and not self._jobs.is_running(_KEEP):
+                self._jobs.start(_KEEP, work, self._kept, self._fail)
+        else:
             self._live.take(self._presenter.serial)
-            self._show()
+        self._show()
 
     def tick(self) -> None:
         """Take what has come; called many times a second."""
@@ -90,7 +97,7 @@ class LivePresenter:
             self._panel.show_serial(states[0].serial)
             self._presenter.choose_serial(states[0].serial)
             self._begin_step()
-        taken = self._live.poll(self._presenter.serial)
+        taken = self._live.poll(self._presenter.serial, self._presenter.live_kind)
         if taken is not None:
             self._keep(taken)
         self._glance()
@@ -112,13 +119,13 @@ class LivePresenter:
 
     def _folder(self) -> Path | None:
         presenter = self._presenter
-        if not presenter.serial or not presenter.live_kind:
+        if not presenter.serial:
             return None
         return folder_of_today(self._root, presenter.serial, presenter.step_key)
 
     def _glance(self) -> None:
         kind, sensor = self._presenter.live_kind, self._presenter.sensor
-        if not kind or sensor is None or self._jobs.is_running(_GLANCE):
+        if sensor is None or self._jobs.is_running(_GLANCE):
             return
         board, known = self._presenter.board, self._presenter.readiness
         task = self._live.glance_task(kind, sensor, board, known)
@@ -136,7 +143,7 @@ class LivePresenter:
 
     def _keep(self, taken: Path) -> None:
         folder, kind = self._folder(), self._presenter.live_kind
-        if folder is None or not kind:
+        if folder is None:
             self._live.end_taking()
             return
         work = self._live.keep_task(taken, folder, kind)
@@ -152,18 +159,16 @@ class LivePresenter:
         self._live.problem = str(error) if isinstance(error, InsoleError) else unexpected
 
     def _show(self) -> None:
-        running, kind = self._live.running, self._presenter.live_kind
+        running = self._live.running
         self._panel.show_live(
             LiveRow(
                 running=running,
                 sentence=self._told() if running else "",
-                can_take=running and bool(kind) and not self._live.taking and bool(self._sentence),
+                can_take=running and not self._live.taking and bool(self._sentence),
             )
         )
 
     def _told(self) -> str:
-        if not self._presenter.live_kind:
-            return tr("Sensors give no infrared picture here; choose a folder with such pictures.")
         if self._live.problem:
             return self._live.problem
         if self._live.taking:

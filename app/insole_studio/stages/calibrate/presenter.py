@@ -108,8 +108,8 @@ class CalibratePresenter:
         return self._step.key
 
     @property
-    def live_kind(self) -> LiveKind | None:
-        """What the open step needs live pictures of; None where it needs other ones."""
+    def live_kind(self) -> LiveKind:
+        """What the open step needs live pictures of."""
         return self._step.live
 
     @property
@@ -227,9 +227,9 @@ class CalibratePresenter:
     def _forget(self) -> None:
         self._readiness = self._result = None
         self._panel.show_looks([])
-        live = tr("No picture yet: start the live picture, or choose a folder.")
-        folder = tr("No picture yet: choose a folder.")
-        self._panel.show_no_picture(live if self._step.live else folder)
+        self._panel.show_no_picture(
+            tr("No picture yet: start the live picture, or choose a folder.")
+        )
         self._show_buttons()
 
     def _show_readiness(self, readiness: Readiness) -> None:

@@ -41,7 +41,7 @@ class CalibrationStep:
     optional
         Whether a sensor is calibrated without it.
     live
-        What live pictures of it show; None where sensors give no such pictures.
+        What live pictures of it show.
     """
 
     key: str
@@ -51,7 +51,7 @@ class CalibrationStep:
     calibrate: Callable[[Path, Board, Sensor, Progress], StepResult]
     uses_board: bool = True
     optional: bool = False
-    live: LiveKind | None = "boards"
+    live: LiveKind = "boards"
 
 
 def _inspect_pictures(
@@ -99,13 +99,12 @@ STEPS = (
         lambda: tr("Depth camera (infrared)"),
         lambda: tr(
             "Cover the emitter, light the board well, and take 16 infrared pictures of it: turned "
-            "by 20 to 40° to all sides, in all parts of the picture. Where the sensor gives no "
-            "infrared pictures this step is left out."
+            "by 20 to 40° to all sides, in all parts of the picture."
         ),
         partial(_inspect_pictures, INFRARED),
         partial(_camera, "depth"),
         optional=True,
-        live=None,
+        live="infrared",
     ),
     CalibrationStep(
         "stereo",

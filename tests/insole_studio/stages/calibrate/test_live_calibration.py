@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
@@ -92,6 +93,22 @@ def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_pat
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
     text = stage.view.next_text()
     assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
+
+
+def test_infrared_pictures_in_place_of_colour(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stage.view.automatic.setChecked(False)
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1", timeout=PATIENCE_MS)
     stage.view.steps.setCurrentRow(2)
-    qtbot.waitUntil(lambda: "no infrared picture" in stage.view.live_text(), timeout=PATIENCE_MS)
-    assert not stage.view.take.isEnabled()
+    qtbot.waitUntil(lambda: stage.view.live_text().startswith("54 corners, "), timeout=PATIENCE_MS)
+    stage.view.automatic.setChecked(True)
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
+    assert stage.view.looks.item(0).text().startswith("✓  ir_000.png: 54 corners, ")
+    (kept,) = (tmp_path / "pictures" / "SIM1").glob("*/depth_camera/*")
+    infrared = cv2.imread(str(kept), cv2.IMREAD_UNCHANGED)
+    assert (infrared.shape, infrared.dtype) == ((480, 640), np.uint8)
+    stage.view.steps.setCurrentRow(0)
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
+    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
