@@ -42,7 +42,7 @@ from insole_core.reconstruct.sheet import (
     without_small_pieces,
 )
 from insole_core.reconstruct.stopwatch import Stopwatch
-from insole_core.reconstruct.views_at_once import VIEWS_AT_ONCE
+from insole_core.reconstruct.views_at_once import VIEWS_AT_ONCE, both
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
 from insole_core.recording.session import Box, Session, View
 
@@ -71,7 +71,8 @@ def reconstruct(
     limits
         When the pose of a view is good enough.
     on_preview
-        Is given a coarse coloured mesh as soon as the views are placed, for ``fused`` only.
+        Is given a coarse coloured mesh as soon as the views are placed, in a thread of its own that
+        ends before the foot is ready; for ``fused`` only.
     measure
         Averages the frames of a view, for ``fused`` only; give one that remembers where a session
         is reconstructed several times.
@@ -162,10 +163,12 @@ class _Fused:
         )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
-        if self.on_preview is not None:
-            progress.step(0.0, "Making a first coarse foot")
-            self.on_preview(coarse_foot(parts))
-        return fuse(parts, progress.part(0.1, 1.0))
+        show = self.on_preview
+        if show is None:
+            return fuse(parts, progress)
+        # What is done with the coarse foot shall not keep the fine one waiting.
+        _, surface = both(lambda: show(coarse_foot(parts)), lambda: fuse(parts, progress))
+        return surface
 
 
 @dataclass(frozen=True, eq=False)
