@@ -28,6 +28,7 @@ from insole_studio.shell.appearance import Appearance
 from insole_studio.shell.authorship import Authorship
 from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.comparing import Comparing
+from insole_studio.shell.desk import Desk
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.editing import Editing
 from insole_studio.shell.exporting import AskPath, Exporting, MayReplace
@@ -176,28 +177,24 @@ def build_application(
     status.cancel_requested.connect(jobs.cancel)
     remember = partial(_remember, settings, places.settings_file)
     dialogue, recent = Dialogue(window), Recent(settings, window)
-    saving = Saving(case, jobs, dialogue, recent)
+    desk = Desk(case, jobs, dialogue, Notices(stage.notices, window))
+    saving = Saving(desk, recent)
     place = Place(_sensor_store(places), emulate)
-    notices, feet = Notices(stage.notices, window), Feet(case)
+    feet = Feet(case)
     foot = FootWindow(partial(_make_foot_stage, settings, jobs, dialogue))
     rooms = Rooms(
         window=window,
         stage=stage,
         dialogue=dialogue,
         opening=Opening(
-            case=case,
-            jobs=jobs,
-            dialogue=dialogue,
+            desk,
             recent=recent,
             saving=saving,
             autosave=autosave,
-            notices=notices,
             reconstruct=foot.open_session,
         ),
         saving=saving,
-        exporting=Exporting(
-            case, jobs, dialogue, partial(_make_export, settings, places, case), window
-        ),
+        exporting=Exporting(desk, partial(_make_export, settings, places, case), window),
         editing=Editing(case, hand),
         navigating=Navigating(case, stage, hand),
         prescribing=Prescribing(case, hand, pads, rules.pelott_usual_behind_heads_mm, dialogue),
@@ -205,20 +202,9 @@ def build_application(
         feet=feet,
         variants=Variants(case, dialogue),
         comparing=Comparing(case, stage, counterpart),
-        repeating=Repeating(
-            case=case,
-            jobs=jobs,
-            dialogue=dialogue,
-            notices=notices,
-            recent=recent,
-            feet=feet,
-            parent=window,
-        ),
+        repeating=Repeating(desk, recent, feet, window),
         authorship=Authorship(case, settings, dialogue, remember),
-        vigilance=Vigilance(
-            case=case, jobs=jobs, dialogue=dialogue, notices=notices, parent=window
-        ),
-        notices=notices,
+        notices=desk.notices,
         appearance=Appearance(
             frame=window,
             stage=stage,
@@ -237,6 +223,7 @@ def build_application(
         compare=StageWindow(lambda: CompareStage(case, is_dark(settings.theme))),
         foot=foot,
     )
+    Vigilance(desk, window)
     studio = Studio(
         rooms=rooms,
         window=window,

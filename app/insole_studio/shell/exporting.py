@@ -13,15 +13,13 @@ from insole_core.progress import Progress
 from insole_core.solids.delivery import Delivery, Places, deliver, outputs
 from insole_core.solids.rules import read_rules
 from insole_core.solids.shop import read_shop
-from insole_studio.jobs import Jobs
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.desk import Desk
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.saving import file_stem
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.steps import whose
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 from insole_studio.workbench.shop_order import OrderChoice, make_pieces
 
 CHANNEL = "export"
@@ -34,9 +32,7 @@ class Exporting(QObject):
 
     Parameters
     ----------
-    case
-    jobs
-    dialogue
+    desk
     make_stage
         Constructs the export stage, given what asks the user for a path, and what asks whether
         files may be replaced.
@@ -47,16 +43,14 @@ class Exporting(QObject):
 
     def __init__(
         self,
-        case: Case,
-        jobs: Jobs,
-        dialogue: Dialogue,
+        desk: Desk,
         make_stage: Callable[[AskPath, MayReplace], ExportStage],
-        parent: QObject | None = None,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._case = case
-        self._jobs = jobs
-        self._dialogue = dialogue
+        self._desk = desk
+        self._case = desk.case
+        self._dialogue = desk.dialogue
         self.exported: CaseRecord | None = None
         """What was exported last."""
         self._make_stage = make_stage
@@ -89,7 +83,7 @@ class Exporting(QObject):
         def done(_nothing: None) -> None:
             self._note(record, [path])
 
-        self._jobs.start(CHANNEL, write, done, self._dialogue.show_error)
+        self._desk.run(CHANNEL, write, done)
 
     def _make_connected(self) -> ExportStage:
         stage = self._make_stage(self._ask_path, self._dialogue.questions.may_replace)
@@ -133,4 +127,4 @@ class Exporting(QObject):
         def done(_nothing: None) -> None:
             self._dialogue.say(tr("Written: {name}").format(name=path.name))
 
-        self._jobs.start(CHANNEL, write, done, self._dialogue.show_error)
+        self._desk.run(CHANNEL, write, done)

@@ -14,16 +14,14 @@ from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
-from insole_studio.jobs import Jobs
-from insole_studio.shell.dialogue import LONG_MS, Dialogue
+from insole_studio.shell.desk import Desk
+from insole_studio.shell.dialogue import LONG_MS
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
-from insole_studio.shell.notices import Notices
 from insole_studio.shell.questions import SameSide
 from insole_studio.shell.recent import Recent
 from insole_studio.shell.saving import Saving
 from insole_studio.texts import spoken, tr
 from insole_studio.workbench.autosave import Autosave, Recovered
-from insole_studio.workbench.case import Case
 from insole_studio.workbench.fitting import last_design
 from insole_studio.workbench.opening import kind_of
 
@@ -39,23 +37,20 @@ class Opening:
 
     def __init__(
         self,
+        desk: Desk,
         *,
-        case: Case,
-        jobs: Jobs,
-        dialogue: Dialogue,
         recent: Recent,
         saving: Saving,
         autosave: Autosave,
-        notices: Notices,
         reconstruct: Callable[[Path], None],
     ) -> None:
-        self._case = case
-        self._jobs = jobs
-        self._dialogue = dialogue
+        self._desk = desk
+        self._case = desk.case
+        self._dialogue = desk.dialogue
+        self._notices = desk.notices
         self._recent = recent
         self._saving = saving
         self._autosave = autosave
-        self._notices = notices
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
@@ -134,9 +129,7 @@ class Opening:
             self._case.open(record, path)
             self._recent.remember(path)
 
-        self._saving.after_unsaved(
-            lambda: self._jobs.start(CHANNEL, read, opened, self._dialogue.show_error)
-        )
+        self._saving.after_unsaved(lambda: self._desk.run(CHANNEL, read, opened))
 
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)
@@ -168,7 +161,7 @@ class Opening:
         def task_of(progress: Progress) -> ScannedFoot:
             return task(progress=progress)
 
-        self._jobs.start(CHANNEL, task_of, opened, failed)
+        self._desk.jobs.start(CHANNEL, task_of, opened, failed)
 
     def _put_on_bench(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one that is there already is replaced, or begins a new case."""

@@ -12,14 +12,11 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.template import Template
 from insole_core.progress import Progress
-from insole_studio.jobs import Jobs
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.desk import Desk
 from insole_studio.shell.feet import Feet
-from insole_studio.shell.notices import Notices
 from insole_studio.shell.recent import Recent
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
-from insole_studio.workbench.case import Case
 from insole_studio.workbench.earlier_designs import find_last_design, identity
 from insole_studio.workbench.fitting import fitted, prescribed_at
 
@@ -32,20 +29,16 @@ class Repeating(QObject):
 
     def __init__(
         self,
-        *,
-        case: Case,
-        jobs: Jobs,
-        dialogue: Dialogue,
-        notices: Notices,
+        desk: Desk,
         recent: Recent,
         feet: Feet,
-        parent: QObject | None = None,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._case = case
-        self._jobs = jobs
-        self._dialogue = dialogue
-        self._notices = notices
+        self._desk = desk
+        self._case = case = desk.case
+        self._dialogue = desk.dialogue
+        self._notices = desk.notices
         self._recent = recent
         self._feet = feet
         self._mirror_offered: Foot | None = None
@@ -139,7 +132,7 @@ class Repeating(QObject):
             if template is not None:
                 self.offer()
 
-        self._jobs.start(CHANNEL, search, found, self._dialogue.show_error)
+        self._desk.run(CHANNEL, search, found)
 
 
 def _describe(template: Template) -> str:

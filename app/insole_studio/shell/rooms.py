@@ -25,7 +25,6 @@ from insole_studio.shell.repeating import Repeating
 from insole_studio.shell.saving import Saving
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.variants import Variants
-from insole_studio.shell.vigilance import Vigilance
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
@@ -50,7 +49,6 @@ class Rooms:
     comparing: Comparing
     repeating: Repeating
     authorship: Authorship
-    vigilance: Vigilance
     notices: Notices
     appearance: Appearance
     guide: Guide

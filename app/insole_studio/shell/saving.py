@@ -8,8 +8,7 @@ from typing import TypeAlias
 
 from insole_core.cases.case_file import write_case
 from insole_core.progress import Progress
-from insole_studio.jobs import Jobs
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.desk import Desk
 from insole_studio.shell.file_kinds import case_kinds
 from insole_studio.shell.questions import Answer
 from insole_studio.shell.recent import Recent
@@ -28,10 +27,10 @@ def _nothing() -> None:
 class Saving:
     """Writes the case beside the window."""
 
-    def __init__(self, case: Case, jobs: Jobs, dialogue: Dialogue, recent: Recent) -> None:
-        self._case = case
-        self._jobs = jobs
-        self._dialogue = dialogue
+    def __init__(self, desk: Desk, recent: Recent) -> None:
+        self._desk = desk
+        self._case = desk.case
+        self._dialogue = desk.dialogue
         self._recent = recent
 
     def save(self) -> None:
@@ -61,7 +60,7 @@ class Saving:
             self._recent.remember(path)
             then()
 
-        self._jobs.start(CHANNEL, write, saved, self._dialogue.show_error)
+        self._desk.run(CHANNEL, write, saved)
 
     def after_unsaved(self, then: Then) -> None:
         """Go on, once nothing can be lost by it."""

@@ -8,32 +8,20 @@ from insole_core.cases.record import CaseRecord
 from insole_core.cases.scan import change_of_source
 from insole_core.foot.measure_table import unlike_sizes
 from insole_core.progress import Progress
-from insole_studio.jobs import Jobs
-from insole_studio.shell.dialogue import Dialogue
-from insole_studio.shell.notices import Notices
-from insole_studio.workbench.case import Case
+from insole_studio.shell.desk import Desk
 
 CHANNEL = "sources"
 SOURCES, SIZES = "sources", "sizes"
 
 
 class Vigilance(QObject):
-    """Looks at the scans when a case is opened, and at the sizes of its feet."""
+    """Looks at the scans when a case is opened, and at the sizes of its feet; by itself."""
 
-    def __init__(
-        self,
-        *,
-        case: Case,
-        jobs: Jobs,
-        dialogue: Dialogue,
-        notices: Notices,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, desk: Desk, parent: QObject) -> None:
         super().__init__(parent)
-        self._case = case
-        self._jobs = jobs
-        self._dialogue = dialogue
-        self._notices = notices
+        self._desk = desk
+        self._case = case = desk.case
+        self._notices = desk.notices
         self._sizes = ""
         case.opened.connect(self._look_at_sources)
         case.opened.connect(self._look_at_sizes)
@@ -43,7 +31,7 @@ class Vigilance(QObject):
         self._notices.drop(SOURCES)
         record = self._case.record
         if self._case.path is None or not record.feet:
-            self._jobs.cancel(CHANNEL)
+            self._desk.jobs.cancel(CHANNEL)
             return
 
         def look(_progress: Progress) -> str:
@@ -53,7 +41,7 @@ class Vigilance(QObject):
             if sentences:
                 self._notices.put(SOURCES, sentences)
 
-        self._jobs.start(CHANNEL, look, tell, self._dialogue.show_error)
+        self._desk.run(CHANNEL, look, tell)
 
     def _look_at_sizes(self) -> None:
         feet = self._case.record.feet

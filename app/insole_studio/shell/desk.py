@@ -1,0 +1,28 @@
+"""What the rooms of the window have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+from insole_studio.jobs import Jobs, Task
+from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.notices import Notices
+from insole_studio.workbench.case import Case
+
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True, eq=False)
+class Desk:
+    """The open case, the work beside the window, and what is said to the user."""
+
+    case: Case
+    jobs: Jobs
+    dialogue: Dialogue
+    notices: Notices
+
+    def run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
+        """Do long work, then `done` with its result; what goes wrong is said."""
+        self.jobs.start(channel, task, done, self.dialogue.show_error)
