@@ -22,7 +22,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.reconstruct.blobs import find_blobs, sharpened
 from insole_core.reconstruct.marker_fix import Registration
-from insole_core.reconstruct.registration import register_in_image
+from insole_core.reconstruct.registration import PoseSearch
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.camera import Camera
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -205,7 +205,7 @@ def judge(scene: Scene) -> str:
     """Say what became of a scene: right, refused, wrong name, wrong pose."""
     blobs = sharpened(scene.picture, find_blobs(scene.picture))
     try:
-        found = register_in_image(blobs, scene.system, scene.sensor)
+        found = PoseSearch(scene.system, scene.sensor).in_image(blobs)
     except ReconstructionError as error:
         return f"refused: {str(error)[:40]}"
     return _verdict(scene, found)

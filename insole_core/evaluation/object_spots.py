@@ -12,7 +12,7 @@ from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.evaluation.color_points import points_at_color
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import register
+from insole_core.reconstruct.registration import PoseSearch
 from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
@@ -66,7 +66,7 @@ def measure_spots(
     points = sensor.points(depth_mm)
     sightings = locate_blobs(blobs, points, sensor)
     try:
-        fixes = register(sightings, system, replace(sensor, faces=(_FACE,))).fixes
+        fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(sightings).fixes
     except ReconstructionError as error:
         raise CalibrationError(
             f"the {paint} spots of the object are not found ({error}); show it whole and well lit, "

@@ -20,11 +20,7 @@ from insole_core.reconstruct.pose_quality import (
     PoseRefusedError,
     RegistrationLimits,
 )
-from insole_core.reconstruct.registration import (
-    register,
-    register_in_image,
-    register_precisely,
-)
+from insole_core.reconstruct.registration import PoseSearch
 from insole_core.reconstruct.remarks import check_still, motion_note
 from insole_core.reconstruct.result import ViewResult, placed_result
 from insole_core.reconstruct.sighting import Sightings, locate_blobs
@@ -104,13 +100,14 @@ class MeasuredView:
     ) -> Registration:
         sensor = self.view.sensor
         sightings = with_places(self.sightings, self.points, sensor, edits)
+        search = PoseSearch(system, sensor, limits, edits)
         if not self.precise:
-            return register(sightings, system, sensor, limits, edits)
+            return search.by_places(sightings)
         try:
-            return register_precisely(sightings, system, sensor, limits, edits)
+            return search.by_pixels(sightings)
         except ReconstructionError as error:
             try:
-                return register_in_image(self.blobs, system, sensor, limits, edits)
+                return search.in_image(self.blobs)
             except ReconstructionError:
                 raise error from None
 

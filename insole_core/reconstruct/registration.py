@@ -7,7 +7,7 @@ corrected by hand comes before either.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,19 +45,12 @@ _LEAST_WEIGHT = 0.1
 """Below it a marker lies three times its noise off and hardly counts."""
 
 
-def register(
-    sightings: Sightings,
-    system: ReferenceSystem,
-    sensor: Sensor,
-    limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = NO_VIEW_EDITS,
-) -> Registration:
-    """Determine a view's pose by Horn's method on the markers it saw, thesis (2) - (6).
+@dataclass(frozen=True)
+class PoseSearch:
+    """What is known when a view's pose is looked for. Each way raises when it finds none.
 
     Parameters
     ----------
-    sightings
-        What the view saw that may be markers.
     system
     sensor
         Its faces are the marker groups that are looked for.
@@ -70,110 +63,128 @@ def register(
     ReconstructionError
         With the reason, as the end of a sentence.
     """
-    naming = _named(sightings, system, sensor, limits, edits)
-    a2b = _by_horn(naming)
-    registration = Registration(a2b, _fixes(a2b, naming))
-    check_pose(registration, limits)
-    return registration
 
+    system: ReferenceSystem
+    sensor: Sensor
+    limits: RegistrationLimits = DEFAULT_LIMITS
+    edits: ViewEdits = NO_VIEW_EDITS
 
-def register_precisely(
-    sightings: Sightings,
-    system: ReferenceSystem,
-    sensor: Sensor,
-    limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = NO_VIEW_EDITS,
-) -> Registration:
-    """Determine a view's pose by the least reprojection error, started and checked by Horn's.
+    def by_places(self, sightings: Sightings) -> Registration:
+        """Determine the pose by Horn's method on the markers that were seen, thesis (2) - (6)."""
+        naming = self._named(sightings)
+        a2b = _by_horn(naming)
+        registration = Registration(a2b, _fixes(a2b, naming))
+        check_pose(registration, self.limits)
+        return registration
 
-    Where the hand names enough markers, they are the start instead.
+    def by_pixels(self, sightings: Sightings) -> Registration:
+        """Determine the pose by the least reprojection error, started and checked by Horn's.
 
-    Parameters
-    ----------
-    sightings
-        What the view saw that may be markers, centres to a fraction of a pixel.
-    system
-    sensor
-        Its faces are the marker groups that are looked for.
-    limits
-    edits
-        What was corrected by hand; the places it points at are among the sightings.
+        The centres of the sightings are found to a fraction of a pixel. Where the hand names enough
+        markers, they are the start instead.
+        """
+        if len(self.edits.named) >= ENOUGH_NAMES:
+            markers, camera = self._facing(), self.sensor.color_camera
+            pairs, start = follow_names(markers, sightings, camera, self.edits)
+            return self._fitted(named(pairs, markers, sightings, camera, self.edits), start)
+        naming = self._named(sightings)
+        return self._fitted(naming, self.sensor.depth2color @ inverse(_by_horn(naming)))
 
-    Raises
-    ------
-    ReconstructionError
-        With the reason, as the end of a sentence.
-    """
-    if len(edits.named) >= ENOUGH_NAMES:
-        markers = _facing(system, sensor.faces)
-        pairs, start = follow_names(markers, sightings, sensor.color_camera, edits)
-        naming = named(pairs, markers, sightings, sensor.color_camera, edits)
-        return _fitted(naming, system, sensor, start, limits)
-    naming = _named(sightings, system, sensor, limits, edits)
-    reference2color = sensor.depth2color @ inverse(_by_horn(naming))
-    return _fitted(naming, system, sensor, reference2color, limits)
+    def in_image(self, blobs: Blobs) -> Registration:
+        """Determine the pose from sharpened blobs alone, where depth does not tell who is who."""
+        markers, camera = self._facing(), self.sensor.color_camera
+        rows = np.flatnonzero(searched(blobs.centroids, self.edits))
+        found = assign_in_image(
+            blobs.centroids[rows], blobs.areas[rows], positions_of(markers), camera
+        )
+        # The depth image has no say, so nothing has a place in space.
+        nowhere = np.full((len(blobs), 3), np.nan)
+        sightings = Sightings(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
+        exact = np.array([spot.pixel for spot in self.edits.named if spot.exact]).reshape(-1, 2)
+        sightings = sightings.with_places(exact, np.full((len(exact), 3), np.nan))
+        naming = named(_of_rows(found.pairs, rows), markers, sightings, camera, self.edits)
+        return self._fitted(naming, found.reference2color)
 
-
-def register_in_image(
-    blobs: Blobs,
-    system: ReferenceSystem,
-    sensor: Sensor,
-    limits: RegistrationLimits = DEFAULT_LIMITS,
-    edits: ViewEdits = NO_VIEW_EDITS,
-) -> Registration:
-    """Determine a view's pose from its colour image alone, where depth does not tell who is who.
-
-    Parameters
-    ----------
-    blobs
-        Sharpened.
-    system
-    sensor
-        Its faces are the marker groups that are looked for.
-    limits
-    edits
-        What was corrected by hand.
-
-    Raises
-    ------
-    ReconstructionError
-        With the reason, as the end of a sentence.
-    """
-    markers = _facing(system, sensor.faces)
-    camera = sensor.color_camera
-    rows = np.flatnonzero(searched(blobs.centroids, edits))
-    found = assign_in_image(blobs.centroids[rows], blobs.areas[rows], positions_of(markers), camera)
-    # The depth image has no say, so nothing has a place in space.
-    nowhere = np.full((len(blobs), 3), np.nan)
-    sightings = Sightings(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
-    exact = np.array([spot.pixel for spot in edits.named if spot.exact]).reshape(-1, 2)
-    sightings = sightings.with_places(exact, np.full((len(exact), 3), np.nan))
-    naming = named(_of_rows(found.pairs, rows), markers, sightings, camera, edits)
-    return _fitted(naming, system, sensor, found.reference2color, limits)
-
-
-def _named(
-    sightings: Sightings,
-    system: ReferenceSystem,
-    sensor: Sensor,
-    limits: RegistrationLimits,
-    edits: ViewEdits,
-) -> Naming:
-    """Find who is who by the places in space, then let the hand correct it."""
-    markers = _facing(system, sensor.faces)
-    may = searched(sightings.pixels, edits)
-    may[len(sightings) - sightings.placed :] = False
-    rows = np.flatnonzero(may)
-    try:
-        found = assign(sightings.points[rows], positions_of(markers), limits.assignment)
-    except ReconstructionError as error:
-        if len(edits.named) < ENOUGH_NAMES:
+    def _facing(self) -> tuple[Marker, ...]:
+        faces = self.sensor.faces
+        markers = self.system.facing(faces)
+        if not markers:
             raise ReconstructionError(
-                _why_unassigned(error, sightings.points[rows], system, sensor.faces, limits)
-            ) from error
-        nothing = np.zeros(0, dtype=np.int64)
-        found = Assignment(nothing, nothing, np.zeros(0, dtype=bool))
-    return named(_of_rows(found, rows), markers, sightings, sensor.color_camera, edits)
+                f'its sensor.json lists the faces {_quoted(faces)}, but the reference system "'
+                f'{self.system.name}" has the faces {_quoted(_groups(self.system))}'
+            )
+        return markers
+
+    def _named(self, sightings: Sightings) -> Naming:
+        """Find who is who by the places in space, then let the hand correct it."""
+        markers = self._facing()
+        may = searched(sightings.pixels, self.edits)
+        may[len(sightings) - sightings.placed :] = False
+        rows = np.flatnonzero(may)
+        points = sightings.points[rows]
+        try:
+            found = assign(points, positions_of(markers), self.limits.assignment)
+        except ReconstructionError as error:
+            if len(self.edits.named) < ENOUGH_NAMES:
+                raise ReconstructionError(self._why_unassigned(error, points)) from error
+            nothing = np.zeros(0, dtype=np.int64)
+            found = Assignment(nothing, nothing, np.zeros(0, dtype=bool))
+        camera = self.sensor.color_camera
+        return named(_of_rows(found, rows), markers, sightings, camera, self.edits)
+
+    def _fitted(self, naming: Naming, start: FloatArray) -> Registration:
+        """Fit the pose to named markers and judge it."""
+        counted, camera = ~naming.excluded, self.sensor.color_camera
+        pixels, positions = naming.pixels, naming.positions
+        precise = _precise(naming)[counted]
+        seen = SeenMarkers(
+            positions[counted],
+            positions[counted],
+            np.where(precise[:, None], pixels[counted], np.nan),
+            transform(self.sensor.depth2color, naming.points[counted])[:, 2],
+        )
+        pose = fit_camera_pose(seen, camera, start)
+        spreads = _spreads(naming)
+        centers = positions
+        if spreads is not None:
+            centers = apparent_centers(positions, spreads, camera, pose.reference2color)
+            seen = replace(seen, centers=centers[counted])
+            pose = fit_camera_pose(seen, camera, pose.reference2color)
+        used = np.zeros(len(pixels), dtype=bool)
+        used[counted] = pose.weights > _LEAST_WEIGHT
+        projected = camera.project(transform(pose.reference2color, centers))
+        sensor2reference = inverse(pose.reference2color) @ self.sensor.depth2color
+        fixes = _fixes(sensor2reference, _placed_on_rays(naming, self.sensor, pose))
+        registration = Registration(
+            sensor2reference,
+            tuple(_seen_in_image(fix, projected[i], bool(used[i])) for i, fix in enumerate(fixes)),
+            pose,
+            pose.displacement_mm(_middle(self.system)),
+        )
+        check_pose(registration, self.limits)
+        return registration
+
+    def _why_unassigned(self, error: ReconstructionError, points: FloatArray) -> str:
+        """Say why no pose was found; the likeliest cause is a view in another view's place."""
+        if len(points) == 0:
+            return (
+                "no blue marker with a depth reading is seen; check the light and that the "
+                "reference system is in the picture"
+            )
+        for group in _groups(self.system):
+            if group in self.sensor.faces:
+                continue
+            try:
+                assign(points, positions_of(self.system.facing((group,))), self.limits.assignment)
+            except ReconstructionError:
+                continue
+            return (
+                f"its sensor.json says that it sees the markers {_quoted(self.sensor.faces)}, but "
+                f'it sees "{group}"; exchange the views, or correct "faces" there'
+            )
+        return (
+            f'the markers of the reference system "{self.system.name}" are not recognised: {error}'
+        )
 
 
 def _of_rows(pairs: Assignment, rows: IntArray) -> Assignment:
@@ -191,45 +202,6 @@ def _by_horn(naming: Naming) -> FloatArray:
         )
     points = np.nan_to_num(naming.points)
     return absolute_orientation(points, naming.positions, weights).a2b
-
-
-def _fitted(
-    naming: Naming,
-    system: ReferenceSystem,
-    sensor: Sensor,
-    start: FloatArray,
-    limits: RegistrationLimits,
-) -> Registration:
-    """Fit the pose to named markers and judge it."""
-    counted, camera = ~naming.excluded, sensor.color_camera
-    pixels, positions = naming.pixels, naming.positions
-    precise = _precise(naming)[counted]
-    seen = SeenMarkers(
-        positions[counted],
-        positions[counted],
-        np.where(precise[:, None], pixels[counted], np.nan),
-        transform(sensor.depth2color, naming.points[counted])[:, 2],
-    )
-    pose = fit_camera_pose(seen, camera, start)
-    spreads = _spreads(naming)
-    centers = positions
-    if spreads is not None:
-        centers = apparent_centers(positions, spreads, camera, pose.reference2color)
-        seen = replace(seen, centers=centers[counted])
-        pose = fit_camera_pose(seen, camera, pose.reference2color)
-    used = np.zeros(len(pixels), dtype=bool)
-    used[counted] = pose.weights > _LEAST_WEIGHT
-    projected = camera.project(transform(pose.reference2color, centers))
-    sensor2reference = inverse(pose.reference2color) @ sensor.depth2color
-    fixes = _fixes(sensor2reference, _placed_on_rays(naming, sensor, pose))
-    registration = Registration(
-        sensor2reference,
-        tuple(_seen_in_image(fix, projected[i], bool(used[i])) for i, fix in enumerate(fixes)),
-        pose,
-        pose.displacement_mm(_middle(system)),
-    )
-    check_pose(registration, limits)
-    return registration
 
 
 def _seen_in_image(fix: MarkerFix, projected: FloatArray, used: bool) -> MarkerFix:
@@ -268,16 +240,6 @@ def _placed_on_rays(naming: Naming, sensor: Sensor, pose: CameraPose) -> Naming:
     return replace(naming, sightings=replace(naming.sightings, points=points))
 
 
-def _facing(system: ReferenceSystem, faces: tuple[str, ...]) -> tuple[Marker, ...]:
-    markers = system.facing(faces)
-    if not markers:
-        raise ReconstructionError(
-            f'its sensor.json lists the faces {_quoted(faces)}, but the reference system "'
-            f'{system.name}" has the faces {_quoted(_groups(system))}'
-        )
-    return markers
-
-
 def _precise(naming: Naming) -> BoolArray:
     """Tell which markers (k,) are seen whole; all when too few of them are."""
     whole = np.ones(len(naming.pairs.points), dtype=bool)
@@ -312,33 +274,6 @@ def _fixes(a2b: FloatArray, naming: Naming) -> tuple[MarkerFix, ...]:
             )
         )
     return tuple(fixes)
-
-
-def _why_unassigned(
-    error: ReconstructionError,
-    points: FloatArray,
-    system: ReferenceSystem,
-    faces: tuple[str, ...],
-    limits: RegistrationLimits,
-) -> str:
-    """Say why no pose was found; the likeliest cause is a view in another view's place."""
-    if len(points) == 0:
-        return (
-            "no blue marker with a depth reading is seen; check the light and that the reference "
-            "system is in the picture"
-        )
-    for group in _groups(system):
-        if group in faces:
-            continue
-        try:
-            assign(points, positions_of(system.facing((group,))), limits.assignment)
-        except ReconstructionError:
-            continue
-        return (
-            f"its sensor.json says that it sees the markers {_quoted(faces)}, but it sees "
-            f'"{group}"; exchange the views, or correct "faces" there'
-        )
-    return f'the markers of the reference system "{system.name}" are not recognised: {error}'
 
 
 def _groups(system: ReferenceSystem) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
 from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import register
+from insole_core.reconstruct.registration import PoseSearch
 from insole_core.reconstruct.sighting import locate_blobs
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.session import Box, ReferenceSystem
@@ -166,7 +166,7 @@ def _locate(
     points = sensor.points(depth_mm)
     sightings = locate_blobs(find_blobs(color), points, sensor)
     try:
-        found = register(sightings, system, sensor)
+        found = PoseSearch(system, sensor).by_places(sightings)
     except ReconstructionError:
         return 0, None
     inside = is_inside(transform(found.sensor2reference, points), volume)

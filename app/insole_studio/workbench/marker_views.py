@@ -14,7 +14,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import register
+from insole_core.reconstruct.registration import PoseSearch
 from insole_core.reconstruct.sighting import Sightings, locate_blobs
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
@@ -79,7 +79,7 @@ def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, FloatArray]
     depth = view.sensor.depth_mm(capture_from_frames(view.name, frames).raw)
     blobs = find_blobs(view.read_color(0))
     sightings = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
-    registration = register(sightings, system, view.sensor)
+    registration = PoseSearch(system, view.sensor).by_places(sightings)
     own = {fix.id: np.array(fix.pixel) for fix in registration.fixes if fix.used}
     return own | _on_other_faces(sightings, system, view, registration.sensor2reference)
 
