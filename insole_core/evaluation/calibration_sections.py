@@ -24,6 +24,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.recording.session import ReferenceSystem
 from insole_core.sensing.camera import Camera
+from insole_core.sensing.disparity import LinearInverseDisparity
 
 _FACE_HEADINGS = (
     "face", "markers", "asymmetry mm", "relief mm", "nearest mm", "seen from x y z", "aside up to",
@@ -120,9 +121,17 @@ def disparity_section(fit: DisparityFit) -> Section:
             Number("rms_raw", "Residual (rms)", fit.rms_raw, "raw units"),
             Number("rms_mm", "Residual (rms)", fit.rms_mm, "mm"),
         ),
-        sentences=(f"Fitted from {low:.0f} to {high:.0f} mm; beyond it is a guess.",),
-        tables=(Table(type(fit.model).__name__, ("number", "value", "standard deviation"), rows),),
+        sentences=(
+            f"The {_model_name(fit)} was fitted from {low:.0f} to {high:.0f} mm; beyond it is a "
+            "guess.",
+        ),
+        tables=(Table("Parameters", ("parameter", "value", "standard deviation"), rows),),
     )
+
+
+def _model_name(fit: DisparityFit) -> str:
+    linear = isinstance(fit.model, LinearInverseDisparity)
+    return "linear-inverse model" if linear else "tangent model"
 
 
 _WALL_HEADINGS = (
@@ -167,7 +176,7 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
             _likeness(c),
             f"{c.relief_mm:.1f}",
             f"{c.nearest_mm:.1f}",
-            " ".join(f"{value:+.2f}" for value in c.seen_from),
+            " ".join(f"{value:+z.2f}" for value in c.seen_from),
             f"{c.clear_to_deg:.0f}°",
         )
         for c in checks
@@ -236,7 +245,8 @@ def draw_reference(figure: Figure, system: ReferenceSystem) -> None:
             axes.annotate(marker.id, (point[across], point[up]), xytext=(5, 4),
                           textcoords="offset points", fontsize=7)  # fmt: skip
         axes.set(title=face, xlabel="xyz"[across], ylabel="xyz"[up], aspect="equal")
-        figure.colorbar(shown, ax=axes, label="xyz"[3 - across - up])
+        axes.margins(0.15)
+        figure.colorbar(shown, ax=axes, label="xyz"[3 - across - up], shrink=0.6)
 
 
 def _left_out(left_out: dict[str, str]) -> tuple[str, ...]:

@@ -126,7 +126,7 @@ class Report:
     ----------
     title
     serial
-        Of the device.
+        Of the device; empty where it is about none, or is not known.
     made_at
         ISO 8601.
     sections
@@ -181,9 +181,8 @@ def head_line(report: Report) -> str:
     if any(n.limit is not None for s in report.sections for n in s.numbers):
         names = ", ".join(number.label for number in report.failed)
         verdict = "All limits are kept." if report.passed else f"Limits exceeded: {names}."
-    return (
-        f"Sensor {report.serial or 'unknown'}, {_day_and_time(report.made_at)}. {verdict}".strip()
-    )
+    sensor = f"Sensor {report.serial}, " if report.serial else ""
+    return f"{sensor}{_day_and_time(report.made_at)}. {verdict}".strip()
 
 
 def numbers_table(section: Section) -> Table:

@@ -161,7 +161,8 @@ class _Paper:
         if self._page is None:
             self._page, self._y = Figure(figsize=_A4_IN), _TOP
             self._number += 1
-            foot = f"Sensor {self._serial or 'unknown'} · page {self._number}"
+            sensor = f"Sensor {self._serial} · " if self._serial else ""
+            foot = f"{sensor}page {self._number}"
             self._page.text(_LEFT, 0.035, foot, fontsize=_TEXT_PT - 1, color=_GREY)
         return self._page
 
