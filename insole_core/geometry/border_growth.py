@@ -88,9 +88,11 @@ def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArr
 
 def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatArray:
     """Directions (n, 3) off the border in the surface, evened along it; 0 away from it."""
-    a, b = ends.T
-    aside = np.cross(mesh.vertices[b] - mesh.vertices[a], normals[a] + normals[b])
-    total = np.zeros_like(mesh.vertices)
+    border, number = np.unique(ends, return_inverse=True)
+    places, normals = mesh.vertices[border], normals[border]
+    a, b = number.reshape(-1, 2).T
+    aside = np.cross(places[b] - places[a], normals[a] + normals[b])
+    total = np.zeros_like(places)
     for end in (a, b):
         np.add.at(total, end, _unit(aside))
     total = _unit(total)
@@ -99,7 +101,9 @@ def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatA
         np.add.at(sums, a, total[b])
         np.add.at(sums, b, total[a])
         total = _unit(sums)
-    return total
+    outwards = np.zeros_like(mesh.vertices)
+    outwards[border] = total
+    return outwards
 
 
 def _unit(vectors: FloatArray) -> FloatArray:

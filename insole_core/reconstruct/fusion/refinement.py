@@ -91,8 +91,11 @@ def refine(
     """
     normals = smoothed_normals(mesh, 5)
     caster = RayCaster(mesh)
-    seen = for_views(lambda reading: observe(reading, mesh, normals, caster), readings)
-    system = _System.of(mesh, normals, seen, limits)
+    seen, plate = both(
+        lambda: for_views(lambda reading: observe(reading, mesh, normals, caster), readings),
+        lambda: _Plate.of(mesh, normals, limits.stiffness),
+    )
+    system = _System.of(seen, plate, limits)
     weights = system.robust_weights(np.zeros(system.size))
     inverse = system.inverse(weights)
     deviation_mm, found = both(
@@ -116,6 +119,33 @@ def _robust(left: FloatArray, information: FloatArray, robust: float) -> FloatAr
 
 
 @dataclass(frozen=True, eq=False)
+class _Plate:
+    """The prior: a thin plate, bent as the mesh is.
+
+    Parameters
+    ----------
+    bending : (n, n) sparse
+        Of a surface, from the displacements of its vertices.
+    bent_mm : (n,) float64
+        The mesh's own.
+    normal : (n, n) sparse
+        What it adds to the normal equations; a little more, so that they can be solved anywhere.
+    """
+
+    bending: sparse.csr_array[np.float64]
+    bent_mm: FloatArray
+    normal: sparse.csr_array[np.float64]
+
+    @staticmethod
+    def of(mesh: TriangleMesh, normals: FloatArray, stiffness: float) -> _Plate:
+        bending = laplacian(mesh)
+        bent_mm = np.einsum("nc,nc->n", np.asarray(bending @ mesh.vertices), normals)
+        tiny = 1e-6 * sparse.eye_array(len(bent_mm))
+        normal = sparse.csr_array(stiffness * (bending.T @ bending) + tiny)
+        return _Plate(bending, bent_mm, normal)
+
+
+@dataclass(frozen=True, eq=False)
 class _System:
     """The equations of all views with the prior."""
 
@@ -123,36 +153,29 @@ class _System:
     terms: FloatArray
     residuals: FloatArray
     information: FloatArray
-    bending: sparse.csr_array[np.float64]
-    bent_mm: FloatArray
-    plate: sparse.csr_array[np.float64]
+    plate: _Plate
     limits: RefinementLimits
 
     @staticmethod
-    def of(
-        mesh: TriangleMesh,
-        normals: FloatArray,
-        seen: list[Observations],
-        limits: RefinementLimits,
-    ) -> _System:
-        bending = laplacian(mesh)
-        tiny = 1e-6 * sparse.eye_array(bending.shape[0])
-        bent_mm = np.einsum("nc,nc->n", np.asarray(bending @ mesh.vertices), normals)
+    def of(seen: list[Observations], plate: _Plate, limits: RefinementLimits) -> _System:
         return _System(
             sparse.csr_array(sparse.vstack([part.design for part in seen])),
             _block_diagonal([part.terms for part in seen]),
             np.concatenate([part.residuals for part in seen]),
             np.concatenate([part.information for part in seen]),
-            bending,
-            bent_mm,
-            sparse.csr_array(limits.stiffness * (bending.T @ bending) + tiny),
+            plate,
             limits,
         )
 
     @property
+    def vertices(self) -> int:
+        """Number of the vertices."""
+        return len(self.plate.bent_mm)
+
+    @property
     def size(self) -> int:
         """Number of the unknowns: displacements of the vertices, then three terms of every view."""
-        return len(self.bent_mm) + int(self.terms.shape[1])
+        return self.vertices + int(self.terms.shape[1])
 
     def robust_weights(self, found: FloatArray) -> FloatArray:
         left = self.residuals - self._predicted(found)
@@ -161,7 +184,7 @@ class _System:
     def pull(self, weights: FloatArray) -> FloatArray:
         """Right side of the normal equations (unknowns,)."""
         pull = self._gathered(weights * self.residuals)
-        bent = np.asarray(self.bending.T @ self.bent_mm)
+        bent = np.asarray(self.plate.bending.T @ self.plate.bent_mm)
         pull[: len(bent)] -= self.limits.stiffness * bent
         return pull
 
@@ -169,7 +192,7 @@ class _System:
         """Factorise the normal equations; the views are eliminated (Schur complement)."""
         weighted = sparse.diags_array(weights) @ self.design
         solver = splu(
-            sparse.csc_array(self.design.T @ weighted + self.plate),
+            sparse.csc_array(self.design.T @ weighted + self.plate.normal),
             permc_spec="MMD_AT_PLUS_A",
             diag_pivot_thresh=0.0,  # positive definite: the diagonal will do, and keeps the order
             panel_size=2,
@@ -192,17 +215,19 @@ class _System:
         shape = (self.size, self.size)
         normal = LinearOperator(shape, lambda found: self._normal(weights, found), dtype=float)
         inverse = LinearOperator(shape, nearly.applied, dtype=float)
-        # No residual changes its weight by more than 200 times, so a hundred steps always do.
+        # Residuals change their weights by some hundred times at most: a hundred steps always do.
         found, _ = cg(normal, self.pull(weights), start, rtol=_EXACT, M=inverse)
         return np.asarray(found)
 
     def _normal(self, weights: FloatArray, found: FloatArray) -> FloatArray:
-        displacement, views = np.split(found, [len(self.bent_mm)])
-        prior = np.concatenate([np.asarray(self.plate @ displacement), self._views_prior() @ views])
+        displacement, views = np.split(found, [self.vertices])
+        prior = np.concatenate(
+            [np.asarray(self.plate.normal @ displacement), self._views_prior() @ views]
+        )
         return np.asarray(self._gathered(weights * self._predicted(found)) + prior)
 
     def _predicted(self, found: FloatArray) -> FloatArray:
-        displacement, views = np.split(found, [len(self.bent_mm)])
+        displacement, views = np.split(found, [self.vertices])
         return np.asarray(np.asarray(self.design @ displacement) + self.terms @ views)
 
     def _gathered(self, weighted: FloatArray) -> FloatArray:
@@ -217,8 +242,8 @@ class _System:
         rng = np.random.default_rng(0)
         count = self.limits.samples
         data = np.sqrt(weights)[:, None] * rng.standard_normal((len(weights), count))
-        plate = rng.standard_normal((self.bending.shape[0], count))
-        pull = self.design.T @ data + np.sqrt(self.limits.stiffness) * (self.bending.T @ plate)
+        bent = self.plate.bending.T @ rng.standard_normal((self.vertices, count))
+        pull = self.design.T @ data + np.sqrt(self.limits.stiffness) * bent
         return np.asarray(np.sqrt((inverse.solver.solve(pull) ** 2).mean(1)))
 
 

@@ -121,8 +121,12 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
 
 def _is_supported(mesh: TriangleMesh, views: list[PreparedView], limits: FusionLimits) -> BoolArray:
     """Tell which vertices (n,) have a reading near them and lie beside no outline."""
-    near, beside = np.any(for_views(lambda view: _near_and_beside(mesh, view, limits), views), 0)
-    return np.asarray((near | lies_before(mesh, _rims(views), limits.proof_mm)) & ~beside)
+    before, found = both(
+        lambda: lies_before(mesh, _rims(views), limits.proof_mm),
+        lambda: for_views(lambda view: _near_and_beside(mesh, view, limits), views),
+    )
+    near, beside = np.any(found, axis=0)
+    return np.asarray((near | before) & ~beside)
 
 
 def _near_and_beside(
