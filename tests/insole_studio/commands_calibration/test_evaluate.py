@@ -51,6 +51,11 @@ def one_wall(recorded, tmp_path: Path) -> Path:
     return tmp_path / "walls"
 
 
+def test_a_sensor_without_a_correction_is_told(one_wall, perfect: list[str], capsys) -> None:
+    assert run(["evaluate", "wall", str(one_wall), *perfect]) == 0
+    assert "was not calibrated yet; only the raw error is measured" in capsys.readouterr().err
+
+
 def test_failed_limit_is_an_error_with_its_report(one_wall, tmp_path: Path, last_line) -> None:
     report = tmp_path / "wall.json"
     words = ["evaluate", "wall", str(one_wall), "--report", str(report)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -64,6 +65,11 @@ def _before_and_after(captures: list[WallCapture], sensor: Sensor, progress: Pro
     corrections: dict[str, Correction] = {"raw": NoCorrection()}
     if sensor.correction is not None:
         corrections["corrected"] = sensor.correction
+    else:
+        print(
+            "The distortion of this sensor was not calibrated yet; only the raw error is measured.",
+            file=sys.stderr,
+        )
     camera, disparity = sensor.depth_camera, sensor.disparity
     section = wall_section(wall_errors(captures, corrections, camera, disparity))
     pictures = wall_pictures(captures, corrections, camera, disparity)
