@@ -58,9 +58,9 @@ class NumberField(QDoubleSpinBox):
         self.ensurePolished()
         return self.sizeHint().height() > TOUCH_HEIGHT_PX
 
-    def narrow(self, width_px: int) -> None:
-        """Be no wider than this; fingers get their buttons beside it."""
-        self.setFixedWidth(width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0))
+    def room_px(self, width_px: int) -> int:
+        """Give the width for a field of this width; fingers get their buttons beside it."""
+        return width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0)
 
     def show_value(self, value: float) -> None:
         """Show a value without `edited`; what is being typed stays."""

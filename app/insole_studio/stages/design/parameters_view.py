@@ -109,10 +109,8 @@ class ParametersView(QScrollArea):
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        if isinstance(field, NumberField):
-            field.narrow(FIELD_PX)
-        else:
-            field.setFixedWidth(CHOICE_PX)
+        width = field.room_px(FIELD_PX) if isinstance(field, NumberField) else CHOICE_PX
+        field.setFixedWidth(width)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)

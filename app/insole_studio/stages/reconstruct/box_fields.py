@@ -11,6 +11,7 @@ from insole_studio.tools.box import LEAST_MM
 from insole_studio.widgets.number_field import NumberField
 
 _FARTHEST_MM = 600.0
+_FIELD_PX = 88
 
 
 class BoxFields(QWidget):
@@ -60,4 +61,5 @@ class BoxFields(QWidget):
 def _field(name: str) -> NumberField:
     field = NumberField("mm", least=-_FARTHEST_MM, greatest=_FARTHEST_MM, step=5.0, decimals=0)
     field.setAccessibleName(name)
+    field.setFixedWidth(field.room_px(_FIELD_PX))
     return field

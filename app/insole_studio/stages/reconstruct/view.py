@@ -40,6 +40,7 @@ from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.sentences import Sentences, WorkBar
 
 _SIDE_PX = 300
+_LIMIT_PX = 96
 _WIDE_PX = 1000
 _BAR_PX = 12
 
@@ -291,7 +292,7 @@ class ReconstructView(QWidget):
 
     def _actions(self) -> QWidget:
         side = QWidget()
-        side.setFixedWidth(2 * _SIDE_PX)
+        side.setMinimumWidth(2 * _SIDE_PX)
         columns = QHBoxLayout(side)
         columns.setContentsMargins(0, 0, 0, 0)
         columns.setSpacing(16)
@@ -304,14 +305,17 @@ class ReconstructView(QWidget):
         form.setVerticalSpacing(4)
         names = (tr("Markers in space"), tr("Markers in the image"), tr("Uncertain at the foot"))
         for text, field in zip(names, self.limits, strict=True):
-            form.addRow(text, field)
+            label = QLabel(text)
+            label.setMinimumWidth(label.sizeHint().width())  # never squeezed by its field
+            label.setBuddy(field)
+            form.addRow(label, field)
         mark_labels(form)
         right.addLayout(form)
         right.addStretch(1)
         right.addWidget(self.make)
         right.addWidget(self.cancel)
         right.addWidget(self.go_on)
-        columns.addLayout(volume, 1)
+        columns.addLayout(volume)
         columns.addLayout(right, 1)
         return side
 
@@ -331,7 +335,10 @@ def _tool_button(name: str, shortcut: str) -> QToolButton:
 
 
 def _limit_field(unit: str) -> NumberField:
-    return NumberField(unit, least=0.1, greatest=20.0, step=0.1)
+    field = NumberField(unit, least=0.1, greatest=20.0, step=0.1)
+    if field.is_for_fingers:  # else it is as wide as the buttons below
+        field.setMaximumWidth(field.room_px(_LIMIT_PX))
+    return field
 
 
 def _map_texts() -> dict[FootMap, str]:
