@@ -22,6 +22,7 @@ _PIXELS_A_VIEW = 5000
 _TOES = 2.5
 """So many times likelier is a pixel of the toes to be shown than another."""
 _TOE_SHARE = 0.3
+_FACING = 2
 _LEAST_COSINE = 0.15
 _OUTLIER_RAW = 8.0
 _HELD_BACK = 0.08
@@ -79,7 +80,7 @@ def _samples(
     usable = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
     rows, columns = np.nonzero(usable)
     toes = is_sole & (rows > rows.max() - _TOE_SHARE * np.ptp(rows))
-    chance = np.where(toes, _TOES, 1.0)
+    chance = np.where(toes, _TOES, 1.0) * example.cosine[rows, columns] ** _FACING
     count = min(_PIXELS_A_VIEW, len(rows))
     chosen = rng.choice(len(rows), count, replace=False, p=chance / chance.sum())
     rows, columns = rows[chosen], columns[chosen]

@@ -18,6 +18,11 @@ _WAVES = 12
 _ANKLE_MM = np.array([0.0, 0.0, 45.0])
 _WEB_MM, _TOE_MM = 66.0, 50.0
 """Where toes begin, from the middle of the foot, and about how long they are."""
+_TOGETHER, _BETWEEN_MM = 0.6, (0.5, 1.0)
+"""Share of feet whose toes lie side by side, and what is between these, mean and spread: most
+people's toes touch, and such grooves no depth sensor of this kind shows."""
+_MOVED = np.array([0.7, 1.0])
+"""Shares in which the middle and the last joint go with the pulp."""
 
 
 def varied_foot(rng: np.random.Generator) -> TriangleMesh:
@@ -38,11 +43,33 @@ def varied_foot(rng: np.random.Generator) -> TriangleMesh:
 
 
 def _varied_toes(rng: np.random.Generator) -> tuple[Toe, ...]:
-    """Long and short, thick and thin, close and apart, straight and clawed."""
+    """Long and short, thick and thin, side by side and apart, straight and clawed."""
+    together = rng.uniform() < _TOGETHER
+    toes = _varied_one_by_one(rng, (0.92, 1.2) if together else (0.72, 1.15))
+    return _side_by_side(toes, rng.normal(*_BETWEEN_MM, len(toes) - 1)) if together else toes
+
+
+def _side_by_side(toes: tuple[Toe, ...], between_mm: FloatArray) -> tuple[Toe, ...]:
+    """Move toes across until so little, or nothing, is between the pulps of neighbours."""
+    joints = np.array([toe[0] for toe in toes])
+    breadth = (joints[:, 1, 3] + joints[:, 2, 3]) / 2
+    apart = breadth[:-1] + joints[1:, 2, 3] + between_mm
+    wanted = joints[0, 2, 0] - np.concatenate([[0.0], np.cumsum(apart)])
+    moved = wanted - joints[:, 2, 0]
+    joints[:, 1:, 0] += (moved - moved.mean())[:, None] * _MOVED
+    return tuple(
+        (tuple(tuple(map(float, joint)) for joint in toe), flat)
+        for toe, (_, flat) in zip(joints, toes, strict=True)
+    )
+
+
+def _varied_one_by_one(
+    rng: np.random.Generator, thicknesses: tuple[float, float]
+) -> tuple[Toe, ...]:
     splay, gap = rng.normal(0.01, 0.06), rng.uniform(0.92, 1.15)
     reach, thickness, straight = (
         rng.uniform(0.85, 1.35),
-        rng.uniform(0.72, 1.15),
+        rng.uniform(*thicknesses),
         rng.uniform(-0.6, 1.2),
     )
     return tuple(
