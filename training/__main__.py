@@ -84,7 +84,9 @@ def _samples(
     count = min(_PIXELS_A_VIEW, len(rows))
     chosen = rng.choice(len(rows), count, replace=False, p=chance / chance.sum())
     rows, columns = rows[chosen], columns[chosen]
-    features = neighbourhoods(example.raw, example.pixel_mm[rows, columns], rows, columns)
+    features = neighbourhoods(
+        example.raw, example.shading, example.pixel_mm[rows, columns], rows, columns
+    )
     return features.astype(np.float16), error[rows, columns].astype(np.float32)
 
 
@@ -94,7 +96,7 @@ def _report(network: Network, paths: list[Path]) -> None:
     for example in map(Example.load, paths):
         error = example.raw - example.true_raw
         seen = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
-        left = error - matching_error(example.raw, example.pixel_mm, network)
+        left = error - matching_error(example.raw, example.shading, example.pixel_mm, network)
         before.append(error[seen])
         after.append(left[seen])
     words = "feet that nothing was learnt from: rms error"

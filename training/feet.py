@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -58,42 +58,57 @@ def _side_by_side(toes: tuple[Toe, ...], between_mm: FloatArray) -> tuple[Toe, .
     moved = wanted - joints[:, 2, 0]
     joints[:, 1:, 0] += (moved - moved.mean())[:, None] * _MOVED
     return tuple(
-        (tuple(tuple(map(float, joint)) for joint in toe), flat)
-        for toe, (_, flat) in zip(joints, toes, strict=True)
+        _toe(joint, flattening) for joint, (_, flattening) in zip(joints, toes, strict=True)
     )
 
 
 def _varied_one_by_one(
     rng: np.random.Generator, thicknesses: tuple[float, float]
 ) -> tuple[Toe, ...]:
-    splay, gap = rng.normal(0.01, 0.06), rng.uniform(0.92, 1.15)
-    reach, thickness, straight = (
-        rng.uniform(0.85, 1.35),
-        rng.uniform(*thicknesses),
-        rng.uniform(-0.6, 1.2),
+    small = _Manner(
+        splay=rng.normal(0.01, 0.06),
+        gap=rng.uniform(0.92, 1.15),
+        reach=rng.uniform(0.85, 1.35),
+        straight=rng.uniform(-0.6, 1.2),
+        tall=rng.uniform(0.85, 1.6),
+        thickness=rng.uniform(*thicknesses),
     )
-    return tuple(
-        _varied_toe(toe, rng, (splay, gap, reach if number else (1 + reach) / 2, straight), scale)
-        for number, (toe, scale) in enumerate(
-            zip(TOES, (rng.uniform(0.9, 1.1), *[thickness] * 4), strict=True)
-        )
+    great = replace(
+        small,
+        reach=(1 + small.reach) / 2,
+        tall=(1 + small.tall) / 2,
+        thickness=rng.uniform(0.9, 1.1),
     )
+    return tuple(_varied_toe(toe, rng, great if toe is TOES[0] else small) for toe in TOES)
 
 
-def _varied_toe(
-    toe: Toe, rng: np.random.Generator, manner: tuple[float, ...], thickness: float
-) -> Toe:
-    splay, gap, reach, straight = manner
+@dataclass(frozen=True)
+class _Manner:
+    """How the toes of one foot differ from the model's: shares, and slopes to the side."""
+
+    splay: float
+    gap: float
+    reach: float
+    straight: float
+    tall: float
+    thickness: float
+
+
+def _varied_toe(toe: Toe, rng: np.random.Generator, manner: _Manner) -> Toe:
     joints, flattening = np.array(toe[0]), toe[1]
     base, ahead = joints[0, :3].copy(), joints[1:, :3] - joints[0, :3]
-    ahead[:, 1] *= reach * rng.uniform(0.88, 1.1)
-    ahead[:, 0] = ahead[:, 0] * gap + (splay + rng.normal(0, 0.03)) * ahead[:, 1]
-    ahead[:, 2] += rng.normal((-2 * straight, 1.5 * straight), (1.5, 1.2))
+    ahead[:, 1] *= manner.reach * rng.uniform(0.88, 1.1)
+    ahead[:, 0] = ahead[:, 0] * manner.gap + (manner.splay + rng.normal(0, 0.03)) * ahead[:, 1]
+    ahead[:, 2] += rng.normal((-2 * manner.straight, 1.5 * manner.straight), (1.5, 1.2))
     joints[1:, :3] = base + ahead
-    joints[1:, 3] *= thickness * rng.uniform((0.75, 0.94), (1.08, 1.22))
-    flat = float(np.clip(flattening * rng.uniform(0.9, 1.1), 0.75, 1.1))
-    first, middle, pulp = (tuple(map(float, joint)) for joint in joints)
-    return (first, middle, pulp), flat  # type: ignore[return-value]
+    joints[1:, 3] *= manner.thickness * rng.uniform((0.75, 0.94), (1.08, 1.22))
+    flat = float(np.clip(flattening * manner.tall * rng.uniform(0.9, 1.1), 0.75, 1.6))
+    joints[1:, 2] += (flat - flattening) * joints[1:, 3]
+    return _toe(joints, flat)
+
+
+def _toe(joints: FloatArray, flattening: float) -> Toe:
+    return tuple((x, y, z, radius) for x, y, z, radius in joints.tolist()), flattening
 
 
 @dataclass(frozen=True)

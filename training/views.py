@@ -8,7 +8,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_about
 from insole_core.reconstruct.fusion.reading import Reading, read_volume
@@ -20,6 +20,7 @@ from insole_core.simulate.poses import look_at
 from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
 from training.feet import varied_foot
+from training.light import varied_shading
 from training.things import varied_thing
 
 _FRAMES = 6
@@ -45,12 +46,15 @@ class Example:
         Of the angle between ray and true normal.
     pixel_mm : (height, width) float32
         Width of a pixel where the reading lies.
+    shading : (height, width) float32
+        As `find_shading` gives it.
     """
 
     raw: FloatArray
     true_raw: FloatArray
     cosine: FloatArray
     pixel_mm: FloatArray
+    shading: Float32Array
 
     def save(self, path: Path) -> None:
         """Write it as an .npz."""
@@ -61,7 +65,8 @@ class Example:
     def load(path: Path) -> Example:
         """Read what `save` wrote."""
         with np.load(path) as stored:
-            return Example(**{name: stored[name].astype(float) for name in stored.files})
+            arrays = {name: stored[name].astype(float) for name in stored.files}
+        return Example(**arrays | {"shading": arrays["shading"].astype(np.float32)})
 
 
 def simulate_examples(seed: int) -> dict[str, Example]:
@@ -83,7 +88,7 @@ def simulate_examples(seed: int) -> dict[str, Example]:
         device = make_device(name, (), distance_mm, (640, 480), rng)
         recording = record_matched_depth(scene, device, pose, rng, things=foot.vertices)
         average = average_raw(recording.frame(rng) for _ in range(_FRAMES))
-        examples[name] = _example(average.raw, device, pose, alone)
+        examples[name] = _example(average.raw, device, pose, alone, rng)
     return examples
 
 
@@ -101,7 +106,9 @@ def _stand(
     return look_at(position, target + rng.normal(0, 7, 3), down)
 
 
-def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: SceneCaster) -> Example:
+def _example(
+    raw: FloatArray, device: Device, pose: FloatArray, foot: SceneCaster, rng: np.random.Generator
+) -> Example:
     sensor = device.sensor
     black = np.zeros((480, 640, 3), np.uint8)
     reading = read_volume("x", sensor, pose, _VOLUME, raw=sensor.corrected(raw), color=black)
@@ -109,7 +116,7 @@ def _example(raw: FloatArray, device: Device, pose: FloatArray, foot: SceneCaste
     depth_mm = sensor.disparity.depth_mm(reading.raw)
     pixel_mm = depth_mm / sensor.depth_camera.fx
     kept = reading.without(_beside(np.isfinite(true_raw), pixel_mm))
-    return Example(kept.raw, true_raw, cosine, pixel_mm)
+    return Example(kept.raw, true_raw, cosine, pixel_mm, varied_shading(kept, foot, rng))
 
 
 def _truth(reading: Reading, foot: SceneCaster) -> tuple[FloatArray, FloatArray]:

@@ -41,6 +41,9 @@ def test_examples_show_what_a_sensor_reports_beside_the_truth(tmp_path: Path) ->
         assert np.isfinite(error).sum() > 1000
         assert abs(np.nanmedian(error)) < 1, name
         assert 0.2 < np.nanstd(np.clip(error, -5, 5)) < 1.5
+        assert (example.shading[np.isnan(example.raw)] == 0).all()
+        assert np.abs(example.shading).max() <= 1
+    assert any(np.ptp(example.shading) > 0.3 for example in examples.values())
     path = tmp_path / "example.npz"
     examples["left"].save(path)
     np.testing.assert_allclose(Example.load(path).raw, examples["left"].raw, atol=1e-4)

@@ -23,6 +23,7 @@ from insole_core.reconstruct.fusion.neighbourhood import (
     support,
 )
 from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.shading import find_shading
 from insole_core.resources import resource_path
 
 _WEIGHTS = "matching_error/weights.npz"
@@ -75,17 +76,26 @@ def without_matching_error(reading: Reading) -> Reading:
     """Take the error of the matching out of a reading, as far as it can be foretold."""
     pixel_mm = reading.sensor.disparity.depth_mm(reading.raw) / reading.sensor.depth_camera.fx
     turns = _quarter_turns(reading)
-    error = matching_error(np.rot90(reading.raw, turns), np.rot90(pixel_mm, turns), _network())
+    error = matching_error(
+        np.rot90(reading.raw, turns),
+        np.rot90(find_shading(reading), turns),
+        np.rot90(pixel_mm, turns),
+        _network(),
+    )
     return reading.with_raw(reading.raw - np.rot90(error, -turns))
 
 
-def matching_error(raw: FloatArray, pixel_mm: FloatArray, network: Network) -> FloatArray:
+def matching_error(
+    raw: FloatArray, shading: Float32Array, pixel_mm: FloatArray, network: Network
+) -> FloatArray:
     """By how much readings exceed the truth.
 
     Parameters
     ----------
     raw : (height, width) float64, raw units
         Toes, or the sole, towards the last row; NaN = no reading.
+    shading : (height, width) float32
+        See `find_shading`.
     pixel_mm : (height, width) float64
         Width of a pixel at the surface.
     network
@@ -101,7 +111,7 @@ def matching_error(raw: FloatArray, pixel_mm: FloatArray, network: Network) -> F
     rows, columns = (index * _EVERY_PX for index in nodes)
     middle_mm = np.nan_to_num(pixel_mm[rows, columns], nan=float(np.nanmedian(pixel_mm)))
     middle_mm = np.clip(middle_mm, *_LEARNT_MM)
-    foretold = network.predict_alike(neighbourhoods(raw, middle_mm, rows, columns))
+    foretold = network.predict_alike(neighbourhoods(raw, shading, middle_mm, rows, columns))
     error = np.clip(foretold - _of_walls(middle_mm, network), -_LARGEST_RAW, _LARGEST_RAW)
     learnt = np.isfinite(raw) & (pixel_mm >= _LEARNT_MM[0]) & (pixel_mm <= _LEARNT_MM[1])
     return np.where(learnt, _between(raw.shape, rows, columns, error), 0)

@@ -1,4 +1,7 @@
-"""What surrounds a reading, at two scales: what a network is shown to foretell its error."""
+"""What surrounds a reading: what a network is shown to foretell its error.
+
+The readings at two scales, and how dark the places are, for the grooves that no reading shows.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +18,10 @@ _SIDE = 2 * _REACH + 1
 _LEAST_SUPPORT = 0.15
 _UNIT_RAW = 4.0
 _FARTHEST = 4.0
+_SHADING_STEP, _UNIT_SHADING = 2, 0.4
 _MIDDLE_MM, _SPREAD_MM = 1.3, 0.25
-_GRID_COUNT = len(_SCALES) * 2 * _SIDE**2
+_GRIDS = 2 * len(_SCALES) + 1
+_GRID_COUNT = _GRIDS * _SIDE**2
 
 FEATURES = _GRID_COUNT + 1
 
@@ -27,7 +32,11 @@ def support(raw: FloatArray) -> Float32Array:
 
 
 def neighbourhoods(
-    raw: FloatArray, pixel_mm: FloatArray, rows: IntArray, columns: IntArray
+    raw: FloatArray,
+    shading: Float32Array,
+    pixel_mm: FloatArray,
+    rows: IntArray,
+    columns: IntArray,
 ) -> Float32Array:
     """Describe what surrounds some pixels, against the mean close to them.
 
@@ -35,6 +44,8 @@ def neighbourhoods(
     ----------
     raw : (height, width) float64, raw units
         NaN = unknown.
+    shading : (height, width) float32
+        See `find_shading`.
     pixel_mm : (n,) float64
         Width of a pixel at the surface there.
     rows, columns : (n,) int64
@@ -54,6 +65,7 @@ def neighbourhoods(
         seen = _grids(np.where(weight > _LEAST_SUPPORT, weight, 0), step, rows, columns)
         height = (_grids(mean, step, rows, columns) - centre) / np.float32(_UNIT_RAW)
         found += [np.clip(height, -_FARTHEST, _FARTHEST) * (seen > 0), seen - np.float32(0.5)]
+    found.append(_grids(shading / np.float32(_UNIT_SHADING), _SHADING_STEP, rows, columns))
     flat = [part.reshape(len(rows), _SIDE**2) for part in found]
     return np.concatenate([*flat, _size(pixel_mm)], axis=1)
 
@@ -61,7 +73,8 @@ def neighbourhoods(
 def level(pixel_mm: FloatArray) -> Float32Array:
     """What would surround a place on an endless wall that faces the sensor: (n, FEATURES)."""
     heights, seen = (np.full((len(pixel_mm), _SIDE**2), value, np.float32) for value in (0, 0.5))
-    return np.concatenate([heights, seen] * len(_SCALES) + [_size(pixel_mm)], axis=1)
+    grids = [heights, seen] * len(_SCALES) + [heights]
+    return np.concatenate([*grids, _size(pixel_mm)], axis=1)
 
 
 def _size(pixel_mm: FloatArray) -> Float32Array:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.reconstruct.fusion.matching_error import (
     Network,
@@ -55,7 +55,18 @@ def _bumps(seed: int, shape: tuple[int, int] = (61, 71)) -> FloatArray:
 
 
 def _error(raw: FloatArray, network: Network, pixel_mm: float = PIXEL_MM) -> FloatArray:
-    return matching_error(raw, np.full(raw.shape, pixel_mm), network)
+    return matching_error(raw, _even(raw), np.full(raw.shape, pixel_mm), network)
+
+
+def _even(raw: FloatArray) -> Float32Array:
+    """A picture in which nothing is darker than anything else."""
+    return np.zeros(raw.shape, np.float32)
+
+
+def _grooves(raw: FloatArray) -> Float32Array:
+    """A picture with dark lines from top to bottom."""
+    u = np.arange(raw.shape[1])
+    return np.broadcast_to(-0.4 * (u % 12 < 3), raw.shape).astype(np.float32)
 
 
 @pytest.mark.parametrize("slope", [(0.0, 0.0), (0.3, 0.0), (-0.2, 0.4)])
@@ -72,7 +83,8 @@ def test_the_foretold_error_is_bounded(seed: int, spread: float) -> None:
     rng = np.random.default_rng(seed)
     raw = np.where(rng.random((41, 47)) < 0.3, np.nan, 700 + spread * rng.standard_normal((41, 47)))
 
-    error = _error(raw, Network.load())
+    dark = rng.uniform(-1, 1, raw.shape).astype(np.float32)
+    error = matching_error(raw, dark, np.full(raw.shape, PIXEL_MM), Network.load())
 
     assert np.isfinite(error).all()
     assert np.abs(error).max() <= 2.5
@@ -91,8 +103,9 @@ def test_mirrored_features_are_those_of_the_mirrored_picture() -> None:
     raw = _bumps(2)
     rows, columns = np.nonzero(np.isfinite(raw))
     pixel_mm = np.full(len(rows), PIXEL_MM)
-    features = neighbourhoods(raw, pixel_mm, rows, columns)
-    other = neighbourhoods(raw[:, ::-1], pixel_mm, rows, raw.shape[1] - 1 - columns)
+    dark = _grooves(raw)
+    features = neighbourhoods(raw, dark, pixel_mm, rows, columns)
+    other = neighbourhoods(raw[:, ::-1], dark[:, ::-1], pixel_mm, rows, raw.shape[1] - 1 - columns)
 
     assert features.shape == (len(rows), FEATURES)
     np.testing.assert_allclose(mirrored(features), other, atol=2e-4)

@@ -1,0 +1,63 @@
+"""How much darker a place of the foot looks than what surrounds it.
+
+The grooves between toes that touch are narrower than a sensor's window, so nothing of them is in
+its readings; in a picture they are dark.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
+from insole_core.geometry.transforms import inverse, transform
+from insole_core.reconstruct.fusion.reading import Reading
+
+_NEAR_PX, _AROUND_PX = 1.0, 5.0
+_DARK_LEVELS = 8.0
+"""Added to both, so that the noise of what is nearly black counts for little."""
+_MOST = 1.0
+_BLUR_SHARE = 1 / 1280
+"""Of the picture's width, in which it is evened: about as coarse as the readings are."""
+
+
+def find_shading(reading: Reading) -> Float32Array:
+    """Look up the shading (height, width) of all readings in their colour image."""
+    camera = reading.sensor.color_camera
+    levels = cv2.cvtColor(reading.color, cv2.COLOR_RGB2GRAY)
+    evened = cv2.GaussianBlur(levels, (0, 0), camera.width * _BLUR_SHARE)
+    where = np.full((*reading.raw.shape, 2), -1, np.float32)
+    in_color = transform(inverse(reading.color2reference), reading.surface_points)
+    where[reading.known] = camera.project(in_color)
+    seen = cv2.remap(evened, where[..., 0], where[..., 1], cv2.INTER_LINEAR)
+    return shading_of(seen.astype(float), reading.known)
+
+
+def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
+    """Compare each place with what surrounds it.
+
+    Parameters
+    ----------
+    levels : (height, width) float64
+        Brightness, 0 to 255.
+    known : (height, width) bool
+        Where the foot is.
+
+    Returns
+    -------
+    (height, width) float32
+        Natural logarithm of the ratio, -1 (dark) to 1; 0 where nothing is known.
+    """
+    share, seen = known.astype(np.float32), np.where(known, levels, 0).astype(np.float32)
+    near, around = (
+        _mean(seen, share, blur_px) + _DARK_LEVELS for blur_px in (_NEAR_PX, _AROUND_PX)
+    )
+    return np.where(known, np.clip(np.log(near / around), -_MOST, _MOST), np.float32(0))
+
+
+def _mean(values: Float32Array, share: Float32Array, blur_px: float) -> Float32Array:
+    total, weight = (
+        cv2.GaussianBlur(image, (0, 0), blur_px, borderType=cv2.BORDER_CONSTANT)
+        for image in (values, share)
+    )
+    return np.asarray(total / np.maximum(weight, np.float32(1e-3)))
