@@ -19,10 +19,8 @@ _WEIGHTS = Path(__file__).parents[1] / "resources/matching_error/weights.npz"
 _HIDDEN = (128, 32)
 _EPOCHS = 8
 _PIXELS_A_VIEW = 5000
-_TOES = 2.5
+_TOES, _TOE_SHARE = 5.0, 0.3
 """So many times likelier is a pixel of the toes to be shown than another."""
-_TOE_SHARE = 0.3
-_FACING = 2
 _LEAST_COSINE = 0.15
 _OUTLIER_RAW = 8.0
 _HELD_BACK = 0.08
@@ -33,7 +31,7 @@ def main() -> None:
     """Make the weights that the product holds."""
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("folder", type=Path, help="keeps the simulated views")
-    parser.add_argument("--feet", type=int, default=62)
+    parser.add_argument("--feet", type=int, default=150)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:
@@ -80,7 +78,8 @@ def _samples(
     usable = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
     rows, columns = np.nonzero(usable)
     toes = is_sole & (rows > rows.max() - _TOE_SHARE * np.ptp(rows))
-    chance = np.where(toes, _TOES, 1.0) * example.cosine[rows, columns] ** _FACING
+    # What faces the sensor counts most: that is what the surface is made of there.
+    chance = np.where(toes, _TOES, 1.0) * example.cosine[rows, columns]
     count = min(_PIXELS_A_VIEW, len(rows))
     chosen = rng.choice(len(rows), count, replace=False, p=chance / chance.sum())
     rows, columns = rows[chosen], columns[chosen]
