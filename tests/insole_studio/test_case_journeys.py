@@ -18,7 +18,7 @@ from insole_core.insole.design import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_studio.workbench.landmarks import metatarsal_line
 
-PAIR_ACTIONS, SINGLE_ACTIONS = 12, 11
+PAIR_ACTIONS, SINGLE_ACTIONS = 12, 9
 
 
 @pytest.fixture(scope="module")
