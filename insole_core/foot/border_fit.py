@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.touches import Touches
 
 _LEAST_TOWARDS = 0.75  # cosine against the direction: farther round, three numbers do not do
@@ -29,21 +29,34 @@ _OUTLYING_TOUCH_MM, _OUTLYING = 1.0, 2.0
 _ROUNDS = 4
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
+_ARC = 0.2
+"""Share of its radius, on either side of its outermost place, that a border is about an arc."""
+USUAL_MM = 12.0
+"""So far from its usual place an end must lie a millimetre farther out."""
 
 
 @dataclass(frozen=True)
 class UsualBorder:
-    """Height of the outermost place and radius of the section there, with standard deviations."""
+    """What is usual of a border about its outermost place.
+
+    Parameters
+    ----------
+    height_mm, radius_mm
+        Of that place, and of the section there, each with its standard deviation.
+    bend_mm
+        Radius of the border as seen from below; None where it is too small to go by.
+    """
 
     height_mm: tuple[float, float]
     radius_mm: tuple[float, float]
+    bend_mm: float | None = None
 
     def scaled(self, factor: float) -> UsualBorder:
         """For a foot of another size."""
         height, radius = (
             (factor * value, factor * spread) for value, spread in (self.height_mm, self.radius_mm)
         )
-        return UsualBorder(height, radius)
+        return UsualBorder(height, radius, None if self.bend_mm is None else factor * self.bend_mm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +77,47 @@ class BorderFit:
     height_mm: FloatArray
     deviation_mm: FloatArray
     touched: FloatArray
+
+    def summit(self, counts: BoolArray, bend_mm: float | None, usual_mm: float | None) -> Summit:
+        """Find where the border reaches farthest.
+
+        Where its bend is known, the strips about the one that reaches farthest tell it together:
+        alone it is often its noise that makes a strip the farthest.
+
+        Parameters
+        ----------
+        counts : (s,) bool
+            Strips to go by; one at least.
+        bend_mm
+            See `UsualBorder`.
+        usual_mm
+            Where across the direction the place usually lies: aside of it, the border must reach
+            farther to count as far.
+        """
+        pull = 0.0 if usual_mm is None else USUAL_MM**-2
+        aside = self.across_mm - (usual_mm or 0.0)
+        rated = np.where(counts, self.reach_mm - pull * aside**2, -np.inf)
+        best = int(rated.argmax())
+        if bend_mm is None:
+            return Summit(float(self.across_mm[best]), float(self.reach_mm[best]), best)
+        away = self.across_mm - self.across_mm[best]
+        near = counts & (np.abs(away) <= _ARC * bend_mm)
+        bend, weights, way = 0.5 / bend_mm + pull, 1 / self.deviation_mm[near], away[near]
+        rows = np.column_stack([weights, weights * way])
+        height, slope = np.linalg.lstsq(rows, weights * (rated[near] + bend * way**2))[0]
+        ahead = float(np.clip(slope / (2 * bend), way.min(), way.max()))
+        reach = height + slope * ahead - bend * ahead**2 + pull * (aside[best] + ahead) ** 2
+        strip = int(np.where(counts, np.abs(away - ahead), np.inf).argmin())
+        return Summit(float(self.across_mm[best]) + ahead, float(reach), strip)
+
+
+@dataclass(frozen=True)
+class Summit:
+    """Where a border reaches farthest: across the direction and along it; and the strip there."""
+
+    across_mm: float
+    reach_mm: float
+    strip: int
 
 
 def fit_border(

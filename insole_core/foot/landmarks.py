@@ -41,9 +41,10 @@ _HEADS = np.array(
 )  # fmt: skip
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
-_HEEL_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0))
-_MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0))
-_LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0))
+_BEHIND_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0), 34.0)
+_HEEL_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0), 50.0)
+_MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0), 50.0)
+_LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0), 50.0)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # of an arch that is one
 _SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
@@ -143,7 +144,7 @@ def _along_foot_axis(foot: Foot) -> SoleSurface:
 
 
 def _pternion(sole: SoleSurface) -> End:
-    return sole.support(np.array([0.0, -1.0]), _REAR, border=_HEEL_BORDER)
+    return sole.support(np.array([0.0, -1.0]), _REAR, border=_BEHIND_BORDER)
 
 
 def _ball(sole: SoleSurface) -> dict[str, End]:

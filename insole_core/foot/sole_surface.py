@@ -9,7 +9,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
-from insole_core.foot.border_fit import UsualBorder, fit_border
+from insole_core.foot.border_fit import USUAL_MM, UsualBorder, fit_border
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
@@ -28,7 +28,6 @@ _TURN = 0.4  # before the last measured cosine, over which the border is continu
 _MOST_MM = 6.0
 _BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
-_USUAL_MM = 12.0  # so far from its usual place an end must lie a millimetre farther out
 _STRIP_MM, _EVENED_STRIPS, _FRAYED_STRIPS = 2.0, 1.2, 2.5
 _LEAST_POINTS = 6
 _NORMAL_ROUNDS = 4
@@ -189,13 +188,10 @@ class SoleSurface:
         trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
         if not trusted.any():
             return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=_UNSEEN_MM)
-        rated = np.where(trusted, fit.reach_mm, -np.inf)
-        if usual_mm is not None:
-            rated = rated - ((fit.across_mm - usual_mm) / _USUAL_MM) ** 2
-        best = int(rated.argmax())
-        point = fit.reach_mm[best] * direction + fit.across_mm[best] * np.abs(direction[[1, 0, 2]])
-        point[2] = fit.height_mm[best]
-        deviation_mm = float(fit.deviation_mm[best])
+        summit = fit.summit(trusted, scaled.bend_mm, usual_mm)
+        point = summit.reach_mm * direction + summit.across_mm * np.abs(direction[[1, 0, 2]])
+        point[2] = fit.height_mm[summit.strip]
+        deviation_mm = float(fit.deviation_mm[summit.strip])
         confidence = SURE - _DOUBT * max(deviation_mm - _CERTAIN_MM, 0.0)
         return End(point, float(confidence), deviation_mm)
 
@@ -300,7 +296,7 @@ def _outermost(
     else:
         profile = gaussian_filter1d(profile, _FRAYED_STRIPS, mode="nearest")
         middle = across.min() + (np.arange(len(profile)) + 0.5) * _STRIP_MM
-        profile = profile - ((middle - usual_mm) / _USUAL_MM) ** 2
+        profile = profile - ((middle - usual_mm) / USUAL_MM) ** 2
     away = np.abs(strip - int(profile.argmax()))
     inside = np.flatnonzero(away <= away.min())
     return int(inside[along[inside].argmax()])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -78,3 +80,54 @@ def test_touches_move_with_their_surface() -> None:
     moved = outlines.transformed(a2b)
     assert moved.points[0] == pytest.approx(a2b[:3, :3] @ outlines.points[0] + [1, 2, 3])
     assert moved.normals[0] == pytest.approx(a2b[:3, :3] @ outlines.normals[0])
+
+
+BEND = 40.0
+
+
+def arc(summit_mm: float, noise_mm: float = 0.0, seed: int = 0) -> BorderFit:
+    """Strips every 2 mm across a border that is an arc as seen from below."""
+    across = np.arange(-20.0, 21.0, 2.0)
+    noise = np.random.default_rng(seed).normal(0, noise_mm, len(across)) if noise_mm else 0.0
+    reach = 50 - (across - summit_mm) ** 2 / (2 * BEND) + noise
+    one = np.ones_like(across)
+    return BorderFit(across, reach, 15 * one, 0.3 * one, 4 * one)
+
+
+@pytest.mark.parametrize("summit_mm", [-5.3, 0.0, 7.7])
+def test_the_summit_of_an_arc_lies_between_the_strips(summit_mm: float) -> None:
+    fit = arc(summit_mm)
+    found = fit.summit(np.ones(21, bool), BEND, None)
+    assert found.across_mm == pytest.approx(summit_mm, abs=1e-6)
+    assert found.reach_mm == pytest.approx(50, abs=1e-6)
+    assert abs(fit.across_mm[found.strip] - summit_mm) <= 1
+
+
+def test_the_noise_of_one_strip_does_not_make_the_summit() -> None:
+    """Over many draws a known bend halves at least what noise does to place and reach."""
+    everything = np.ones(21, bool)
+    off = {bend: np.zeros((60, 2)) for bend in (BEND, None)}
+    for bend, errors in off.items():
+        for seed in range(60):
+            found = arc(3.0, 0.25, seed).summit(everything, bend, None)
+            errors[seed] = found.across_mm - 3.0, found.reach_mm - 50
+    rms = {bend: np.sqrt((errors**2).mean(axis=0)) for bend, errors in off.items()}
+    assert (rms[BEND] < 0.6 * rms[None]).all()
+
+
+def test_strips_that_do_not_count_are_passed_by() -> None:
+    fit = arc(0.0)
+    counts = fit.across_mm > 3
+    found = fit.summit(counts, BEND, None)
+    assert found.across_mm == pytest.approx(4)
+    assert counts[found.strip]
+    alone = fit.summit(fit.across_mm == 8, BEND, None)
+    assert (alone.across_mm, alone.strip) == (pytest.approx(8), 14)
+
+
+def test_a_straight_border_ends_towards_its_usual_place() -> None:
+    fit = arc(0.0)
+    flat = replace(fit, reach_mm=np.full(21, 50.0))
+    found = flat.summit(np.ones(21, bool), 1e4, 6.5)
+    assert found.across_mm == pytest.approx(6.5, abs=0.1)
+    assert found.reach_mm == pytest.approx(50, abs=0.01)
