@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
+from scipy.ndimage import distance_transform_edt, gaussian_filter
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -30,10 +31,14 @@ from insole_core.insole.outline import outline_reach
 from insole_core.insole.posting import posted
 from insole_core.progress import SILENT, Progress
 
-_FACING = -0.34  # z of a normal that still counts as plantar: walls up to 70 degrees
+_FACING = -0.42  # z of a normal that still counts as plantar: walls up to 65 degrees
 _SAMPLES_PER_STEP = 1.5  # from sqrt 2 on, every node of a large triangle gets one
 _LAYER_MM = 3.0  # what lies higher over the lowest layer of a node belongs to another layer
 _COVERED = 0.3  # share of a node's cell that the foot must cover
+_FRINGE_NODES, _FIRM_NEIGHBOURS = 3, 4
+"""So wide a fringe is left out whose nodes have fewer known neighbours, of eight: a straight edge
+has five."""
+_RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
 _WIDENING_MM = 10.0
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
 
@@ -140,9 +145,10 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         return kept[1]
     progress.step(0.2, "Laying the grid over the sole")
     heights, known = _snap(foot.mesh, grid, design.max_height_mm)
+    known = _without_fringe(known)
     progress.step(0.7, "Continuing the surface to the edges")
     row, column = grid.first
-    heights = fill(heights, known, grid.first)
+    heights = _with_even_rim(fill(heights, known, grid.first), known, grid.step_mm)
     field = HeightField(column * grid.step_mm, row * grid.step_mm, grid.step_mm, heights)
     apex = find_landmarks(foot)["arch_apex"].point
     sole = ContactBase(field, known, (float(apex[0]), float(apex[1])))
@@ -186,6 +192,33 @@ def _snap(mesh: TriangleMesh, grid: _Grid, max_height_mm: float) -> tuple[FloatA
         )
     mean = np.bincount(node, area * z, minlength=size) / np.where(known, covered, 1.0)
     return mean.reshape(grid.shape), known.reshape(grid.shape)
+
+
+def _without_fringe(known: BoolArray) -> BoolArray:
+    """Leave out nodes that stand nearly alone at the rim.
+
+    They are shreds of the flank, at which a scan ends; any height between them would be a pit.
+    """
+    for _ in range(_FRINGE_NODES):
+        ring = np.pad(known, 1).astype(np.int8)
+        rows = ring[:-2] + ring[1:-1] + ring[2:]
+        around = rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:] - known
+        firm = known & (around >= _FIRM_NEIGHBOURS)
+        if not firm.any():
+            return known
+        known = firm
+    return known
+
+
+def _with_even_rim(heights: FloatArray, known: BoolArray, step_mm: float) -> FloatArray:
+    """Even out the rim, where the flanks that a scan shows end in steps, more towards the edge.
+
+    What lies farther inside keeps its height to the bit.
+    """
+    inside_mm = distance_transform_edt(known) * step_mm
+    even = gaussian_filter(heights, _RIM_SIGMA_MM / step_mm, mode="nearest")
+    share = np.clip(inside_mm / _RIM_MM, 0, 1)
+    return np.where(share < 1, even + share * (heights - even), heights)
 
 
 def _snapped_samples(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.ndimage import binary_erosion, maximum_filter, minimum_filter
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -47,9 +48,32 @@ def test_lowest_point_is_the_thickness(left_foot, thickness):
 
 def test_flat_sole_is_met_exactly():
     insole = build_insole(plate(Side.LEFT, (0.05, -0.02)), InsoleDesign(Side.LEFT, grid_mm=1.0))
-    slope_x, slope_y, _ = plane_of(insole.contact, insole.measured)
+    inside = binary_erosion(insole.measured, iterations=5)
+    slope_x, slope_y, offset = plane_of(insole.contact, inside)
     assert (slope_x, slope_y) == pytest.approx((0.05, -0.02), abs=1e-9)
+    plane = offset + insole.contact.nodes[:, :2] @ [0.05, -0.02]
+    off = np.abs(insole.contact.heights_mm.ravel() - plane)[insole.measured.ravel()]
+    assert off.max() < 0.07, "evened at the rim only, by hardly more than a step of it"
     assert insole.measured.sum() == pytest.approx(101 * 241, rel=0.01)
+
+
+def test_a_flank_that_ends_in_shreds_leaves_no_pits(left_foot):
+    """Of the steep flanks half of the triangles are missing, as where a scan frays out."""
+    mesh, design = left_foot.mesh, InsoleDesign(Side.LEFT, grid_mm=1.0)
+    steep = mesh.triangle_normals[:, 2] > -0.7
+    gone = steep & (np.random.default_rng(3).random(len(steep)) < 0.5)
+    frayed = replace(left_foot, mesh=replace(mesh, triangles=mesh.triangles[~gone]))
+    whole, torn = (build_insole(foot, design) for foot in (left_foot, frayed))
+    heights = torn.contact.heights_mm
+    others = np.ones((3, 3), bool)
+    others[1, 1] = False
+    pit_mm = minimum_filter(heights, footprint=others, mode="nearest") - heights
+    assert pit_mm.max() < 0.3
+    spike_mm = heights - maximum_filter(heights, footprint=others, mode="nearest")
+    assert spike_mm.max() < 0.6
+    inside = binary_erosion(torn.measured, iterations=6)
+    assert inside.sum() > 0.4 * whole.measured.sum()
+    np.testing.assert_allclose(heights[inside], whole.contact.heights_mm[inside], atol=0.01)
 
 
 def test_surface_follows_the_foot(left_foot):
