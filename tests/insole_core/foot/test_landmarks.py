@@ -39,22 +39,33 @@ def test_landmarks_of_simulated_feet(model):
         assert 0 <= found[name].confidence <= 1
 
 
-def widest_ball_mm(model: FootModel) -> float:
-    """Between the outermost vertices of the ball, across the frame that the model stands in."""
-    vertices = model.mesh.vertices * [model.shape.side.medial_sign, 1.0, 1.0]
+def true_sizes_mm(model: FootModel) -> dict[str, float]:
+    """Length, ball and heel width of a model by its outermost vertices, as they are defined."""
+    mirror = np.array([model.shape.side.medial_sign, 1.0, 1.0])
+    vertices = model.mesh.vertices * mirror
     low = vertices[vertices[:, 2] < 40]
-    share = (low[:, 1] - low[:, 1].min()) / np.ptp(low[:, 1])
+    rear = low[low[:, 1].argmin()]
+    ahead = (np.array(model.landmarks_mm["toe_tip_2"]) * mirror - rear)[:2]
+    along = ahead / np.hypot(*ahead)
+    way, across = (low - rear)[:, :2] @ along, low[:, :2] @ [along[1], -along[0]]
+    heel = across[(way > 0.1 * way.max()) & (way < 0.22 * way.max())]
+    share = (low[:, 1] - rear[1]) / np.ptp(low[:, 1])
     medial, lateral = low[(share > 0.6) & (share < 0.8)], low[(share > 0.5) & (share < 0.75)]
-    tibiale, fibulare = medial[medial[:, 0].argmax()], lateral[lateral[:, 0].argmin()]
-    return float(np.hypot(*(tibiale - fibulare)[:2]))
+    ball = medial[medial[:, 0].argmax()] - lateral[lateral[:, 0].argmin()]
+    return {
+        "foot_length": float(way.max()),
+        "ball_width": float(np.hypot(*ball[:2])),
+        "heel_width": float(np.ptp(heel)),
+    }
 
 
 def test_measures_of_simulated_feet(model):
     foot = place_foot(model.mesh, model.shape.side, frame="reference")
     got, shape = measure(foot, find_landmarks(foot)), model.shape
-    # The model's length lies along the reference frame; along the foot axis it is a little more.
+    for name, size_mm in true_sizes_mm(model).items():
+        assert got[name] == pytest.approx(size_mm, abs=0.7), name
+    # The shape counts along the reference frame, and before its parts are joined.
     assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.3)
-    assert got["ball_width"] == pytest.approx(widest_ball_mm(model), abs=0.7)
     assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.3)
     assert got["rearfoot_angle_deg"] == pytest.approx(shape.rearfoot_eversion_deg, abs=1.0)
     assert got["achilles_lean_deg"] == pytest.approx(0, abs=0.7)
@@ -103,7 +114,7 @@ def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
     got, shape = measure(foot, landmarks), model.shape
     assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.5)
     # Two views see the ball's sides from below only; how they go on above is the usual radius.
-    assert got["ball_width"] == pytest.approx(widest_ball_mm(model), abs=2.2)
+    assert got["ball_width"] == pytest.approx(true_sizes_mm(model)["ball_width"], abs=2.2)
     assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.5)
     deviation_mm = deviations_mm(landmarks)
     assert 0.3 < deviation_mm["foot_length"] < 1.5
