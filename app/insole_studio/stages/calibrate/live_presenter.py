@@ -12,7 +12,7 @@ from insole_studio.stages.calibrate.live import Glance, LivePictures
 from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.rows import LiveRow
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_pictures import folder_of_today
+from insole_studio.workbench.calibration_pictures import LiveKind, folder_of_today
 
 _GLANCE, _KEEP = "calibrate glance", "calibrate keep"
 
@@ -56,6 +56,8 @@ class LivePresenter:
         self._live, self._jobs, self._root = live, jobs, root
         self._automatic = True
         self._sentence = ""
+        self._goes_to: tuple[Path, LiveKind] | None = None
+        """Where what is being taken belongs, also when another step is opened meanwhile."""
         panel.live_toggled.connect(self.toggle)
         panel.automatic_toggled.connect(self.set_automatic)
         panel.take_requested.connect(self.take)
@@ -77,14 +79,15 @@ class LivePresenter:
 
     def take(self) -> None:
         """Take a picture now."""
-        folder = self._folder()
-        if folder is None:
+        folder, kind = self._folder(), self._presenter.live_kind
+        if folder is None or self._live.taking or self._jobs.is_running(_KEEP):
             return
-        if self._presenter.live_kind == "infrared":
+        if kind == "infrared":
             work = self._live.take_infrared(folder)
-            if work is not None and not self._jobs.is_running(_KEEP):
+            if work is not None:
                 self._jobs.start(_KEEP, work, self._kept, self._fail)
         else:
+            self._goes_to = folder, kind
             self._live.take(self._presenter.serial)
         self._show()
 
@@ -142,16 +145,14 @@ class LivePresenter:
         self._show()
 
     def _keep(self, taken: Path) -> None:
-        folder, kind = self._folder(), self._presenter.live_kind
-        if folder is None:
-            self._live.end_taking()
-            return
-        work = self._live.keep_task(taken, folder, kind)
+        assert self._goes_to is not None
+        work = self._live.keep_task(taken, *self._goes_to)
         self._jobs.start(_KEEP, work, self._kept, self._fail)
 
     def _kept(self, folder: Path) -> None:
         self._live.end_taking()
-        self._presenter.look_at(folder)
+        if folder == self._folder():  # else another step was opened meanwhile
+            self._presenter.look_at(folder)
 
     def _fail(self, error: Exception) -> None:
         self._live.end_taking()

@@ -112,3 +112,19 @@ def test_infrared_pictures_in_place_of_colour(
     stage.view.steps.setCurrentRow(0)
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)
     assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
+
+
+def test_what_is_being_taken_stays_with_its_step(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stage.view.automatic.setChecked(False)
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.live_text().startswith("54 corners, "), timeout=PATIENCE_MS)
+    stage.view.take.click()
+    assert stage.view.live_text().startswith("Taking the picture")
+    stage.view.steps.setCurrentRow(1)
+    qtbot.waitUntil(lambda: "a wall at 700 mm" in stage.view.live_text(), timeout=PATIENCE_MS)
+    (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
+    assert [path.name for path in day.iterdir()] == ["camera"]
+    assert (day / "camera" / "color_000.png").is_file()
+    assert stage.view.looks.count() == 0
