@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
 from insole_studio.texts import tr
@@ -73,6 +73,11 @@ class NumberField(QDoubleSpinBox):
         if (least, greatest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(least, greatest)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Take the refusal away as well: it is a window of its own."""
+        super().hideEvent(event)
+        self.refusal.hide()
 
     def event(self, event: QEvent) -> bool:
         """Leave the window's own shortcuts to the window; the typed number is taken first."""

@@ -29,7 +29,9 @@ class Refusal(QLabel):
         self._timer.timeout.connect(self.hide)
 
     def say(self, sentence: str) -> None:
-        """Show a sentence beside the field."""
+        """Show a sentence beside the field, if that is seen."""
+        if not self._field.isVisible():
+            return
         self.setText(sentence)
         self.adjustSize()
         self.move(self._beside())

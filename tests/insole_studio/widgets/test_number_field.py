@@ -65,6 +65,18 @@ def test_what_is_typed_is_refused_when_the_field_is_left_as_well(field: NumberFi
     assert "120" in field.refusal.text()
 
 
+def test_a_refusal_goes_with_its_field(field: NumberField) -> None:
+    typed(field, "400")
+    assert field.refusal.isVisible()
+    field.selectAll()
+    field.hide()
+    assert not field.refusal.isVisible()
+    field.lineEdit().setText("500 mm")
+    field.interpretText()
+    assert field.value() == 6.0
+    assert not field.refusal.isVisible()
+
+
 def test_a_field_left_empty_says_nothing(field: NumberField) -> None:
     assert typed(field, "-") == 6.0
     assert not field.refusal.isVisible()
