@@ -22,7 +22,10 @@ _BLUR_SHARE = 1 / 1280
 
 
 def find_shading(reading: Reading) -> Float32Array:
-    """Look up the shading (height, width) of all readings in their colour image."""
+    """Look up the shading (height, width) of all readings in their colour image.
+
+    0 also where a place lies beside the picture.
+    """
     camera = reading.sensor.color_camera
     levels = cv2.cvtColor(reading.color, cv2.COLOR_RGB2GRAY)
     evened = cv2.GaussianBlur(levels, (0, 0), camera.width * _BLUR_SHARE)
@@ -30,7 +33,8 @@ def find_shading(reading: Reading) -> Float32Array:
     in_color = transform(inverse(reading.color2reference), reading.surface_points)
     where[reading.known] = camera.project(in_color)
     seen = cv2.remap(evened, where[..., 0], where[..., 1], cv2.INTER_LINEAR)
-    return shading_of(seen.astype(float), reading.known)
+    in_picture = ((where >= 0) & (where <= [camera.width - 1, camera.height - 1])).all(-1)
+    return shading_of(seen.astype(float), in_picture)
 
 
 def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
@@ -41,7 +45,7 @@ def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
     levels : (height, width) float64
         Brightness, 0 to 255.
     known : (height, width) bool
-        Where the foot is.
+        Where the foot is, and its brightness is known.
 
     Returns
     -------

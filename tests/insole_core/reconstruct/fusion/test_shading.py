@@ -82,3 +82,16 @@ def test_the_picture_is_looked_up_where_the_colour_camera_sees_the_place(
     assert shading.min() < -0.2
     away = np.hypot(*(np.mgrid[:61, :51] - np.array([spot[1], spot[0]])[:, None, None]))
     assert np.abs(shading[away > 20]).max() < 0.01
+
+
+def test_what_lies_beside_the_picture_is_not_dark() -> None:
+    """The picture ends across the foot, and its grey is even up to there."""
+    camera = Camera(640, 480, 580.0, 580.0, 320.0, 240.0)
+    cut = Camera(320, 480, 580.0, 580.0, 320.0, 240.0)
+    raw = np.full((61, 51), float(DISPARITY.raw(np.array(DEPTH_MM))))
+    picture = np.full((480, 320, 3), 160, np.uint8)
+    sensor = Sensor("kinect-v1", "0", camera, cut, np.eye(4), DISPARITY)
+
+    shading = find_shading(Reading("view", sensor, np.eye(4), (295, 200), raw, picture))
+
+    assert np.abs(shading).max() < 0.01
