@@ -11,6 +11,7 @@ from insole_core.reconstruct.fusion.shading import shading_of
 from insole_core.simulate.ray_caster import Hits, SceneCaster
 
 _BEYOND = 26.0
+"""Level of what is not the foot: nearly black."""
 _UNSEEN = 0.15
 """Share of the views whose picture tells nothing, so that readings alone must do."""
 _PATTERNS, _PEN_MARKS = 8, 4

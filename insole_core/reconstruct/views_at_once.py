@@ -23,7 +23,10 @@ def for_views(work: Callable[[_View], _Result], views: Iterable[_View]) -> list[
 
 
 def both(first: Callable[[], _Result], second: Callable[[], _Other]) -> tuple[_Result, _Other]:
-    """Give what two calls give that do not need each other."""
+    """Give what two calls give that do not need each other; neither outlives this one.
+
+    Where both fail, the error of the second is raised: it runs in the caller's thread.
+    """
     with ThreadPoolExecutor(1) as pool:
         beside = pool.submit(first)
         other = second()

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeVar
 
-from insole_studio.jobs import Jobs, Task
+from insole_studio.jobs import Jobs, Result, Task
 from insole_studio.shell.dialogue import Dialogue
 from insole_studio.shell.notices import Notices
 from insole_studio.workbench.case import Case
-
-Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, eq=False)
