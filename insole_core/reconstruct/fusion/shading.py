@@ -33,8 +33,9 @@ def find_shading(reading: Reading) -> Float32Array:
     in_color = transform(inverse(reading.color2reference), reading.surface_points)
     where[reading.known] = camera.project(in_color)
     seen = cv2.remap(evened, where[..., 0], where[..., 1], cv2.INTER_LINEAR)
-    in_picture = ((where >= 0) & (where <= [camera.width - 1, camera.height - 1])).all(-1)
-    return shading_of(seen.astype(float), in_picture)
+    last = [camera.width - 1, camera.height - 1]
+    in_picture = np.all((where >= 0) & (where <= last), axis=-1)
+    return shading_of(seen.astype(float), np.asarray(in_picture))
 
 
 def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
