@@ -131,16 +131,18 @@ def _fitted_depth(depth: FloatArray, rows: FloatArray, name: str) -> tuple[Float
     coarse = points[::_COARSE_STEP, ::_COARSE_STEP]
     near = np.isfinite(coarse[..., 2])
     for _ in range(_ROUNDS):
-        centre, normal = _plane(coarse[near], name)
+        centre, normal = _plane(coarse[near], name, _LEAST_POINTS // _COARSE_STEP**2)
         near = np.abs((coarse - centre) @ normal) < _FAR_OFF_MM
     centre, normal = _plane(points[np.abs((points - centre) @ normal) < _FAR_OFF_MM], name)
     valid = np.abs((points - centre) @ normal) < _FAR_OFF_MM
     return np.asarray((centre @ normal) / (rows @ normal)), valid
 
 
-def _plane(points: FloatArray, name: str) -> tuple[FloatArray, FloatArray]:
-    """Centre and normal of the plane through points (n, 3)."""
-    if len(points) < _LEAST_POINTS:
+def _plane(
+    points: FloatArray, name: str, least: int = _LEAST_POINTS
+) -> tuple[FloatArray, FloatArray]:
+    """Centre and normal of the plane through points (n, 3), of which there must be some."""
+    if len(points) < least:
         raise CalibrationError(f"{name} has no flat surface left to evaluate; capture a flat wall.")
     centre = points.mean(0)
     apart = points - centre

@@ -35,7 +35,7 @@ _FACING = -0.42  # z of a normal that still counts as plantar: walls up to 65 de
 _SAMPLES_PER_STEP = 1.5  # from sqrt 2 on, every node of a large triangle gets one
 _LAYER_MM = 3.0  # what lies higher over the lowest layer of a node belongs to another layer
 _COVERED = 0.3  # share of a node's cell that the foot must cover
-_FRINGE_NODES, _FIRM_NEIGHBOURS = 3, 4
+_FRINGE_MM, _FIRM_NEIGHBOURS = 3.0, 4
 """So wide a fringe is left out whose nodes have fewer known neighbours, of eight: a straight edge
 has five."""
 _RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
@@ -145,7 +145,7 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         return kept[1]
     progress.step(0.2, "Laying the grid over the sole")
     heights, known = _snap(foot.mesh, grid, design.max_height_mm)
-    known = _without_fringe(known)
+    known = _without_fringe(known, grid.step_mm)
     progress.step(0.7, "Continuing the surface to the edges")
     row, column = grid.first
     heights = _with_even_rim(fill(heights, known, grid.first), known, grid.step_mm)
@@ -194,12 +194,12 @@ def _snap(mesh: TriangleMesh, grid: _Grid, max_height_mm: float) -> tuple[FloatA
     return mean.reshape(grid.shape), known.reshape(grid.shape)
 
 
-def _without_fringe(known: BoolArray) -> BoolArray:
+def _without_fringe(known: BoolArray, step_mm: float) -> BoolArray:
     """Leave out nodes that stand nearly alone at the rim.
 
     They are shreds of the flank, at which a scan ends; any height between them would be a pit.
     """
-    for _ in range(_FRINGE_NODES):
+    for _ in range(max(round(_FRINGE_MM / step_mm), 1)):
         ring = np.pad(known, 1).astype(np.int8)
         rows = ring[:-2] + ring[1:-1] + ring[2:]
         around = rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:] - known

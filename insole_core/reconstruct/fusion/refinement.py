@@ -8,6 +8,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import LinearOperator, SuperLU, cg, splu
 
+from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
@@ -17,7 +18,7 @@ from insole_core.reconstruct.fusion.reading import Reading
 from insole_core.reconstruct.fusion.view_gaps import view_gaps
 from insole_core.reconstruct.views_at_once import both, for_views
 
-_EXACT = 1e-6
+_EXACT, _MOST_STEPS = 1e-6, 500
 """Residual of the normal equations, as a share of their right side: micrometres."""
 
 
@@ -216,7 +217,14 @@ class _System:
         normal = LinearOperator(shape, lambda found: self._normal(weights, found), dtype=float)
         inverse = LinearOperator(shape, nearly.applied, dtype=float)
         # Residuals change their weights by some hundred times at most: a hundred steps always do.
-        found, _ = cg(normal, self.pull(weights), start, rtol=_EXACT, M=inverse)
+        found, missed = cg(
+            normal, self.pull(weights), start, rtol=_EXACT, M=inverse, maxiter=_MOST_STEPS
+        )
+        if missed or not np.isfinite(found).all():
+            raise ReconstructionError(
+                "The surface could not be fitted to the views; see whether a view is spoilt, and "
+                "leave it out."
+            )
         return np.asarray(found)
 
     def _normal(self, weights: FloatArray, found: FloatArray) -> FloatArray:

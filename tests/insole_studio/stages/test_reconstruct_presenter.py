@@ -22,7 +22,7 @@ from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
 from insole_studio.jobs import Jobs
-from insole_studio.stages.reconstruct.presenter import ReconstructPresenter
+from insole_studio.stages.reconstruct.presenter import MAKING, ReconstructPresenter
 from insole_studio.stages.reconstruct.rows import FootMap, Limits, Mark, ViewRow
 
 
@@ -267,6 +267,20 @@ def test_the_coarse_foot_can_be_designed_on_while_the_fine_one_is_made(bench: Be
     assert bench.left == [False, True]
     first, second = bench.handed
     assert len(first.foot.mesh.vertices) < len(second.foot.mesh.vertices)
+
+
+def test_a_foot_that_is_made_does_not_answer_for_a_session_opened_meanwhile(
+    bench: Bench, tmp_path: Path
+) -> None:
+    """No patient gets the foot of the one before."""
+    other = tmp_path / "other.zip"
+    shutil.copy(bench.session, other)
+    bench.presenter.open(bench.session, hand_over=True)
+    bench.until(lambda: bench.jobs.is_running(MAKING))
+    bench.presenter.open(other, hand_over=True)
+    assert not bench.jobs.is_running(MAKING)
+    bench.settle()
+    assert [Path(handed.source.path).name for handed in bench.handed] == ["other.zip"]
 
 
 def test_cancel_answers_at_once(opened: Bench) -> None:

@@ -134,6 +134,7 @@ class ReconstructPresenter:
 
     def open(self, path: Path, hand_over: bool) -> None:
         """Read a session and make its foot; hand it over then, or leave that to the user."""
+        self._jobs.cancel(MAKING)  # another session's foot must not answer for this one
         self._work = self._made = self._handed = None
         self._markers.take(None)
         self._hands_over, self._leaves = hand_over, False
@@ -207,7 +208,7 @@ class ReconstructPresenter:
         """Make the foot with the corrections of now."""
         if self._work is None:
             return
-        opened, limits = self._work.opened, self._limits
+        work, opened, limits = self._work, self._work.opened, self._limits
         self._trouble = ""
 
         def task(progress: Progress) -> MadeFoot:
@@ -215,7 +216,7 @@ class ReconstructPresenter:
                 opened,
                 limits,
                 progress,
-                on_preview=lambda made: self._jobs.tell(lambda: self._take_preview(made)),
+                on_preview=lambda made: self._jobs.tell(lambda: self._take_preview(work, made)),
                 force=force,
             )
 
@@ -292,8 +293,9 @@ class ReconstructPresenter:
         self._show_sentences()
         self._show_buttons()
 
-    def _take_preview(self, made: MadeFoot) -> None:
-        if self._jobs.is_running(MAKING) and made.edits == self.edits:
+    def _take_preview(self, work: Correcting, made: MadeFoot) -> None:
+        still = work is self._work and made.edits == self.edits
+        if still and self._jobs.is_running(MAKING):
             self._made = made
             self._show_foot()
             self._show_buttons()
