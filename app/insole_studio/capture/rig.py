@@ -335,11 +335,15 @@ def _found(info: SensorInfo) -> FoundSensor:
 def infrared_picture(frame: Frame) -> ByteArray | None:
     """Give the infrared picture (480, 640) uint8 of a frame; None when it is one of colour.
 
-    Of its 488 rows the upper 480, which the known shift to the depth image holds for.
+    Of its 488 rows the upper 480, which the known shift to the depth image holds for; its darkest
+    black and its brightest white, because with the emitter covered a board fills a few of the ten
+    bits only.
     """
     if frame.mode is not IR_640:
         return None
-    return np.right_shift(frame.image[:480], 2).astype(np.uint8)
+    levels = frame.image[:480].astype(float)
+    darkest = levels.min()
+    return ((levels - darkest) * (255 / max(levels.max() - darkest, 1.0))).astype(np.uint8)
 
 
 def raw_image(frame: Frame) -> RawArray:

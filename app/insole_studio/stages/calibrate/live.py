@@ -177,7 +177,8 @@ class LivePictures:
         if kind == "boards":
             return lambda _progress: glance_at_board(image, board, known)
         if kind == "infrared":
-            return lambda _progress: glance_at_board(_brightened(image), board, known)
+            gray = cv2.cvtColor(image, cv2.COLOR_GRAY2RGB)
+            return lambda _progress: glance_at_board(np.asarray(gray), board, known)
         return lambda _progress: glance_at_wall(image, sensor, known)
 
     def is_worth_taking(self, glance: Glance) -> bool:
@@ -294,15 +295,6 @@ def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Gl
         upper = draw_missing_cells(look.picture, known.cells)
         picture = draw_distances(upper, distances, now_mm)
     return Glance(picture, look.sentence, np.array([now_mm]))
-
-
-def _brightened(infrared: ByteArray) -> ByteArray:
-    """Give an infrared picture in RGB, its darkest black and its brightest white.
-
-    With the emitter covered there is little light, though enough to find the corners.
-    """
-    full = cv2.normalize(infrared, np.empty_like(infrared), 0, 255, cv2.NORM_MINMAX)
-    return np.asarray(cv2.cvtColor(full, cv2.COLOR_GRAY2RGB))
 
 
 def _apart(a: FloatArray, b: FloatArray) -> float:
