@@ -107,11 +107,12 @@ def with_places(
 
 def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     sole = _along_foot_axis(foot)
+    pternion = _pternion(sole)
     ends = {
-        "pternion": _pternion(sole),
+        "pternion": pternion,
         "heel_medial": sole.support(_MEDIAL, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
         "heel_lateral": sole.support(_LATERAL, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
-        **_ball(sole),
+        **_ball(sole, pternion),
     }
     for name, end in ends.items():
         yield name, _landmark(sole, end)
@@ -147,13 +148,13 @@ def _pternion(sole: SoleSurface) -> End:
     return sole.support(np.array([0.0, -1.0]), _REAR, border=_BEHIND_BORDER)
 
 
-def _ball(sole: SoleSurface) -> dict[str, End]:
+def _ball(sole: SoleSurface, pternion: End) -> dict[str, End]:
     """The outermost places of the ball, as seen along the foot from the heel to its middle.
 
     Not along the foot axis: where the toes stand to a side, that would bring one of them forward.
     """
     tibiale, fibulare = _across_ball(sole)
-    body = sole.along((tibiale.point + fibulare.point) / 2 - _pternion(sole).point)
+    body = sole.along((tibiale.point + fibulare.point) / 2 - pternion.point)
     names = ("metatarsale_tibiale", "metatarsale_fibulare")
     return {
         name: replace(end, point=sole.from_insole(body.to_insole(end.point)))

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter
+from scipy.ndimage import convolve, distance_transform_edt, gaussian_filter
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -38,6 +38,7 @@ _COVERED = 0.3  # share of a node's cell that the foot must cover
 _FRINGE_MM, _FIRM_NEIGHBOURS = 3.0, 4
 """So wide a fringe is left out whose nodes have fewer known neighbours, of eight: a straight edge
 has five."""
+_NEIGHBOURS = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], np.int8)
 _RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
 _WIDENING_MM = 10.0
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
@@ -200,9 +201,7 @@ def _without_fringe(known: BoolArray, step_mm: float) -> BoolArray:
     They are shreds of the flank, at which a scan ends; any height between them would be a pit.
     """
     for _ in range(max(round(_FRINGE_MM / step_mm), 1)):
-        ring = np.pad(known, 1).astype(np.int8)
-        rows = ring[:-2] + ring[1:-1] + ring[2:]
-        around = rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:] - known
+        around = convolve(known.astype(np.int8), _NEIGHBOURS, mode="constant")
         firm = known & (around >= _FIRM_NEIGHBOURS)
         if not firm.any():
             return known

@@ -148,11 +148,9 @@ class OpenSensor:
         SensorError
         """
         with translating():
-            if self._color is None or self._color.mode is not _MODES[color_size]:
-                self._color = self._camera.start_video(_MODES[color_size])
+            self._start_video(_MODES[color_size])
             self._color_size = color_size
-            if self._depth is None:
-                self._depth = self._camera.start_depth()
+            self._start_depth()
 
     def start_infrared(self) -> None:
         """Stream infrared pictures in place of colour, and depth; `start` brings colour back.
@@ -164,10 +162,16 @@ class OpenSensor:
         SensorError
         """
         with translating():
-            if self._color is None or self._color.mode is not IR_640:
-                self._color = self._camera.start_video(IR_640)
-            if self._depth is None:
-                self._depth = self._camera.start_depth()
+            self._start_video(IR_640)
+            self._start_depth()
+
+    def _start_video(self, mode: StreamMode) -> None:
+        if self._color is None or self._color.mode is not mode:
+            self._color = self._camera.start_video(mode)
+
+    def _start_depth(self) -> None:
+        if self._depth is None:
+            self._depth = self._camera.start_depth()
 
     @property
     def streams(self) -> bool:

@@ -58,10 +58,10 @@ def neighbourhoods(
     known = np.isfinite(raw)
     share = known.astype(np.float32)
     values = np.where(known, raw - np.nanmedian(raw), 0).astype(np.float32)
-    centre = _mean(values, share, _CENTRE_PX)[0][rows, columns, None, None]
+    centre = mean_of_known(values, share, _CENTRE_PX)[0][rows, columns, None, None]
     found: list[Float32Array] = []
     for blur_px, step in _SCALES:
-        mean, weight = _mean(values, share, blur_px)
+        mean, weight = mean_of_known(values, share, blur_px)
         seen = _grids(np.where(weight > _LEAST_SUPPORT, weight, 0), step, rows, columns)
         height = (_grids(mean, step, rows, columns) - centre) / np.float32(_UNIT_RAW)
         found += [np.clip(height, -_FARTHEST, _FARTHEST) * (seen > 0), seen - np.float32(0.5)]
@@ -87,10 +87,17 @@ def mirrored(features: Float32Array) -> Float32Array:
     return np.concatenate([grids.reshape(len(features), -1), features[:, _GRID_COUNT:]], axis=1)
 
 
-def _mean(
+def mean_of_known(
     values: Float32Array, share: Float32Array, blur_px: float
 ) -> tuple[Float32Array, Float32Array]:
-    """Gaussian mean of what is known, and how much that is."""
+    """Give the Gaussian mean of what is known, and how much that is.
+
+    Parameters
+    ----------
+    values, share : (height, width) float32
+        What is unknown counts 0 in both, what is known 1 in the share.
+    blur_px
+    """
     weight = _blur(share, blur_px)
     mean = _blur(values, blur_px) / np.maximum(weight, np.float32(1e-3))
     return np.asarray(mean, np.float32), weight

@@ -11,6 +11,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
+from insole_core.reconstruct.fusion.neighbourhood import mean_of_known
 from insole_core.reconstruct.fusion.reading import Reading
 
 _NEAR_PX, _AROUND_PX = 1.0, 5.0
@@ -55,14 +56,6 @@ def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
     """
     share, seen = known.astype(np.float32), np.where(known, levels, 0).astype(np.float32)
     near, around = (
-        _mean(seen, share, blur_px) + _DARK_LEVELS for blur_px in (_NEAR_PX, _AROUND_PX)
+        mean_of_known(seen, share, blur_px)[0] + _DARK_LEVELS for blur_px in (_NEAR_PX, _AROUND_PX)
     )
     return np.where(known, np.clip(np.log(near / around), -_MOST, _MOST), np.float32(0))
-
-
-def _mean(values: Float32Array, share: Float32Array, blur_px: float) -> Float32Array:
-    total, weight = (
-        cv2.GaussianBlur(image, (0, 0), blur_px, borderType=cv2.BORDER_CONSTANT)
-        for image in (values, share)
-    )
-    return np.asarray(total / np.maximum(weight, np.float32(1e-3)))
