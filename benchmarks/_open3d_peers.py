@@ -12,10 +12,10 @@ from scipy.spatial import cKDTree
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import inverse
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 
-Peer = Callable[[list[Reading]], TriangleMesh]
+Peer = Callable[[list[DepthView]], TriangleMesh]
 
 _POISSON_DEPTH = 7
 _POISSON_REACH_MM = 2.5
@@ -35,7 +35,7 @@ def open3d_peers() -> dict[str, Peer]:
     }
 
 
-def _poisson(open3d: Any, readings: list[Reading]) -> TriangleMesh:
+def _poisson(open3d: Any, readings: list[DepthView]) -> TriangleMesh:
     cloud = open3d.geometry.PointCloud()
     for reading in readings:
         part = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(reading.surface_points))
@@ -50,7 +50,7 @@ def _poisson(open3d: Any, readings: list[Reading]) -> TriangleMesh:
     return surface.part(near < _POISSON_REACH_MM)
 
 
-def _tsdf(open3d: Any, readings: list[Reading]) -> TriangleMesh:
+def _tsdf(open3d: Any, readings: list[DepthView]) -> TriangleMesh:
     """Depth maps smoothed as the product smooths them, in the dense volume; metres inside."""
     points = np.concatenate([reading.surface_points for reading in readings])
     low = points.min(0) - 20
@@ -77,7 +77,7 @@ def _tsdf(open3d: Any, readings: list[Reading]) -> TriangleMesh:
     return TriangleMesh(1000 * mesh.vertices, mesh.triangles)
 
 
-def _whole_depth_m(reading: Reading) -> np.ndarray:
+def _whole_depth_m(reading: DepthView) -> np.ndarray:
     camera = reading.sensor.depth_camera
     depth = np.zeros((camera.height, camera.width), np.float32)
     part = np.nan_to_num(smooth_depth(reading).depth_mm) / 1000

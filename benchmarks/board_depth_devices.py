@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/calibratio
 from simulated_board import COLOR_CAMERA, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice, smooth_distortion, wall
 
-from insole_core.calibration.board import Chequerboard, Sighting, shifted
+from insole_core.calibration.board import BoardDetection, Chequerboard, shifted
 from insole_core.calibration.board_depth import calibrate_board_depth
 from insole_core.calibration.boards_in_depth import BoardInDepth, board_planes
 from insole_core.calibration.captures import capture_from_frames
@@ -29,7 +29,7 @@ from insole_core.calibration.intrinsics import calibrate_camera, with_shift
 from insole_core.calibration.stereo import IR_TO_DEPTH_PX, StereoCalibration, calibrate_stereo
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.nominal import BURRUS, DEPTH_CAMERA
 
@@ -49,7 +49,7 @@ class Device:
 
     seed: int
     depth2color: FloatArray
-    color_camera: Camera
+    color_camera: PinholeCamera
     depth: SimulatedDevice
     correction: DisparityCorrection
 
@@ -113,7 +113,7 @@ def calibrate_depth(name: str, device: Device) -> None:
     report(name, device, found.stereo, named)
 
 
-def sight_all(device: Device, poses: Sequence[FloatArray]) -> list[Sighting]:
+def sight_all(device: Device, poses: Sequence[FloatArray]) -> list[BoardDetection]:
     """Sight the boards in colour."""
     return [
         sight(

@@ -20,12 +20,12 @@ from insole_core.calibration.boards_in_depth import board_planes
 from insole_core.calibration.depth_sensor import DepthSensor
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 
 BOARD = Chequerboard(10, 7, 30)
-COLOR = Camera(1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0))
-DEPTH = Camera(640, 480, 585.0, 587.0, 317.5, 243.5)
+COLOR = PinholeCamera(1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0))
+DEPTH = PinholeCamera(640, 480, 585.0, 587.0, 317.5, 243.5)
 DISPARITY = LinearInverseDisparity(3.3309495, -0.0030711016)
 DEPTH2COLOR = rigid(rotation_about(np.array([0.3, 1, -0.5]), 0.8), np.array([-25.3, 0.6, -1.2]))
 CORNER_PX, RAW, BLOCK_PX = 0.1, 0.3, 8

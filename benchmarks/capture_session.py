@@ -24,12 +24,17 @@ from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
+from insole_studio.capture.capturing import (
+    CaptureCallbacks,
+    CaptureRunner,
+    close_sensors,
+    open_sensors,
+)
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.plan import make_plan
 from insole_studio.capture.rig import OpenSensor, Rig
 from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import DEFAULT_SYSTEM, Workplace
+from insole_studio.capture.workplace import DEFAULT_SYSTEM, CaptureSetup
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
@@ -105,9 +110,9 @@ def capture_s(
                 if status.phase is not Phase.VERIFYING:
                     taken.append(time.monotonic())
 
-            workplace = Workplace(system, NothingStored())
+            workplace = CaptureSetup(system, NothingStored())
             start = time.monotonic()
-            Capturing(sensors, plan, workplace, draft, Watcher(note)).run()
+            CaptureRunner(sensors, plan, workplace, draft, CaptureCallbacks(note)).run()
             return taken[-1] - start, time.monotonic() - start
         finally:
             close_sensors(sensors.values())

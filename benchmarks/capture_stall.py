@@ -16,7 +16,7 @@ from benchmarks._measure import print_table, recorded_session
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.client import CaptureService
 from insole_studio.capture.messages import Sensors, SensorState
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 
 SECONDS = 6.0
 START_S = 30.0
@@ -66,7 +66,7 @@ def main() -> None:
             number = (number + 1) % 1_000_003
 
     with tempfile.TemporaryDirectory() as folder:
-        service = CaptureService(Place(NothingStored(), recorded_session(Path(folder))))
+        service = CaptureService(SensorSource(NothingStored(), recorded_session(Path(folder))))
         try:
             wait_for_sensors(service)
             rows = [row("idle", service)]

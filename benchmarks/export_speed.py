@@ -13,7 +13,7 @@ from benchmarks._random_designs import random_foot
 from insole_core.export.obj import write_obj
 from insole_core.export.ply import write_ply
 from insole_core.export.stl import write_ascii_stl, write_stl
-from insole_core.export.three_mf import Part, write_3mf
+from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign
@@ -46,7 +46,7 @@ def main() -> None:
             "write ASCII STL": (lambda: write_ascii_stl(fresh(), path / "c.stl"), ""),
             "write PLY": (lambda: write_ply(fresh(), path / "d.ply"), ""),
             "write OBJ": (lambda: write_obj(fresh(), path / "e.obj"), ""),
-            "write 3MF": (lambda: write_3mf([Part(solid, "insole")], path / "f.3mf"), ""),
+            "write 3MF": (lambda: write_3mf([ThreeMfPart(solid, "insole")], path / "f.3mf"), ""),
         }
         for title, (write, limit) in writers.items():
             rows.append([title, len(solid.triangles), f"{median_ms(write, 5):.0f}", limit])

@@ -24,7 +24,7 @@ from insole_core.reconstruct.blobs import find_blobs, sharpened
 from insole_core.reconstruct.marker_fix import Registration
 from insole_core.reconstruct.registration import PoseSearch
 from insole_core.recording.session import Marker, ReferenceSystem
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 
@@ -113,12 +113,12 @@ def _hidden_count(rng: np.random.Generator, count: int) -> int:
     return int(rng.integers(0, min(count // 3, count - 6) + 1))
 
 
-def _camera(rng: np.random.Generator) -> Camera:
+def _camera(rng: np.random.Generator) -> PinholeCamera:
     width, height = ((1280, 1024), (1280, 960), (640, 480))[rng.integers(0, 3)]
     focal = rng.uniform(1015, 1060) * width / 1280
     center = np.array([width, height]) / 2 + rng.normal(0, 8, 2)
     bend = (rng.uniform(0.05, 0.2), rng.uniform(-0.4, -0.1), 0.0, 0.0, 0.0)
-    return Camera(width, height, focal, focal, *center.tolist(), bend)
+    return PinholeCamera(width, height, focal, focal, *center.tolist(), bend)
 
 
 def _pose(rng: np.random.Generator, positions: np.ndarray) -> np.ndarray:
@@ -133,7 +133,7 @@ def _pose(rng: np.random.Generator, positions: np.ndarray) -> np.ndarray:
 def _picture(
     rng: np.random.Generator,
     room: np.ndarray,
-    seen_by: tuple[Camera, np.ndarray],
+    seen_by: tuple[PinholeCamera, np.ndarray],
     positions: np.ndarray,
     covers: list[tuple[np.ndarray, float]],
 ) -> np.ndarray:
@@ -151,7 +151,7 @@ def _picture(
 
 
 def _paint_block(
-    image: np.ndarray, camera: Camera, pose: np.ndarray, face: np.ndarray, light: float
+    image: np.ndarray, camera: PinholeCamera, pose: np.ndarray, face: np.ndarray, light: float
 ) -> None:
     half = BLOCK_MM / 2
     square = np.array([[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]])
@@ -168,7 +168,7 @@ def _paint_block(
 
 def _paint(
     image: np.ndarray,
-    camera: Camera,
+    camera: PinholeCamera,
     pose: np.ndarray,
     corners: np.ndarray,
     color: np.ndarray | float,

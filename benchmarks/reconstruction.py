@@ -27,7 +27,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import reconstruct
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
-from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.fusion.reading import DepthView, read_volume
 from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.measured_view import measure_view
 from insole_core.reconstruct.volume import volume_of_interest
@@ -134,7 +134,7 @@ def _steps(session: Session) -> None:
 
 
 def _floors(
-    session: Session, readings: list[Reading], path: Path, truth: Truth
+    session: Session, readings: list[DepthView], path: Path, truth: Truth
 ) -> Iterator[tuple[str, list[PreparedView]]]:
     """Give what `fused` would start from if it knew more."""
     placed = _with_true_poses(readings, path)
@@ -207,7 +207,7 @@ def _in_memory(session: Session) -> Session:
     return replace(session, views=tuple(kept(view) for view in session.views))
 
 
-def _readings(session: Session) -> list[Reading]:
+def _readings(session: Session) -> list[DepthView]:
     """The placed views that all but the thesis's chain start from."""
     placed = []
     for view in session.views:
@@ -220,12 +220,12 @@ def _readings(session: Session) -> list[Reading]:
     return placed
 
 
-def _with_true_poses(readings: list[Reading], path: Path) -> list[Reading]:
+def _with_true_poses(readings: list[DepthView], path: Path) -> list[DepthView]:
     poses = json.loads((path / "truth_poses.json").read_text())["sensor2reference"]
     return [replace(one, sensor2reference=np.array(poses[one.name])) for one in readings]
 
 
-def _exact(reading: Reading, truth: TriangleMesh) -> Reading:
+def _exact(reading: DepthView, truth: TriangleMesh) -> DepthView:
     """The reading without any error, where the sensor read something."""
     rays = reading.rays.reshape(-1, 3)
     hits = RayCaster(truth).cast(reading.origin_mm, rays)

@@ -19,7 +19,7 @@ from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
-from insole_studio.bootstrap import Places
+from insole_studio.bootstrap import UserPaths
 from insole_studio.scripted import ScriptedStudio, grab
 from insole_studio.stages.reconstruct.rows import FootMap
 from insole_studio.stages.reconstruct.stage import ReconstructStage
@@ -41,7 +41,7 @@ def main() -> None:
     """Take them all."""
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
-        places = Places(here / "settings.json", here / "autosave")
+        places = UserPaths(here / "settings.json", here / "autosave")
         session = here / "left_foot.zip"
         simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.LEFT, distance_mm=700))
         write_session(simulated.session, session)
@@ -50,7 +50,7 @@ def main() -> None:
         take_foot_stage(places, session)
 
 
-def take_windows(places: Places) -> None:
+def take_windows(places: UserPaths) -> None:
     """The window in both themes, a pelott in the hand."""
     for name, size, dark in (("light", SMALL, False), ("dark-height-map", LARGE, True)):
         with ScriptedStudio(places, size, dark) as studio:
@@ -62,7 +62,7 @@ def take_windows(places: Places) -> None:
             studio.screenshot(DOCS / f"images/window-{name}.png")
 
 
-def take_feet(places: Places, session: Path) -> None:
+def take_feet(places: UserPaths, session: Path) -> None:
     """Both feet side by side, then two variants of one."""
     with ScriptedStudio(places, SMALL) as studio:
         studio.open(EXAMPLE)
@@ -91,7 +91,7 @@ def take_feet(places: Places, session: Path) -> None:
         studio.screenshot(DOCS / "manual/images/variants-compared.png")
 
 
-def take_foot_stage(places: Places, session: Path) -> None:
+def take_foot_stage(places: UserPaths, session: Path) -> None:
     """The views in their colours, their distance, and what is corrected by hand."""
     with ScriptedStudio(places, SMALL) as studio:
         studio.open(session)

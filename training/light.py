@@ -6,7 +6,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import rotation_about, transform
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.shading import shading_of
 from insole_core.simulate.ray_caster import Hits, SceneCaster
 
@@ -20,7 +20,7 @@ _ASIDE_MM = 0.7
 _NOISE_LEVELS = 1.5
 
 
-def varied_shading(reading: Reading, foot: SceneCaster, rng: np.random.Generator) -> Float32Array:
+def varied_shading(reading: DepthView, foot: SceneCaster, rng: np.random.Generator) -> Float32Array:
     """Light the foot in some way, and compare what every reading looks like with its surroundings.
 
     Readings are wrong by millimetres, and the colour camera stands beside the depth camera; so

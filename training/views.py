@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_about
-from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.fusion.reading import DepthView, read_volume
 from insole_core.recording.session import Box
 from insole_core.sensing.frames import average_raw
 from insole_core.simulate.block_matching import record_matched_depth
@@ -119,7 +119,7 @@ def _example(
     return Example(kept.raw, true_raw, cosine, pixel_mm, varied_shading(kept, foot, rng))
 
 
-def _truth(reading: Reading, foot: SceneCaster) -> tuple[FloatArray, FloatArray]:
+def _truth(reading: DepthView, foot: SceneCaster) -> tuple[FloatArray, FloatArray]:
     """Raw numbers of the foot itself, and how it is slanted to the rays."""
     rays = reading.directions(reading.pixels).reshape(-1, 3)
     hits = foot.cast(reading.origin_mm, rays)

@@ -20,38 +20,38 @@ from insole_core.geometry.side import Side
 from insole_core.insole.rules import load_rules
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.solids.shop import read_shop
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.authorship import Authorship
+from insole_studio.shell.authorship import PrescriberSetting
 from insole_studio.shell.capture_window import CaptureWindow
-from insole_studio.shell.comparing import Comparing
-from insole_studio.shell.desk import Desk
-from insole_studio.shell.dialogue import Dialogue
-from insole_studio.shell.editing import Editing
-from insole_studio.shell.exporting import AskPath, Exporting, MayReplace
-from insole_studio.shell.feet import Feet
+from insole_studio.shell.comparing import SideBySideActions
+from insole_studio.shell.desk import AppServices
+from insole_studio.shell.dialogue import UserMessages
+from insole_studio.shell.editing import EditActions
+from insole_studio.shell.exporting import AskPath, ExportActions, MayReplace
+from insole_studio.shell.feet import FeetActions
 from insole_studio.shell.foot_window import FootWindow
-from insole_studio.shell.guide import Guide
+from insole_studio.shell.guide import HelpActions
 from insole_studio.shell.keys import key_sections
 from insole_studio.shell.main_window import MainWindow
-from insole_studio.shell.measuring import Measuring
-from insole_studio.shell.navigating import Navigating
+from insole_studio.shell.measuring import MeasureActions
+from insole_studio.shell.navigating import KeyboardNavigation
 from insole_studio.shell.notices import Notices
-from insole_studio.shell.opening import Opening
-from insole_studio.shell.prescribing import Prescribing
-from insole_studio.shell.recent import Recent
-from insole_studio.shell.repeating import Repeating
-from insole_studio.shell.rooms import Rooms
-from insole_studio.shell.saving import Saving
+from insole_studio.shell.opening import OpenActions
+from insole_studio.shell.prescribing import PrescriptionActions
+from insole_studio.shell.recent import RecentFiles
+from insole_studio.shell.repeating import RepeatActions
+from insole_studio.shell.rooms import ActionContext
+from insole_studio.shell.saving import SaveActions
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.status_bar import StatusBar
-from insole_studio.shell.studio import Studio
+from insole_studio.shell.studio import MainController
 from insole_studio.shell.theme import apply_theme, is_dark
-from insole_studio.shell.variants import Variants
-from insole_studio.shell.vigilance import Vigilance
+from insole_studio.shell.variants import VariantActions
+from insole_studio.shell.vigilance import ScanMonitor
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.capture.stage import CaptureStage
 from insole_studio.stages.compare.stage import CompareStage
@@ -62,7 +62,7 @@ from insole_studio.texts import load_language
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import pad_text
 from insole_studio.tools.free_hand import FreeHandTool
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.key_point import KeyPointTool
 from insole_studio.tools.orbit import OrbitTool
 from insole_studio.tools.outline import OutlineTool
@@ -74,12 +74,12 @@ from insole_studio.tools.tool import Tool
 from insole_studio.tools.turn import TurnTool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Counterpart
-from insole_studio.workbench.export_rules import ExportRules
-from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.counterpart import SideBySide
+from insole_studio.workbench.export_rules import ClinicExportRules
+from insole_studio.workbench.insole_surface import InsolePreview
+from insole_studio.workbench.order_memory import LastOrder
 from insole_studio.workbench.pad_library import load_pads
-from insole_studio.workbench.section import Section
+from insole_studio.workbench.section import SectionModel
 from insole_studio.workbench.sensor_store import SensorStore
 
 log = logging.getLogger(__name__)
@@ -89,7 +89,7 @@ DEFAULT_SIZE = (1366, 768)
 
 
 @dataclass(frozen=True)
-class Places:
+class UserPaths:
     """Where the application keeps what it remembers."""
 
     settings_file: Path
@@ -101,7 +101,7 @@ class Places:
         return self.autosave_folder.parent
 
     @classmethod
-    def of_user(cls) -> Places:
+    def of_user(cls) -> UserPaths:
         """Give the places of this user on this platform."""
         config = platformdirs.user_config_path(APPLICATION, appauthor=False)
         data = platformdirs.user_data_path(APPLICATION, appauthor=False)
@@ -112,16 +112,16 @@ class Places:
 class Application:
     """Everything that lives as long as the window."""
 
-    studio: Studio
+    studio: MainController
     window: MainWindow
     stage: DesignStage
     case: Case
-    surface: InsoleSurface
-    hand: Hand
+    surface: InsolePreview
+    tool_controller: ToolController
     jobs: Jobs
     autosave: Autosave
     settings: Settings
-    places: Places
+    places: UserPaths
 
     def close(self) -> None:
         """Stop the threads, free the renderers, remember the settings."""
@@ -138,7 +138,7 @@ class Application:
 
 
 def build_application(
-    application: QApplication, places: Places, emulate: Path | None = None
+    application: QApplication, places: UserPaths, emulate: Path | None = None
 ) -> Application:
     """Construct the window and everything behind it; nothing is shown yet.
 
@@ -155,16 +155,16 @@ def build_application(
     apply_theme(application, dark, settings.touch)
     jobs = Jobs()
     case = Case()
-    surface = InsoleSurface(case, jobs)
-    counterpart = Counterpart(case, jobs)
-    section, pads, rules = Section(), load_pads(), load_rules()
-    hand = Hand(case, make_tools(section))
+    surface = InsolePreview(case, jobs)
+    counterpart = SideBySide(case, jobs)
+    section, pads, rules = SectionModel(), load_pads(), load_rules()
+    tool_controller = ToolController(case, make_tools(section))
     stage = DesignStage(
         case=case,
         surface=surface,
         section=section,
         counterpart=counterpart,
-        hand=hand,
+        tool_controller=tool_controller,
         pads=pads,
         rules=rules,
         dark=dark,
@@ -176,44 +176,46 @@ def build_application(
     stage.hint_changed.connect(status.show_hint)
     status.cancel_requested.connect(jobs.cancel)
     remember = partial(_remember, settings, places.settings_file)
-    dialogue, recent = Dialogue(window), Recent(settings, window)
-    desk = Desk(case, jobs, dialogue, Notices(stage.notices, window))
-    saving = Saving(desk, recent)
-    place = Place(_sensor_store(places), emulate)
-    feet = Feet(case)
-    foot = FootWindow(partial(_make_foot_stage, settings, jobs, dialogue))
-    rooms = Rooms(
+    messages, recent = UserMessages(window), RecentFiles(settings, window)
+    services = AppServices(case, jobs, messages, Notices(stage.notices, window))
+    saving = SaveActions(services, recent)
+    place = SensorSource(_sensor_store(places), emulate)
+    feet = FeetActions(case)
+    foot = FootWindow(partial(_make_foot_stage, settings, jobs, messages))
+    rooms = ActionContext(
         window=window,
         stage=stage,
-        dialogue=dialogue,
-        opening=Opening(
-            desk,
+        messages=messages,
+        opening=OpenActions(
+            services,
             recent=recent,
             saving=saving,
             autosave=autosave,
             reconstruct=foot.open_session,
         ),
         saving=saving,
-        exporting=Exporting(desk, partial(_make_export, settings, places, case), window),
-        editing=Editing(case, hand),
-        navigating=Navigating(case, stage, hand),
-        prescribing=Prescribing(case, hand, pads, rules.pelott_usual_behind_heads_mm, dialogue),
-        measuring=Measuring(case, dialogue),
+        exporting=ExportActions(services, partial(_make_export, settings, places, case), window),
+        editing=EditActions(case, tool_controller),
+        navigating=KeyboardNavigation(case, stage, tool_controller),
+        prescribing=PrescriptionActions(
+            case, tool_controller, pads, rules.pelott_usual_behind_heads_mm, messages
+        ),
+        measuring=MeasureActions(case, messages),
         feet=feet,
-        variants=Variants(case, dialogue),
-        comparing=Comparing(case, stage, counterpart),
-        repeating=Repeating(desk, recent, feet, window),
-        authorship=Authorship(case, settings, dialogue, remember),
-        notices=desk.notices,
+        variants=VariantActions(case, messages),
+        comparing=SideBySideActions(case, stage, counterpart),
+        repeating=RepeatActions(services, recent, feet, window),
+        authorship=PrescriberSetting(case, settings, messages, remember),
+        notices=services.notices,
         appearance=Appearance(
             frame=window,
             stage=stage,
             settings=settings,
-            dialogue=dialogue,
+            messages=messages,
             remember=remember,
             parent=window,
         ),
-        guide=Guide(window, stage, settings, remember, key_sections),
+        guide=HelpActions(window, stage, settings, remember, key_sections),
         capture=CaptureWindow(partial(_make_capture, settings, places, place)),
         calibrate=StageWindow(
             partial(
@@ -223,12 +225,12 @@ def build_application(
         compare=StageWindow(lambda: CompareStage(case, is_dark(settings.theme))),
         foot=foot,
     )
-    Vigilance(desk, window)
-    studio = Studio(
+    ScanMonitor(services, window)
+    studio = MainController(
         rooms=rooms,
         window=window,
         case=case,
-        hand=hand,
+        tool_controller=tool_controller,
         autosave=autosave,
         settings=settings,
         recent=recent,
@@ -241,14 +243,16 @@ def build_application(
     window.resize(*DEFAULT_SIZE)
     window.arrange()
     window.restore_layout(settings.window_geometry, settings.window_docks)
-    return Application(studio, window, stage, case, surface, hand, jobs, autosave, settings, places)
+    return Application(
+        studio, window, stage, case, surface, tool_controller, jobs, autosave, settings, places
+    )
 
 
-def _sensor_store(places: Places) -> SensorStore:
+def _sensor_store(places: UserPaths) -> SensorStore:
     return SensorStore(places.data_folder / "sensors")
 
 
-def _make_capture(settings: Settings, places: Places, place: Place) -> CaptureStage:
+def _make_capture(settings: Settings, places: UserPaths, place: SensorSource) -> CaptureStage:
     """Take the sensors into use, with the views they had last time."""
 
     def remember(assignment: Sequence[tuple[str, str]]) -> None:
@@ -263,7 +267,7 @@ def _make_capture(settings: Settings, places: Places, place: Place) -> CaptureSt
     )
 
 
-def _make_foot_stage(settings: Settings, jobs: Jobs, dialogue: Dialogue) -> ReconstructStage:
+def _make_foot_stage(settings: Settings, jobs: Jobs, messages: UserMessages) -> ReconstructStage:
     """Begin with the limits of last time."""
 
     def remember(limits: RegistrationLimits) -> None:
@@ -279,14 +283,14 @@ def _make_foot_stage(settings: Settings, jobs: Jobs, dialogue: Dialogue) -> Reco
             displacement_mm=settings.largest_displacement_mm,
         ),
         remember=remember,
-        ask=partial(_ask_to_open, dialogue),
+        ask=partial(_ask_to_open, messages),
         dark=is_dark(settings.theme),
         touch=settings.touch,
     )
 
 
-def _ask_to_open(dialogue: Dialogue, sentence: str) -> bool:
-    return dialogue.questions.open_anyway(sentence)
+def _ask_to_open(messages: UserMessages, sentence: str) -> bool:
+    return messages.questions.open_anyway(sentence)
 
 
 def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:
@@ -298,21 +302,21 @@ def _remembered_views(settings: Settings) -> tuple[tuple[str, str], ...]:
 
 
 def _make_export(
-    settings: Settings, places: Places, case: Case, ask_path: AskPath, may_replace: MayReplace
+    settings: Settings, places: UserPaths, case: Case, ask_path: AskPath, may_replace: MayReplace
 ) -> ExportStage:
     shop, folder = read_shop(), places.settings_file.parent
     return ExportStage(
         case=case,
-        rules=ExportRules(folder / "export.json"),
+        rules=ClinicExportRules(folder / "export.json"),
         shop=shop,
         ask_path=ask_path,
         may_replace=may_replace,
-        memory=OrderMemory(folder / "order.json", shop),
+        memory=LastOrder(folder / "order.json", shop),
         dark=is_dark(settings.theme),
     )
 
 
-def make_tools(section: Section) -> tuple[Tool, ...]:
+def make_tools(section: SectionModel) -> tuple[Tool, ...]:
     """Give one of every tool."""
     return (
         OrbitTool(),
@@ -338,7 +342,7 @@ def _remember(settings: Settings, path: Path) -> None:
 
 def run_application(
     paths: Sequence[Path],
-    places: Places | None = None,
+    places: UserPaths | None = None,
     side: Side | None = None,
     emulate: Path | None = None,
 ) -> int:
@@ -362,7 +366,7 @@ def run_application(
     """
     qt = qt_application()
     qt.setQuitOnLastWindowClosed(False)  # the studio says when: saving may take a moment
-    app = build_application(qt, places or Places.of_user(), emulate)
+    app = build_application(qt, places or UserPaths.of_user(), emulate)
     sys.excepthook = _show_unexpected(app.studio)
     app.studio.closed.connect(qt.quit)
     app.window.show()
@@ -402,13 +406,13 @@ def _quit_on_signals(qt: QApplication) -> None:
 
 
 def _show_unexpected(
-    studio: Studio,
+    studio: MainController,
 ) -> Callable[[type[BaseException], BaseException, TracebackType | None], None]:
     """Show an exception that nobody caught: no slot may lose one."""
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         sys.__excepthook__(kind, error, trace)
         if isinstance(error, Exception):
-            studio.rooms.dialogue.show_error(error)
+            studio.rooms.messages.show_error(error)
 
     return hook

@@ -70,10 +70,10 @@ def _virtual() -> int:
 
 
 def _scripted() -> int:
-    from insole_studio.bootstrap import Places
+    from insole_studio.bootstrap import UserPaths
     from insole_studio.scripted import ScriptedStudio
 
-    places = Places(OUTPUT / "settings.json", OUTPUT / "autosave")
+    places = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
     with ScriptedStudio(places) as studio:
         studio.open(SESSION)
         studio.place_pelott(0.0, 140.0)

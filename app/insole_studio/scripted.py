@@ -16,12 +16,12 @@ from insole_core.insole.design import Pelott
 from insole_studio.bootstrap import (
     DEFAULT_SIZE,
     Application,
-    Places,
+    UserPaths,
     build_application,
     qt_application,
 )
 from insole_studio.scene.view import SceneView
-from insole_studio.shell.answers import AnsweredQuestions, Answers
+from insole_studio.shell.answers import AnsweredQuestions, ScriptedAnswers
 from insole_studio.texts import tr
 
 
@@ -42,16 +42,16 @@ class ScriptedStudio:
 
     def __init__(
         self,
-        places: Places,
+        places: UserPaths,
         size: tuple[int, int] = DEFAULT_SIZE,
         dark: bool = False,
-        answers: Answers | None = None,
+        answers: ScriptedAnswers | None = None,
     ) -> None:
         self._qt = qt_application()
         self.app = build_application(self._qt, places)
         self.app.studio.rooms.appearance.set_dark(dark)
-        self.answers = answers or Answers()
-        self.app.studio.rooms.dialogue.questions = AnsweredQuestions(self.app.window, self.answers)
+        self.answers = answers or ScriptedAnswers()
+        self.app.studio.rooms.messages.questions = AnsweredQuestions(self.app.window, self.answers)
         self.app.window.resize(*size)
         self.app.window.arrange()
 

@@ -21,7 +21,7 @@ def translated(sentence: str) -> str:
     return QCoreApplication.translate(CONTEXT, sentence)
 
 
-def spoken(sentence: str) -> str:
+def translate_core_message(sentence: str) -> str:
     """Give a sentence with values that the core has written, in the language of the window."""
     return _books["core"].say(sentence)
 

@@ -40,7 +40,7 @@ class Adjustment:
         return float(np.sqrt((self.residuals**2).sum() / free))
 
 
-def adjust(
+def least_squares(
     residuals: Callable[[FloatArray], FloatArray],
     start: FloatArray,
     blocks: Blocks | None = None,

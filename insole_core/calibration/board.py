@@ -23,7 +23,7 @@ _SQUARE_MM = (5.0, 200.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Sighting:
+class BoardDetection:
     """A board as one picture shows it.
 
     Parameters
@@ -52,7 +52,7 @@ class Board(Protocol):
         """(n, 3) float64, mm, board frame: every corner, row by row."""
         ...
 
-    def find(self, name: str, grey: ByteArray) -> Sighting:
+    def find(self, name: str, grey: ByteArray) -> BoardDetection:
         """Find the corners in a grey picture, or raise a `CalibrationError` that names it."""
         ...
 
@@ -79,7 +79,7 @@ class Chequerboard:
         """(n, 3) float64, mm, board frame: every inner corner, row by row."""
         return _grid(self.columns, self.rows, self.square_mm)
 
-    def find(self, name: str, grey: ByteArray) -> Sighting:
+    def find(self, name: str, grey: ByteArray) -> BoardDetection:
         """Find all corners; a part of a chequerboard cannot be used, since its place is unknown."""
         corners = _chequerboard_corners(grey, self.columns, self.rows)
         if corners is None:
@@ -90,7 +90,7 @@ class Chequerboard:
                 f"{name} is blurred (an edge takes {edge:.1f} px); hold the board still and take "
                 "the picture again."
             )
-        return Sighting(
+        return BoardDetection(
             name, grey.shape[::-1], self.points_mm, corners.reshape(-1, 2).astype(float)
         )
 
@@ -138,7 +138,7 @@ class Charuco:
         first = np.array([self.square_mm, self.square_mm, 0])
         return np.asarray(_grid(self.columns - 1, self.rows - 1, self.square_mm) + first)
 
-    def find(self, name: str, grey: ByteArray) -> Sighting:
+    def find(self, name: str, grey: ByteArray) -> BoardDetection:
         """Find the corners that are in view."""
         corners, ids, _, _ = cv2.aruco.CharucoDetector(self.pattern()).detectBoard(grey)
         count = 0 if ids is None else len(ids)
@@ -149,7 +149,7 @@ class Charuco:
                 "check its size and dictionary."
             )
         points = self.points_mm[np.asarray(ids).ravel()]
-        return Sighting(name, grey.shape[::-1], points, corners.reshape(-1, 2).astype(float))
+        return BoardDetection(name, grey.shape[::-1], points, corners.reshape(-1, 2).astype(float))
 
     def pattern(self) -> Any:
         """Give OpenCV's board."""
@@ -209,7 +209,7 @@ def _read(path: Path, flags: int) -> ByteArray:
     return np.asarray(picture)
 
 
-def shifted(sighting: Sighting, shift_px: tuple[float, float]) -> Sighting:
+def shifted(sighting: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:
     """Give the same sighting in an image whose pixels are numbered differently."""
     return replace(sighting, pixels=sighting.pixels + np.asarray(shift_px))
 

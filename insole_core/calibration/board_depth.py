@@ -14,7 +14,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, adjust, huber_weight, pose
+from insole_core.calibration.adjustment import Adjustment, huber_weight, least_squares, pose
 from insole_core.calibration.board_depth_problem import (
     CORNER,
     LEAST_ERRORS,
@@ -29,7 +29,7 @@ from insole_core.calibration.intrinsics import LENS
 from insole_core.calibration.stereo import StereoCalibration, as_stereo, board_pose
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _LEAST_BOARDS = 4
@@ -81,8 +81,8 @@ class BoardDepthCalibration:
 
 def calibrate_board_depth(
     boards: Sequence[BoardInDepth],
-    depth_camera: Camera,
-    color_camera: Camera,
+    depth_camera: PinholeCamera,
+    color_camera: PinholeCamera,
     disparity: DisparityModel,
     options: BoardDepthOptions | None = None,
 ) -> BoardDepthCalibration:
@@ -110,7 +110,7 @@ def calibrate_board_depth(
         if numbers is None:
             numbers = problem.usual[6:]
         start = problem.start(depth2color, numbers, [board2color[i] for i in seen])
-        found = adjust(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
+        found = least_squares(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
         depth2color, depth = pose(found.values), problem.read(found.values)
         numbers = found.values[6 : problem.shared]
         errors = problem.found_errors(found)

@@ -9,14 +9,14 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.calibration.adjustment import Adjustment, Blocks, pose, pose_vector
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.board import BoardDetection
 from insole_core.calibration.boards_in_depth import board_planes
 from insole_core.calibration.depth_sensor import DepthSensor
 from insole_core.calibration.disparity_fit import linear_inverse_near
 from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 
 USUAL_POSE = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
@@ -73,7 +73,7 @@ class Measured:
 
 
 def measured_of(
-    sightings: Sequence[Sighting], patches: Sequence[tuple[FloatArray, FloatArray]]
+    sightings: Sequence[BoardDetection], patches: Sequence[tuple[FloatArray, FloatArray]]
 ) -> Measured:
     """Put the corners of all boards one after the other, and their depth patches."""
     numbers = np.arange(len(sightings))
@@ -97,7 +97,7 @@ class Problem:
     """
 
     measured: Measured
-    color_camera: Camera
+    color_camera: PinholeCamera
     guess: DepthSensor
     names: tuple[str, ...]
     errors: Errors
@@ -157,7 +157,7 @@ class Problem:
         tilt_raw = values.get("tilt_x", 0.0), values.get("tilt_y", 0.0)
         return DepthSensor(replace(self.guess.camera, **camera), disparity, tilt_raw)
 
-    def _color(self, unknowns: FloatArray) -> Camera:
+    def _color(self, unknowns: FloatArray) -> PinholeCamera:
         if not self.color_free:
             return self.color_camera
         values = unknowns[self.fitted : self.shared].tolist()

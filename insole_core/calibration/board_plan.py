@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.board import BoardDetection
 from insole_core.calibration.intrinsics import nominal_normal
 
 SIDES = ("left", "right", "up", "down")
@@ -19,7 +19,7 @@ EACH_WITH_DEPTH, EACH_WITH_INFRARED = 12, 4
 """Positions to each side, for half a millimetre."""
 
 
-def turn_of(sighting: Sighting) -> tuple[float, str]:
+def turn_of(sighting: BoardDetection) -> tuple[float, str]:
     """Give the angle between board and picture, and to which of `SIDES` the board looks most."""
     x, y, z = (-nominal_normal(sighting)).tolist()  # towards the camera
     angle_deg = float(np.degrees(np.arctan2(np.hypot(x, y), abs(z))))
@@ -27,7 +27,7 @@ def turn_of(sighting: Sighting) -> tuple[float, str]:
     return angle_deg, across if abs(x) > abs(y) else along
 
 
-def missing_turns(sightings: Sequence[Sighting], each: int) -> dict[str, int]:
+def missing_turns(sightings: Sequence[BoardDetection], each: int) -> dict[str, int]:
     """Count how many positions are missing to each side; sides that have enough are left out."""
     turns = [turn_of(sighting) for sighting in sightings]
     strong = [side for angle_deg, side in turns if angle_deg >= LEAST_TURN_DEG]

@@ -9,11 +9,11 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.board import BoardDetection
 from insole_core.calibration.captures import capture_from_frames, read_depth, read_frames
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import NO_READING
 
@@ -34,12 +34,12 @@ class BoardInDepth:
     raw : (480, 640) float64, raw units, corrected for distortion, NaN = no reading
     """
 
-    color: Sighting
+    color: BoardDetection
     raw: FloatArray
 
 
 def read_boards_in_depth(
-    folder: Path, sightings: Sequence[Sighting], correction: DisparityCorrection | None = None
+    folder: Path, sightings: Sequence[BoardDetection], correction: DisparityCorrection | None = None
 ) -> list[BoardInDepth]:
     """Read the raw depth beside each colour picture.
 
@@ -89,7 +89,7 @@ def board_patch(
     board: BoardInDepth,
     board2color: FloatArray,
     depth2color: FloatArray,
-    depth_camera: Camera,
+    depth_camera: PinholeCamera,
 ) -> tuple[FloatArray, FloatArray]:
     """Measure the board where the depth image certainly shows it.
 
@@ -124,7 +124,9 @@ def _block_means(pixels: FloatArray, raw: FloatArray) -> tuple[FloatArray, Float
     return means[:, :2], means[:, 2]
 
 
-def _outline(sighting: Sighting, board2depth: FloatArray, depth_camera: Camera) -> BoolArray:
+def _outline(
+    sighting: BoardDetection, board2depth: FloatArray, depth_camera: PinholeCamera
+) -> BoolArray:
     """Fill the area between the corners as the depth camera sees it, less a margin."""
     corners = depth_camera.project(transform(board2depth, sighting.points_mm))
     mask = np.zeros((depth_camera.height, depth_camera.width), np.uint8)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.board import BoardDetection
 from insole_core.geometry.arrays import IntArray
 
 _CELLS = (6, 8)
@@ -14,7 +14,7 @@ _VERTICAL = ("upper", "middle", "lower")
 _HORIZONTAL = ("left", "centre", "right")
 
 
-def count_corners(sightings: Sequence[Sighting]) -> IntArray:
+def count_corners(sightings: Sequence[BoardDetection]) -> IntArray:
     """Count the corners in each of 6 x 8 cells of the image."""
     counts = np.zeros(_CELLS, dtype=np.int64)
     for sighting in sightings:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
 
@@ -24,7 +24,7 @@ class DepthSensor:
         What is added to the raw numbers at the right edge, and at the lower edge, of the image.
     """
 
-    camera: Camera
+    camera: PinholeCamera
     disparity: DisparityModel
     tilt_raw: tuple[float, float] = (0.0, 0.0)
 
@@ -37,7 +37,7 @@ class DepthSensor:
 
 
 def add_tilt(
-    correction: DisparityCorrection, camera: Camera, tilt_raw: tuple[float, float]
+    correction: DisparityCorrection, camera: PinholeCamera, tilt_raw: tuple[float, float]
 ) -> DisparityCorrection:
     """Give a correction that takes the tilt of all raw numbers out as well."""
     v, u = np.indices(correction.offset.shape)
@@ -46,7 +46,7 @@ def add_tilt(
     return replace(correction, offset=(correction.offset + tilted).astype(np.float32))
 
 
-def tilt_columns(pixels: FloatArray, camera: Camera) -> FloatArray:
+def tilt_columns(pixels: FloatArray, camera: PinholeCamera) -> FloatArray:
     """(k, 2) -1 to 1 from left to right, and from top to bottom, of the image."""
     half = np.array([camera.width, camera.height]) / 2
     return np.asarray((pixels + 0.5) / half - 1)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, adjust
+from insole_core.calibration.adjustment import Adjustment, least_squares
 from insole_core.calibration.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
@@ -66,7 +66,7 @@ def fit_linear_inverse(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
     columns = np.stack([1000 / depth_mm, -np.ones_like(depth_mm)], axis=-1)
     (inverse_b, a_by_b), *_ = np.linalg.lstsq(columns, raw, rcond=None)
     start = np.array([a_by_b / inverse_b, 1 / inverse_b])
-    found = adjust(
+    found = least_squares(
         lambda x: raw - LinearInverseDisparity(x[0], x[1]).raw(depth_mm),
         start,
         robust=_ROBUST_RAW,
@@ -84,7 +84,7 @@ def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
         With fewer than three clearly different distances, or distances in another unit.
     """
     _check(raw, depth_mm, 3)
-    found = adjust(
+    found = least_squares(
         lambda x: raw - TangentDisparity(x[0], x[1], x[2]).raw(depth_mm),
         np.array(_TANGENT_START),
         robust=_ROBUST_RAW,

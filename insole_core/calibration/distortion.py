@@ -14,7 +14,7 @@ from insole_core.calibration.smooth_map import SPAN_RAW, BlockMap, Smoothing, so
 from insole_core.calibration.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
 
@@ -84,7 +84,7 @@ class DistortionCalibration:
 
 def calibrate_distortion(
     captures: Sequence[WallCapture],
-    camera: Camera,
+    camera: PinholeCamera,
     disparity: DisparityModel,
     options: DistortionOptions = _DEFAULTS,
     *,
@@ -138,7 +138,10 @@ def calibrate_distortion(
 
 
 def _find_walls(
-    captures: Sequence[WallCapture], camera: Camera, disparity: DisparityModel, progress: Progress
+    captures: Sequence[WallCapture],
+    camera: PinholeCamera,
+    disparity: DisparityModel,
+    progress: Progress,
 ) -> tuple[list[WallFit], dict[str, str]]:
     rows = plane_rows(camera)
     walls: list[WallFit] = []

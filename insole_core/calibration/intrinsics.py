@@ -10,14 +10,14 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Blocks, adjust, pose, pose_vector
-from insole_core.calibration.board import Board, Sighting, read_grey
+from insole_core.calibration.adjustment import Blocks, least_squares, pose, pose_vector
+from insole_core.calibration.board import Board, BoardDetection, read_grey
 from insole_core.calibration.coverage import count_corners, missing_regions
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid, transform
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
 LENS = PARAMETERS[:8]
@@ -61,7 +61,7 @@ class PictureFit:
         Seen minus projected.
     """
 
-    sighting: Sighting
+    sighting: BoardDetection
     board2camera: FloatArray
     errors_px: FloatArray
 
@@ -89,7 +89,7 @@ class CameraCalibration:
         What would improve it, in sentences.
     """
 
-    camera: Camera
+    camera: PinholeCamera
     deviations: dict[str, float]
     rms_px: float
     pictures: tuple[PictureFit, ...]
@@ -98,21 +98,21 @@ class CameraCalibration:
     advice: tuple[str, ...]
 
 
-def parameters_of(camera: Camera) -> dict[str, float]:
+def parameters_of(camera: PinholeCamera) -> dict[str, float]:
     """Name the parameters of a camera as in `PARAMETERS`."""
     k1, k2, p1, p2, k3 = camera.distortion
     values = (camera.fx, camera.fy, camera.cx, camera.cy, k1, k2, p1, p2, k3, camera.skew)
     return dict(zip(PARAMETERS, values, strict=True))
 
 
-def with_parameters(camera: Camera, values: Mapping[str, float]) -> Camera:
+def with_parameters(camera: PinholeCamera, values: Mapping[str, float]) -> PinholeCamera:
     """Give a camera with some of its `PARAMETERS` replaced."""
     fx, fy, cx, cy, *lens, skew = (parameters_of(camera) | dict(values)).values()
     k1, k2, p1, p2, k3 = lens
     return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
-def nominal_normal(sighting: Sighting) -> FloatArray:
+def nominal_normal(sighting: BoardDetection) -> FloatArray:
     """Give the normal (3,) of a board, away from a camera with the usual field of view."""
     width, height = sighting.size
     focal = 0.82 * width
@@ -124,7 +124,7 @@ def nominal_normal(sighting: Sighting) -> FloatArray:
 
 def find_boards(
     paths: Sequence[Path], board: Board, progress: Progress = SILENT
-) -> tuple[list[Sighting], dict[str, str]]:
+) -> tuple[list[BoardDetection], dict[str, str]]:
     """Look for the board in every picture.
 
     Returns the sightings, and the reason for every picture without one.
@@ -136,7 +136,7 @@ def find_boards(
     CalibrationError
         When no picture shows the board, or the pictures differ in size.
     """
-    sightings: list[Sighting] = []
+    sightings: list[BoardDetection] = []
     without: dict[str, str] = {}
     for done, path in enumerate(paths):
         progress.step(done / len(paths), f"Looking for the board in {path.name}")
@@ -153,7 +153,7 @@ def find_boards(
 
 
 def calibrate_camera(
-    sightings: Sequence[Sighting],
+    sightings: Sequence[BoardDetection],
     options: IntrinsicsOptions | None = None,
     progress: Progress = SILENT,
 ) -> CameraCalibration:
@@ -199,8 +199,8 @@ def calibrate_camera(
 
 
 def _fit(
-    sightings: Sequence[Sighting], options: IntrinsicsOptions
-) -> tuple[Camera, dict[str, float], list[PictureFit]]:
+    sightings: Sequence[BoardDetection], options: IntrinsicsOptions
+) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
     size = sightings[0].size
     flags = 0 if options.fit_k3 else cv2.CALIB_FIX_K3
     _, matrix, lens, turns, shifts, spread, _, _ = cv2.calibrateCameraExtended(
@@ -222,15 +222,15 @@ def _fit(
 
 
 def _fit_skew(
-    camera: Camera, pictures: Sequence[PictureFit], options: IntrinsicsOptions
-) -> tuple[Camera, dict[str, float], list[PictureFit]]:
+    camera: PinholeCamera, pictures: Sequence[PictureFit], options: IntrinsicsOptions
+) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
     """Refine everything once more with a skew, which OpenCV's own fit does not have."""
     names = [name for name in PARAMETERS if name != "k3" or options.fit_k3]
     fixed = parameters_of(camera)
     sightings = [picture.sighting for picture in pictures]
     size, count = sightings[0].size, len(names)
 
-    def split(unknowns: FloatArray) -> tuple[Camera, list[FloatArray]]:
+    def split(unknowns: FloatArray) -> tuple[PinholeCamera, list[FloatArray]]:
         values = fixed | dict(zip(names, unknowns[:count].tolist(), strict=True))
         poses = [pose(part) for part in unknowns[count:].reshape(-1, 6)]
         return _camera(size, list(values.values())[:9], values["skew"]), poses
@@ -246,20 +246,20 @@ def _fit_skew(
     start = [fixed[name] for name in names]
     start += np.concatenate([pose_vector(p.board2camera) for p in pictures]).tolist()
     lengths = tuple(2 * len(sighting.pixels) for sighting in sightings)
-    found = adjust(residuals, np.array(start), Blocks(lengths, count))
+    found = least_squares(residuals, np.array(start), Blocks(lengths, count))
     skewed, poses = split(found.values)
     deviations = dict.fromkeys(PARAMETERS, 0.0)
     deviations |= dict(zip(names, found.deviations[:count].tolist(), strict=True))
     return skewed, deviations, _pictures(skewed, sightings, poses)
 
 
-def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> Camera:
+def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> PinholeCamera:
     fx, fy, cx, cy, k1, k2, p1, p2, k3 = (float(value) for value in values)
-    return Camera(*size, fx, fy, cx, cy, (k1, k2, p1, p2, k3), skew)
+    return PinholeCamera(*size, fx, fy, cx, cy, (k1, k2, p1, p2, k3), skew)
 
 
 def _pictures(
-    camera: Camera, sightings: Sequence[Sighting], poses: Sequence[FloatArray]
+    camera: PinholeCamera, sightings: Sequence[BoardDetection], poses: Sequence[FloatArray]
 ) -> list[PictureFit]:
     return [
         PictureFit(s, board2camera, s.pixels - camera.project(transform(board2camera, s.points_mm)))
@@ -273,7 +273,7 @@ def _outliers(pictures: Sequence[PictureFit], options: IntrinsicsOptions) -> lis
     return [picture for picture in pictures if picture.rms_px > limit]
 
 
-def _check_sizes(sightings: Sequence[Sighting]) -> None:
+def _check_sizes(sightings: Sequence[BoardDetection]) -> None:
     by_size = {sighting.size: sighting.name for sighting in sightings}
     if len(by_size) > 1:
         named = ", ".join(f"{name} ({w}×{h})" for (w, h), name in by_size.items())
@@ -290,7 +290,7 @@ def _check_count(count: int) -> None:
         )
 
 
-def _check_poses(sightings: Sequence[Sighting]) -> None:
+def _check_poses(sightings: Sequence[BoardDetection]) -> None:
     """Boards that are all parallel leave the focal length open (Zhang 2000)."""
     normals = [nominal_normal(sighting) for sighting in sightings]
     widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
@@ -324,6 +324,6 @@ def _advice(count: int, counts: IntArray) -> tuple[str, ...]:
     return tuple(advice)
 
 
-def with_shift(camera: Camera, shift_px: tuple[float, float]) -> Camera:
+def with_shift(camera: PinholeCamera, shift_px: tuple[float, float]) -> PinholeCamera:
     """Give the same camera for an image whose pixels are shifted, for example IR to depth."""
     return replace(camera, cx=camera.cx + shift_px[0], cy=camera.cy + shift_px[1])

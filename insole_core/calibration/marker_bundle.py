@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Blocks, adjust, pose, pose_vector
+from insole_core.calibration.adjustment import Blocks, least_squares, pose, pose_vector
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 _OUTLIER_PX = 1.5
 _LENGTH_WEIGHT = 10.0
@@ -37,7 +37,7 @@ class MarkerView:
 
     name: str
     pixels: dict[str, FloatArray]
-    camera: Camera
+    camera: PinholeCamera
     sensor: str = ""
     capture: str = ""
 
@@ -82,7 +82,7 @@ def adjust_bundle(
         Between markers that are looked for; one or more.
     """
     bundle = _Bundle(planned, views, lengths)
-    found = adjust(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
+    found = least_squares(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
     count = 3 * len(planned)
     return Adjusted(
         found.values[:count].reshape(-1, 3),
@@ -104,7 +104,7 @@ def planned_pose(planned: dict[str, FloatArray], view: MarkerView) -> FloatArray
 class _Picture:
     seen: IntArray
     pixels: FloatArray
-    camera: Camera
+    camera: PinholeCamera
     sensor: int
 
 

@@ -13,13 +13,13 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, Blocks, adjust, pose, pose_vector
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.adjustment import Adjustment, Blocks, least_squares, pose, pose_vector
+from insole_core.calibration.board import BoardDetection
 from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 IR_TO_DEPTH_PX = (-4.8, -3.9)
 """Depth pixel minus infrared pixel of a Kinect v1: half of its correlation window."""
@@ -80,14 +80,17 @@ class PairCalibration:
     """
 
     stereo: StereoCalibration
-    depth_camera: Camera
-    color_camera: Camera
+    depth_camera: PinholeCamera
+    color_camera: PinholeCamera
     values: dict[str, float]
     deviations: dict[str, float]
 
 
 def calibrate_stereo(
-    depth: Sequence[Sighting], color: Sequence[Sighting], depth_camera: Camera, color_camera: Camera
+    depth: Sequence[BoardDetection],
+    color: Sequence[BoardDetection],
+    depth_camera: PinholeCamera,
+    color_camera: PinholeCamera,
 ) -> PairCalibration:
     """Fit the pose between the cameras to boards that both see, and both cameras with it.
 
@@ -116,7 +119,7 @@ def calibrate_stereo(
             f"{_LEAST_PAIRS} are needed; take infrared and colour pictures of the same positions."
         )
     problem = _Pairs(tuple(pairs), depth_camera, color_camera)
-    found = adjust(problem.residuals, problem.start(), problem.blocks())
+    found = least_squares(problem.residuals, problem.start(), problem.blocks())
     fitted_depth, fitted_color = problem.cameras(found.values)
     # Of a corner, like the errors of the single cameras: two residuals each.
     left_px = found.residuals[: -len(_SPREAD)] * _CORNER_PX
@@ -135,9 +138,9 @@ def calibrate_stereo(
 class _Pairs:
     """What the unknowns mean: the pose of the cameras, both lenses, and a pose per board."""
 
-    pairs: tuple[tuple[Sighting, Sighting], ...]
-    depth_camera: Camera
-    color_camera: Camera
+    pairs: tuple[tuple[BoardDetection, BoardDetection], ...]
+    depth_camera: PinholeCamera
+    color_camera: PinholeCamera
 
     @cached_property
     def usual(self) -> FloatArray:
@@ -154,7 +157,7 @@ class _Pairs:
         first = min(between, key=lambda one: sum(float(np.abs(one - o).sum()) for o in between))
         return np.concatenate([pose_vector(first), self.usual, *map(pose_vector, boards)])
 
-    def cameras(self, unknowns: FloatArray) -> tuple[Camera, Camera]:
+    def cameras(self, unknowns: FloatArray) -> tuple[PinholeCamera, PinholeCamera]:
         of_depth, of_color = np.split(unknowns[6:_SHARED], 2)
         return (
             with_parameters(self.depth_camera, dict(zip(LENS, of_depth.tolist(), strict=True))),
@@ -201,18 +204,20 @@ def as_stereo(
     )
 
 
-def common_corners(a: Sighting, b: Sighting) -> tuple[Sighting, Sighting]:
+def common_corners(a: BoardDetection, b: BoardDetection) -> tuple[BoardDetection, BoardDetection]:
     """Keep the corners that both pictures show, in the same order."""
     same = (np.abs(a.points_mm[:, None] - b.points_mm[None]).max(-1) < 1e-6).nonzero()
     return _taking(a, same[0]), _taking(b, same[1])
 
 
-def board_pose(sighting: Sighting, camera: Camera) -> FloatArray:
+def board_pose(sighting: BoardDetection, camera: PinholeCamera) -> FloatArray:
     """Give the pose (4, 4) ``board2camera`` of a board in one picture."""
     rays = camera.normalised(sighting.pixels)
     _, turn, shift = cv2.solvePnP(sighting.points_mm, rays, np.eye(3), None)
     return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
 
 
-def _taking(sighting: Sighting, which: IntArray) -> Sighting:
-    return Sighting(sighting.name, sighting.size, sighting.points_mm[which], sighting.pixels[which])
+def _taking(sighting: BoardDetection, which: IntArray) -> BoardDetection:
+    return BoardDetection(
+        sighting.name, sighting.size, sighting.points_mm[which], sighting.pixels[which]
+    )

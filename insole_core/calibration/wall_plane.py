@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.calibration.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _TRIALS = 200
@@ -51,7 +51,7 @@ class WallFit:
         return np.where(self.wall, self.capture.raw - self.expected_raw, np.nan)
 
 
-def plane_rows(camera: Camera) -> FloatArray:
+def plane_rows(camera: PinholeCamera) -> FloatArray:
     """(height, width, 3) the row (x, y, 1) of every pixel, so that 1/Z = row · plane."""
     rays = camera.pixel_rays()
     return np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)

@@ -20,7 +20,7 @@ from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.touches import ContourConstraints
 from insole_core.json_object import JsonObject
 
 CASE_NAME = "case.json"
@@ -87,7 +87,7 @@ def _unpack_mesh(packed: bytes, path: Path, name: str) -> TriangleMesh:
         with np.load(io.BytesIO(packed), allow_pickle=False) as arrays:
             touches = None
             if "touched" in arrays:
-                touches = Touches(arrays["touched"], arrays["touched_normals"])
+                touches = ContourConstraints(arrays["touched"], arrays["touched_normals"])
             mesh = TriangleMesh(
                 arrays["vertices"], arrays["triangles"], arrays.get("colors"), touches
             )
@@ -111,7 +111,7 @@ def _is_sound(mesh: TriangleMesh) -> bool:
     return bool(triangles.min() >= 0 and triangles.max() < len(vertices))
 
 
-def _are_sound(touches: Touches) -> bool:
+def _are_sound(touches: ContourConstraints) -> bool:
     points, normals = touches.points, touches.normals
     shapes = points.ndim == 2 and points.shape[1] == 3 and points.shape == normals.shape
     kinds = points.dtype == normals.dtype == np.float64

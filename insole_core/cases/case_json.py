@@ -15,7 +15,7 @@ from insole_core.cases.record import (
     Patient,
     Point,
     ReferencePlane,
-    Source,
+    ScanSource,
     Variant,
 )
 from insole_core.errors import DesignError, InputError
@@ -208,12 +208,12 @@ def _annotations(annotations: JsonObject) -> Annotations:
     return Annotations(points, ReferencePlane(_point(plane, "origin_mm"), pitch, roll))
 
 
-def _source(source: JsonObject) -> Source:
+def _source(source: JsonObject) -> ScanSource:
     recorded_at = source.value("recorded_at")
     if not isinstance(recorded_at, str):
         raise source.fail("recorded_at", "must be a text")
     kind = source.choice("kind", ["session", "mesh"])
-    return Source(kind, source.text("path"), source.text("sha256"), recorded_at)
+    return ScanSource(kind, source.text("path"), source.text("sha256"), recorded_at)
 
 
 def _point(values: JsonObject, key: str) -> Point:

@@ -85,7 +85,7 @@ class Annotations:
 
 
 @dataclass(frozen=True)
-class Source:
+class ScanSource:
     """Where the foot came from.
 
     Parameters
@@ -131,7 +131,7 @@ class FootRecord:
     """
 
     foot: Foot
-    source: Source
+    source: ScanSource
     variants: tuple[Variant, ...]
     chosen: str
     annotations: Annotations = Annotations()
@@ -139,7 +139,7 @@ class FootRecord:
 
     @classmethod
     def begun(
-        cls, foot: Foot, source: Source, design: InsoleDesign | None = None, **more: Any
+        cls, foot: Foot, source: ScanSource, design: InsoleDesign | None = None, **more: Any
     ) -> FootRecord:
         """Begin with one variant: that of `design`, or one without corrections."""
         first = Variant(FIRST_NAME, design or InsoleDesign(side=foot.side))
@@ -279,7 +279,7 @@ class CaseRecord:
         return None if self.current is None else self.current.foot
 
     @property
-    def source(self) -> Source | None:
+    def source(self) -> ScanSource | None:
         """Where the foot at hand came from."""
         return None if self.current is None else self.current.source
 

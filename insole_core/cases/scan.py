@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.cases.record import Source
+from insole_core.cases.record import ScanSource
 from insole_core.errors import UsageError
 from insole_core.foot.foot import Foot
 from insole_core.foot.mesh_file import read_mesh
@@ -25,7 +25,7 @@ class ScannedFoot:
     """A foot and where it came from; `warnings` are sentences for the user."""
 
     foot: Foot
-    source: Source
+    source: ScanSource
     warnings: tuple[str, ...] = ()
 
 
@@ -57,7 +57,7 @@ def open_scan(
     return scanned
 
 
-def change_of_source(source: Source) -> str:
+def change_of_source(source: ScanSource) -> str:
     """Say in a sentence what has become of a scan since it was read; empty when nothing has."""
     path = Path(source.path)
     if not path.is_absolute():
@@ -101,13 +101,13 @@ def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -
     return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), _source("mesh", path))
 
 
-def session_source(path: Path, session: Session) -> Source:
+def session_source(path: Path, session: Session) -> ScanSource:
     """Say of a foot that it comes from a session."""
     return _source("session", path, session.manifest.recorded_at)
 
 
-def _source(kind: str, path: Path, recorded_at: str = "") -> Source:
-    return Source(kind, str(path.resolve()), _sha256(_signed_file(path)), recorded_at)
+def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:
+    return ScanSource(kind, str(path.resolve()), _sha256(_signed_file(path)), recorded_at)
 
 
 def _signed_file(path: Path) -> Path:

@@ -20,7 +20,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.coloring import color_points
 from insole_core.reconstruct.measured_view import measure_view
 from insole_core.reconstruct.sheet import (
-    Sheet,
+    RangeMesh,
     join,
     longest_edges,
     triangulate,
@@ -78,7 +78,7 @@ def one_view_surface(view: View, progress: Progress = SILENT) -> TriangleMesh:
     wanted = valid if table is None else _above(table, points, valid)
     edges = longest_edges(points[..., 2], view.sensor.depth_camera.fx)
     colors = color_points(points, wanted, measured.color, view.sensor)
-    sheet = Sheet(
+    sheet = RangeMesh(
         points, triangulate(points, wanted, edges), colors, np.eye(4), view.sensor.depth_camera
     )
     if len(sheet.triangles) == 0:

@@ -15,7 +15,7 @@ from insole_core.recording.reader import is_session, read_session
 
 
 @dataclass(frozen=True, eq=False)
-class Source:
+class ComparisonSource:
     """A surface to compare.
 
     Parameters
@@ -33,7 +33,7 @@ class Source:
     notes: tuple[str, ...] = ()
 
 
-def read_source(path: Path, progress: Progress = SILENT) -> Source:
+def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
     """Read a surface from a mesh file or a session.
 
     A session of one view without the reference system in its picture is that of a mould or a
@@ -49,14 +49,16 @@ def read_source(path: Path, progress: Progress = SILENT) -> Source:
     progress.step(0.0, f"Reading {path.name}")
     if not is_session(path):
         read = read_mesh(path)
-        return Source(path.name, read.mesh, tuple(read.notes))
+        return ComparisonSource(path.name, read.mesh, tuple(read.notes))
     session = read_session(path)
     if len(session.views) > 1:
-        return Source(path.name, reconstruct(session, "fused", progress).mesh)
+        return ComparisonSource(path.name, reconstruct(session, "fused", progress).mesh)
     try:
-        return Source(path.name, reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh)
+        return ComparisonSource(
+            path.name, reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh
+        )
     except ReconstructionError:
         mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
-    return Source(
+    return ComparisonSource(
         path.name, mesh, ("One view without a reference system: taken as a thing on a table.",)
     )

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import Sighting
+from insole_core.calibration.board import BoardDetection
 from insole_core.calibration.boards_in_depth import BoardInDepth
 from insole_core.calibration.stereo import board_pose
 from insole_core.errors import CalibrationError
@@ -20,7 +20,7 @@ from insole_core.evaluation.distances import (
 )
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.transforms import transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 _SIDE = 3
@@ -57,7 +57,7 @@ def evaluate_boards(sensor: Sensor, boards: Sequence[BoardInDepth]) -> ObjectEva
 
 
 def board_correspondences(
-    pairs: Sequence[tuple[Sighting, Sighting]], depth_camera: Camera
+    pairs: Sequence[tuple[BoardDetection, BoardDetection]], depth_camera: PinholeCamera
 ) -> list[Correspondence]:
     """Give the corners that both cameras show (thesis 5.4).
 
@@ -82,7 +82,7 @@ def board_correspondences(
     return points
 
 
-def _spread(sighting: Sighting) -> IntArray:
+def _spread(sighting: BoardDetection) -> IntArray:
     """Choose corners near the nodes of a coarse lattice over what is seen of the board."""
     points = sighting.points_mm[:, :2]
     axes = [np.linspace(points[:, i].min(), points[:, i].max(), _SIDE) for i in (0, 1)]

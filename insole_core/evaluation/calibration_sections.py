@@ -19,11 +19,11 @@ from insole_core.calibration.intrinsics import (
 from insole_core.calibration.marker_survey import MarkerSurvey
 from insole_core.calibration.reference_file import BumpCheck, FaceCheck, positions
 from insole_core.calibration.stereo import StereoCalibration
-from insole_core.evaluation.report import Number, Plot, Section, Share, Table
+from insole_core.evaluation.report import Number, Plot, ReportSection, Share, Table
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.recording.session import ReferenceSystem
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 
 _FACE_HEADINGS = (
@@ -31,14 +31,14 @@ _FACE_HEADINGS = (
 )  # fmt: skip
 
 
-def camera_section(calibration: CameraCalibration, title: str = "Colour camera") -> Section:
+def camera_section(calibration: CameraCalibration, title: str = "Colour camera") -> ReportSection:
     """Report the intrinsic calibration of a camera."""
     values = parameters_of(calibration.camera)
     parameters = tuple(
         (name, f"{values[name]:.4f}", f"{calibration.deviations[name]:.4f}") for name in PARAMETERS
     )
     pictures = tuple((p.sighting.name, f"{p.rms_px:.3f}") for p in calibration.pictures)
-    return Section(
+    return ReportSection(
         key="camera",
         title=title,
         numbers=(
@@ -76,7 +76,7 @@ _FITTED = {
 
 def stereo_section(
     stereo: StereoCalibration, fitted: Sequence[tuple[str, float, float]] = ()
-) -> Section:
+) -> ReportSection:
     """Report the pose between the two cameras, and what was fitted with it.
 
     Parameters
@@ -95,7 +95,7 @@ def stereo_section(
     )
     headings = ("number", "value", "standard deviation")
     beside = (Table("Fitted with it", headings, numbers),) if numbers else ()
-    return Section(
+    return ReportSection(
         key="stereo",
         title="Depth camera to colour camera",
         numbers=(
@@ -107,14 +107,14 @@ def stereo_section(
     )
 
 
-def disparity_section(fit: DisparityFit) -> Section:
+def disparity_section(fit: DisparityFit) -> ReportSection:
     """Report a fitted disparity model."""
     rows = tuple(
         (name, f"{getattr(fit.model, name):.7g}", f"{sd:.2g}")
         for name, sd in fit.deviations.items()
     )
     low, high = fit.range_mm
-    return Section(
+    return ReportSection(
         key="disparity",
         title="Raw number to mm",
         numbers=(
@@ -139,7 +139,7 @@ _WALL_HEADINGS = (
 )  # fmt: skip
 
 
-def distortion_section(calibration: DistortionCalibration) -> Section:
+def distortion_section(calibration: DistortionCalibration) -> ReportSection:
     """Report a distortion map."""
     rows = tuple(
         (w.name, f"{w.distance_mm:.0f}", f"{w.tilt_deg:.1f}", f"{w.filled_share:.0%}",
@@ -152,7 +152,7 @@ def distortion_section(calibration: DistortionCalibration) -> Section:
         maps.append(("Standard deviation, raw units", correction.deviation.astype(float)))
     if correction.coverage is not None:
         maps.append(("Walls seen by each pixel", correction.coverage.astype(float)))
-    return Section(
+    return ReportSection(
         key="distortion",
         title="Distortion of the depth sensor",
         numbers=(
@@ -166,7 +166,7 @@ def distortion_section(calibration: DistortionCalibration) -> Section:
     )
 
 
-def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> Section:
+def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> ReportSection:
     """Report a reference system, with a picture of each face as a sensor sees it."""
     problems = tuple(f"Face {c.face}: {problem}." for c in checks for problem in c.problems)
     rows = tuple(
@@ -181,7 +181,7 @@ def reference_section(system: ReferenceSystem, checks: Sequence[FaceCheck]) -> S
         )
         for c in checks
     )
-    return Section(
+    return ReportSection(
         key="reference",
         title=f"Reference system {system.name}",
         sentences=problems or ("Every face is fit to tell where a sensor stands.",),
@@ -196,7 +196,7 @@ def _likeness(check: FaceCheck) -> str:
     return f"{check.symmetry_mm:.1f} at {check.symmetry_turn_deg:.0f}°"
 
 
-def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
+def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> ReportSection:
     """Report where the markers of a built system really are, and which were bumped."""
     rows = tuple(
         (m.id, *(f"{value:.2f}" for value in m.position_mm),
@@ -207,7 +207,7 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> Section:
     moved = tuple(
         f"Marker {name} is {mm:.1f} mm from its place." for name, mm in bump.moved.items()
     )
-    return Section(
+    return ReportSection(
         key="survey",
         title=f"Reference system {survey.system.name}, measured",
         numbers=(
@@ -261,7 +261,7 @@ def _draw_errors(figure: Figure, calibration: CameraCalibration) -> None:
     axes.grid(visible=True, alpha=0.3)
 
 
-def _draw_lens(figure: Figure, camera: Camera) -> None:
+def _draw_lens(figure: Figure, camera: PinholeCamera) -> None:
     """Radial, tangential and complete displacement of the lens: figures C.3 and C.4."""
     k1, k2, p1, p2, k3 = camera.distortion
     lenses = {
@@ -274,7 +274,7 @@ def _draw_lens(figure: Figure, camera: Camera) -> None:
     )
     straight = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy], axis=-1)
     for axes, (name, lens) in zip(figure.subplots(1, 3, sharey=True), lenses.items(), strict=True):
-        bent = Camera(*_geometry(camera), lens).distort(straight)
+        bent = PinholeCamera(*_geometry(camera), lens).distort(straight)
         move = (bent - straight) * [camera.fx, camera.fy]
         contours = axes.contour(u, v, np.linalg.norm(move, axis=-1) + 1e-12, levels=6)
         axes.clabel(contours, fontsize=6)
@@ -283,7 +283,7 @@ def _draw_lens(figure: Figure, camera: Camera) -> None:
         axes.set(title=name, aspect="equal", xlim=(0, camera.width), ylim=(camera.height, 0))
 
 
-def _geometry(camera: Camera) -> tuple[int, int, float, float, float, float]:
+def _geometry(camera: PinholeCamera) -> tuple[int, int, float, float, float, float]:
     return camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy
 
 

@@ -11,7 +11,7 @@ from insole_core.evaluation.alignment import Misalignment
 from insole_core.evaluation.artefact import ArtefactEvaluation
 from insole_core.evaluation.distances import ObjectEvaluation
 from insole_core.evaluation.noise import Noise, WarmUp
-from insole_core.evaluation.report import Number, Plot, Section, Share, Table
+from insole_core.evaluation.report import Number, Plot, ReportSection, Share, Table
 from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
@@ -19,7 +19,7 @@ _LISTED, _LARGEST = 105, 20
 """All distances of up to fifteen points are listed, as in the thesis; of more the worst."""
 
 
-def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
+def wall_section(errors: Mapping[str, Sequence[WallError]]) -> ReportSection:
     """Report wall errors by correction: figure 11."""
     rows = tuple(
         (name, f"{e.distance_mm:.0f}", f"{e.mean_abs_mm:.3f}", f"{e.rms_mm:.3f}", f"{e.p95_mm:.3f}",
@@ -27,7 +27,7 @@ def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
         for name, listed in errors.items()
         for e in listed
     )  # fmt: skip
-    return Section(
+    return ReportSection(
         key="wall",
         title="Error of a flat wall",
         numbers=tuple(
@@ -51,7 +51,7 @@ def wall_section(errors: Mapping[str, Sequence[WallError]]) -> Section:
     )
 
 
-def resolution_section(resolutions: Sequence[Resolution]) -> Section:
+def resolution_section(resolutions: Sequence[Resolution]) -> ReportSection:
     """Report the resolution over distance: figures 13 and 14."""
     ordered = sorted(resolutions, key=lambda one: one.distance_mm)
     rows = tuple(
@@ -60,7 +60,7 @@ def resolution_section(resolutions: Sequence[Resolution]) -> Section:
         for r in ordered
     )  # fmt: skip
     headings = ("distance", "x", "x theory", "y", "y theory", "depth", "depth theory")
-    return Section(
+    return ReportSection(
         key="resolution",
         title="Spatial and depth resolution",
         numbers=(
@@ -73,14 +73,14 @@ def resolution_section(resolutions: Sequence[Resolution]) -> Section:
     )
 
 
-def alignment_section(rows: Sequence[Misalignment]) -> Section:
+def alignment_section(rows: Sequence[Misalignment]) -> ReportSection:
     """Report the misalignment of colour and depth: table 2."""
     texts = tuple(
         (f"{r.distance_mm:.0f}", f"{r.x_px:+z.2f}", f"{r.y_px:+z.2f}", f"{r.sd_x_px:.2f}",
          f"{r.sd_y_px:.2f}", str(r.points))
         for r in rows
     )  # fmt: skip
-    return Section(
+    return ReportSection(
         key="alignment",
         title="Colour on depth",
         sentences=(
@@ -97,7 +97,7 @@ def alignment_section(rows: Sequence[Misalignment]) -> Section:
     )
 
 
-def object_section(result: ObjectEvaluation) -> Section:
+def object_section(result: ObjectEvaluation) -> ReportSection:
     """Report a known object: figures 17 to 19."""
     listed = len(result.distances) if len(result.distances) <= _LISTED else _LARGEST
     rows = tuple(
@@ -109,7 +109,7 @@ def object_section(result: ObjectEvaluation) -> Section:
         Number(f"mean_abs_mm_{axis}", f"Mean absolute error, {axis}", value, "mm")
         for axis, value in result.mean_abs_by_axis_mm.items()
     )
-    return Section(
+    return ReportSection(
         key="object",
         title="Known object",
         sentences=(
@@ -130,7 +130,7 @@ def object_section(result: ObjectEvaluation) -> Section:
     )
 
 
-def artefact_section(result: ArtefactEvaluation) -> Section:
+def artefact_section(result: ArtefactEvaluation) -> ReportSection:
     """Report an acceptance test in the manner of VDI/VDE 2634."""
     labels = {
         "probing_form_mm": "Probing error, form",
@@ -140,7 +140,7 @@ def artefact_section(result: ArtefactEvaluation) -> Section:
         "flatness_mm": "Flatness",
         "flatness_95_mm": "Flatness, 95 %",
     }
-    return Section(
+    return ReportSection(
         key="artefact",
         title="Acceptance with an artefact",
         numbers=tuple(Number(k, label, getattr(result, k), "mm") for k, label in labels.items()),
@@ -148,7 +148,7 @@ def artefact_section(result: ArtefactEvaluation) -> Section:
     )
 
 
-def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> Section:
+def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> ReportSection:
     """Report temporal noise and, where it was followed, the warm-up."""
     numbers = [
         Number("sd_raw", "Noise of one frame", noise.sd_raw, "raw units"),
@@ -162,7 +162,7 @@ def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> Section:
             Number("settled_after_s", "Settled after", warm_up.settled_after_s, "s"),
         ]
         plots = (Plot("Depth at the centre over time", lambda f: _draw_warm_up(f, warm_up)),)
-    return Section("noise", "Noise and warm-up", tuple(numbers), plots=plots)
+    return ReportSection("noise", "Noise and warm-up", tuple(numbers), plots=plots)
 
 
 def _pair(first: str, second: str) -> str:

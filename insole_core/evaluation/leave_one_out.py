@@ -11,7 +11,7 @@ from insole_core.calibration.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.wall import Correction, NoCorrection, WallError, wall_error
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _LEAST_WALLS = 5
@@ -20,7 +20,7 @@ _LEAST_WALLS = 5
 
 def leave_one_out(
     captures: Sequence[WallCapture],
-    camera: Camera,
+    camera: PinholeCamera,
     disparity: DisparityModel,
     progress: Progress = SILENT,
 ) -> dict[str, list[WallError]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.evaluation.report import Section, with_limits
+from insole_core.evaluation.report import ReportSection, with_limits
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -40,7 +40,7 @@ def load_limits(path: Path) -> Limits:
     }
 
 
-def judged(section: Section, limits: Limits) -> Section:
+def judged(section: ReportSection, limits: Limits) -> ReportSection:
     """Judge a section; a limit without its number is an error, since it cannot have been kept.
 
     Raises

@@ -107,7 +107,7 @@ class Plot:
 
 
 @dataclass(frozen=True)
-class Section:
+class ReportSection:
     """One calibration or evaluation."""
 
     key: str
@@ -135,7 +135,7 @@ class Report:
     title: str
     serial: str
     made_at: str
-    sections: tuple[Section, ...] = field(default_factory=tuple)
+    sections: tuple[ReportSection, ...] = field(default_factory=tuple)
 
     @property
     def failed(self) -> tuple[Number, ...]:
@@ -148,7 +148,7 @@ class Report:
         return not self.failed
 
 
-def with_limits(section: Section, limits: dict[str, float]) -> Section:
+def with_limits(section: ReportSection, limits: dict[str, float]) -> ReportSection:
     """Give a section whose numbers are judged by limits, number key to largest absolute value."""
     numbers = tuple(replace(n, limit=limits.get(n.key, n.limit)) for n in section.numbers)
     return replace(section, numbers=numbers)
@@ -185,7 +185,7 @@ def head_line(report: Report) -> str:
     return f"{sensor}{_day_and_time(report.made_at)}. {verdict}".strip()
 
 
-def numbers_table(section: Section) -> Table:
+def numbers_table(section: ReportSection) -> Table:
     """Give the numbers of a section, and how they were judged, as a table."""
     rows = tuple((n.label, n.text, n.verdict) for n in section.numbers)
     return Table("", ("", "", ""), rows)
@@ -209,7 +209,7 @@ def _json_number(number: Number) -> dict[str, Any]:
     return {"value": value, "unit": number.unit, **judged}
 
 
-def section_lines(section: Section) -> list[str]:
+def section_lines(section: ReportSection) -> list[str]:
     """Give what a section says as lines of text, for paper and terminal."""
     lines = [section.title, *section.sentences]
     lines += [f"{n.label}: {n.text}   {n.verdict}".rstrip() for n in section.numbers]

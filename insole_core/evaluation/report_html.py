@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from insole_core.evaluation.report import Plot, Report, Section, Table, head_line
+from insole_core.evaluation.report import Plot, Report, ReportSection, Table, head_line
 from insole_core.export.atomic import replacing_file
 from insole_core.recording.images import encode_png
 
@@ -53,7 +53,7 @@ def _page(report: Report) -> str:
     )
 
 
-def _section_html(section: Section, report_title: str) -> str:
+def _section_html(section: ReportSection, report_title: str) -> str:
     # A report of one section bears its title.
     title = section.title if section.title != report_title else ""
     remarks = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
@@ -62,7 +62,7 @@ def _section_html(section: Section, report_title: str) -> str:
     return f"{_titled('h2', title)}{remarks}{_numbers_html(section)}{tables}{plots}"
 
 
-def _numbers_html(section: Section) -> str:
+def _numbers_html(section: ReportSection) -> str:
     rows = "".join(
         f'<tr><td>{html.escape(n.label)}</td><td class="number">{html.escape(n.text)}</td>'
         f'<td class="{"failed" if n.passed is False else "passed"}">'

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.calibration.captures import WallCapture
 from insole_core.errors import CalibrationError
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _VIEW_DEG = (58.0, 45.0)
@@ -43,7 +43,7 @@ class Resolution:
 
 
 def evaluate_resolution(
-    capture: WallCapture, camera: Camera, disparity: DisparityModel
+    capture: WallCapture, camera: PinholeCamera, disparity: DisparityModel
 ) -> Resolution:
     """Measure the resolution in the middle of a capture of a flat surface.
 

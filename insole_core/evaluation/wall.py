@@ -12,7 +12,7 @@ from insole_core.calibration.captures import WallCapture
 from insole_core.calibration.wall_plane import plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _FAR_OFF_MM = 30.0
@@ -69,7 +69,7 @@ class WallError:
 
 
 def wall_error(
-    capture: WallCapture, correction: Correction, camera: Camera, disparity: DisparityModel
+    capture: WallCapture, correction: Correction, camera: PinholeCamera, disparity: DisparityModel
 ) -> WallError:
     """Measure a corrected capture against the plane that fits it best.
 
@@ -96,7 +96,7 @@ def wall_error(
 
 
 def wall_deviation_mm(
-    capture: WallCapture, correction: Correction, camera: Camera, disparity: DisparityModel
+    capture: WallCapture, correction: Correction, camera: PinholeCamera, disparity: DisparityModel
 ) -> FloatArray:
     """(480, 640) mm a corrected capture lies behind its best plane; NaN off the wall (figure 10).
 
@@ -113,7 +113,7 @@ def wall_deviation_mm(
 def wall_errors(
     captures: Iterable[WallCapture],
     corrections: Mapping[str, Correction],
-    camera: Camera,
+    camera: PinholeCamera,
     disparity: DisparityModel,
 ) -> dict[str, list[WallError]]:
     """Measure every capture with every correction: the curves of figure 11, by name."""

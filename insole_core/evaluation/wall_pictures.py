@@ -12,7 +12,7 @@ from insole_core.calibration.captures import WallCapture
 from insole_core.evaluation.report import Plot
 from insole_core.evaluation.wall import Correction, wall_deviation_mm
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
 
 _SHOWN = 3
@@ -21,7 +21,7 @@ _SHOWN = 3
 def wall_pictures(
     captures: Sequence[WallCapture],
     corrections: Mapping[str, Correction],
-    camera: Camera,
+    camera: PinholeCamera,
     disparity: DisparityModel,
 ) -> tuple[Plot, ...]:
     """Show the first, the middle and the last capture, each with every correction.

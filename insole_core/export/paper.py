@@ -50,7 +50,7 @@ _TITLE = ParagraphStyle("title", parent=_BODY, fontSize=16, leading=22)
 
 
 @dataclass(frozen=True, eq=False)
-class Section:
+class SectionDrawing:
     """A cut through an insole.
 
     Parameters
@@ -87,7 +87,7 @@ class JobSheet:
     identification: Facts
     measures: Facts
     make: Facts
-    sections: tuple[Section, ...]
+    sections: tuple[SectionDrawing, ...]
     checks: tuple[str, ...]
     file: Path
     file_name: str
@@ -242,7 +242,7 @@ def _write(story: list[Flowable], path: Path, title: str) -> None:
 
 def section_along(
     top_mm: FloatArray, bottom_mm: FloatArray, pitch_mm: float, *, share: float, across: bool
-) -> Section:
+) -> SectionDrawing:
     """Cut height maps (ny, nx) of a solid; across the foot, or along it.
 
     Parameters
@@ -256,4 +256,4 @@ def section_along(
     cut = np.s_[index, :] if across else np.s_[:, index]
     top, bottom = top_mm[cut], bottom_mm[cut]
     title = f"{'across' if across else 'along'}, at {share:.0%}"
-    return Section(title, pitch_mm * np.arange(float(len(top))), top, bottom)
+    return SectionDrawing(title, pitch_mm * np.arange(float(len(top))), top, bottom)

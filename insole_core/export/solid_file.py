@@ -12,7 +12,7 @@ from insole_core.errors import UsageError
 from insole_core.export.obj import write_obj
 from insole_core.export.ply import write_ply
 from insole_core.export.stl import write_ascii_stl, write_stl
-from insole_core.export.three_mf import Part, write_3mf
+from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 
 SUFFIXES = (".stl", ".3mf", ".ply", ".obj")
@@ -30,7 +30,7 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
         raise UsageError(f"{path} names no format that {what} is written as; choose {known}.")
 
 
-def write_solids(parts: Sequence[Part], path: Path, *, ascii_stl: bool = False) -> None:
+def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False) -> None:
     """Write parts in the format that the suffix of `path` names.
 
     3MF keeps the parts apart; in the other formats they are shells of one mesh. PLY has colours.
@@ -56,7 +56,7 @@ def write_solids(parts: Sequence[Part], path: Path, *, ascii_stl: bool = False) 
         write_ply(merged([_painted(part) for part in parts]), path)
 
 
-def _painted(part: Part) -> TriangleMesh:
+def _painted(part: ThreeMfPart) -> TriangleMesh:
     """Give a part in its own colour, where its surface has none."""
     if part.mesh.colors is not None:
         return part.mesh

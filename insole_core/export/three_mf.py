@@ -34,7 +34,7 @@ _FAST = 1  # the XML shrinks to a tenth anyway; more effort costs seconds
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class ThreeMfPart:
     """One object of a 3MF file.
 
     Parameters
@@ -58,7 +58,7 @@ class Part:
     assembly: str = ""
 
 
-def write_3mf(parts: Sequence[Part], path: Path, title: str = "Insole") -> None:
+def write_3mf(parts: Sequence[ThreeMfPart], path: Path, title: str = "Insole") -> None:
     """Write parts, each an object of its own, as they lie in their common frame.
 
     Raises
@@ -75,7 +75,7 @@ def write_3mf(parts: Sequence[Part], path: Path, title: str = "Insole") -> None:
         archive.writestr("3D/3dmodel.model", "".join(_model(parts, title)))
 
 
-def _model(parts: Sequence[Part], title: str) -> Iterable[str]:
+def _model(parts: Sequence[ThreeMfPart], title: str) -> Iterable[str]:
     yield (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<model unit="millimeter" xml:lang="en-US" xmlns="{CORE}" xmlns:insole="{OWN}">\n'
@@ -107,7 +107,7 @@ def _assembly(name: str, number: int, members: Sequence[int]) -> Iterable[str]:
     yield "</components>\n</object>\n"
 
 
-def _object(part: Part, number: int) -> Iterable[str]:
+def _object(part: ThreeMfPart, number: int) -> Iterable[str]:
     mesh = part.mesh
     yield (
         f'<object id="{number + 2}" name={quoteattr(part.name)} type="model"'

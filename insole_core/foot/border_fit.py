@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.touches import ContourConstraints
 
 _LEAST_TOWARDS = 0.75  # cosine against the direction: farther round, three numbers do not do
 _STRIP_MM, _SPREAD_MM = 2.0, 2.5
@@ -78,7 +78,7 @@ class BorderFit:
     deviation_mm: FloatArray
     touched: FloatArray
 
-    def summit(self, counts: BoolArray, bend_mm: float | None, usual_mm: float | None) -> Summit:
+    def summit(self, counts: BoolArray, bend_mm: float | None, usual_mm: float | None) -> Extremum:
         """Find where the border reaches farthest.
 
         Where its bend is known, the strips about the one that reaches farthest tell it together:
@@ -99,7 +99,7 @@ class BorderFit:
         rated = np.where(counts, self.reach_mm - pull * aside**2, -np.inf)
         best = int(rated.argmax())
         if bend_mm is None:
-            return Summit(float(self.across_mm[best]), float(self.reach_mm[best]), best)
+            return Extremum(float(self.across_mm[best]), float(self.reach_mm[best]), best)
         away = self.across_mm - self.across_mm[best]
         near = counts & (np.abs(away) <= _ARC * bend_mm)
         bend, weights, way = 0.5 / bend_mm + pull, 1 / self.deviation_mm[near], away[near]
@@ -108,11 +108,11 @@ class BorderFit:
         ahead = float(np.clip(slope / (2 * bend), way.min(), way.max()))
         reach = height + slope * ahead - bend * ahead**2 + pull * (aside[best] + ahead) ** 2
         strip = int(np.where(counts, np.abs(away - ahead), np.inf).argmin())
-        return Summit(float(self.across_mm[best]) + ahead, float(reach), strip)
+        return Extremum(float(self.across_mm[best]) + ahead, float(reach), strip)
 
 
 @dataclass(frozen=True)
-class Summit:
+class Extremum:
     """Where a border reaches farthest: across the direction and along it; and the strip there."""
 
     across_mm: float
@@ -121,8 +121,8 @@ class Summit:
 
 
 def fit_border(
-    surface: Touches,
-    touches: Touches,
+    surface: ContourConstraints,
+    touches: ContourConstraints,
     direction: FloatArray,
     between_mm: tuple[float, float],
     usual: UsualBorder,
@@ -157,7 +157,9 @@ class _Rows:
     height: FloatArray
 
     @staticmethod
-    def of(seen: Touches, direction: FloatArray, between_mm: tuple[float, float]) -> _Rows:
+    def of(
+        seen: ContourConstraints, direction: FloatArray, between_mm: tuple[float, float]
+    ) -> _Rows:
         aside = np.abs(direction[[1, 0, 2]])
         towards, across = seen.normals @ direction, seen.points @ aside
         low, high = between_mm

@@ -72,7 +72,7 @@ def lower_side(points: FloatArray, length_mm: float) -> FloatArray:
     return _draw(scaled - np.array([_middle(_draw(scaled)), 0.0, 0.0]))
 
 
-def unlikeness(drawn: FloatArray, side: Side) -> float:
+def side_dissimilarity(drawn: FloatArray, side: Side) -> float:
     """Mean difference of a `lower_side` from the usual foot of a side; 0 is alike."""
     usual = usual_foot(side)
     return float(np.abs(drawn - usual).sum() / (HEIGHT_LIMIT - usual).sum())

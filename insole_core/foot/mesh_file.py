@@ -13,7 +13,7 @@ import trimesh
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.touches import PLY_ELEMENT, Touches
+from insole_core.geometry.touches import PLY_ELEMENT, ContourConstraints
 
 Unit = Literal["mm", "m", "inch"]
 
@@ -116,7 +116,7 @@ def _vertex_colors(loaded: trimesh.Trimesh) -> ByteArray | None:
     return np.array(loaded.visual.vertex_colors[:, :3], dtype=np.uint8)
 
 
-def _touches(loaded: trimesh.Trimesh) -> Touches | None:
+def _touches(loaded: trimesh.Trimesh) -> ContourConstraints | None:
     """What a foot that was reconstructed here keeps of its outlines in the pictures."""
     element = loaded.metadata.get("_ply_raw", {}).get(PLY_ELEMENT)
     if element is None:
@@ -125,7 +125,7 @@ def _touches(loaded: trimesh.Trimesh) -> Touches | None:
     columns = [np.asarray(rows[name], dtype=float) for name in ("x", "y", "z", "nx", "ny", "nz")]
     values = np.column_stack(columns)
     values = values[np.isfinite(values).all(axis=1)]
-    return Touches(values[:, :3], values[:, 3:])
+    return ContourConstraints(values[:, :3], values[:, 3:])
 
 
 def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:

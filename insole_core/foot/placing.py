@@ -74,7 +74,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     else:
         poses, inside_out = _near_frame(mesh, points), False
     asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
-    if asked.pose.unlikeness > _CLEAR * other.pose.unlikeness:
+    if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
         if not force:
             raise SideMismatchError(_mismatch(asked, other))
         # The ways of ground and toes are those of the shape, whatever the side.
@@ -93,7 +93,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     """Find the ways the surface may lie, the likeliest first, which must look like a foot."""
     poses = find_poses(mesh, points)
-    if poses[0].unlikeness > _NO_FOOT:
+    if poses[0].side_dissimilarity > _NO_FOOT:
         raise InputError(
             "The surface looks like no foot, whichever way it is turned;"
             " check that the file holds a foot or its sole, and nothing else."
@@ -112,20 +112,20 @@ def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[Triangle
 
 def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
     """The poses of a surface whose directions are known, the likeliest first."""
-    return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.unlikeness)
+    return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.side_dissimilarity)
 
 
 def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     """The poses of a surface that lies as its frame says, but for how a foot may be held."""
     poses = _as_it_lies(points, np.eye(4))
-    if poses[0].unlikeness <= _NO_FOOT:
+    if poses[0].side_dissimilarity <= _NO_FOOT:
         return poses
     held = [
         pose
         for pose in find_poses(mesh, points)
         if rotation_angle_deg(pose.source2rough[:3, :3]) < _HELD_DEG
     ]
-    return held if held and held[0].unlikeness < poses[0].unlikeness else poses
+    return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
 def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
@@ -148,7 +148,7 @@ def _mismatch(asked: _Candidate, other: _Candidate) -> str:
 
 
 def _side_note(asked: _Candidate, other: _Candidate) -> str:
-    ratio = other.pose.unlikeness / asked.pose.unlikeness
+    ratio = other.pose.side_dissimilarity / asked.pose.side_dissimilarity
     if ratio < 1 / _CLEAR:
         return (
             f"The shape looks like a {other.side} foot ({_reason(other)});"

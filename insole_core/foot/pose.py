@@ -15,7 +15,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
-from insole_core.foot.likeness import lower_side, unlikeness
+from insole_core.foot.likeness import lower_side, side_dissimilarity
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
@@ -47,7 +47,7 @@ class Pose:
 
     source2rough: FloatArray
     side: Side
-    unlikeness: float
+    side_dissimilarity: float
     covered: float
 
 
@@ -59,7 +59,7 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
         for rotation in _both_ways(points, up)
         for pose in _turned(points, rotation)
     ]
-    return sorted(poses, key=lambda pose: pose.unlikeness)
+    return sorted(poses, key=lambda pose: pose.side_dissimilarity)
 
 
 def surface_points(mesh: TriangleMesh) -> FloatArray:
@@ -114,7 +114,7 @@ def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
     turns = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
     poses = [pose for turn in turns for pose in poses_as_it_lies(points, rigid(turn, np.zeros(3)))]
     for side in Side:
-        yield min((p for p in poses if p.side is side), key=lambda p: p.unlikeness)
+        yield min((p for p in poses if p.side is side), key=lambda p: p.side_dissimilarity)
 
 
 def poses_as_it_lies(points: FloatArray, source2rough: FloatArray) -> Iterator[Pose]:
@@ -132,4 +132,4 @@ def poses_as_it_lies(points: FloatArray, source2rough: FloatArray) -> Iterator[P
     for covered in _COVERED:
         drawn = lower_side(low, float(np.ptp(low[:, 1])) / covered)
         for side in Side:
-            yield Pose(source2rough, side, unlikeness(drawn, side), covered)
+            yield Pose(source2rough, side, side_dissimilarity(drawn, side), covered)

@@ -28,7 +28,8 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
         return ""
     poses = list(poses_as_it_lies(surface_points(mesh), np.eye(4)))
     asked, other = (
-        min(pose.unlikeness for pose in poses if pose.side is one) for one in (side, side.other)
+        min(pose.side_dissimilarity for pose in poses if pose.side is one)
+        for one in (side, side.other)
     )
     if min(asked, other) > _NO_FOOT:
         return (

@@ -16,8 +16,8 @@ from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import is_border, smoothed_normals
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.mesh_graph import is_boundary, smoothed_normals
+from insole_core.geometry.touches import ContourConstraints
 from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
@@ -72,7 +72,7 @@ class LowFoot:
     normals: FloatArray
     toe_points: FloatArray
     toe_normals: FloatArray
-    touches: Touches | None
+    touches: ContourConstraints | None
 
     @staticmethod
     def of(foot: Foot) -> LowFoot:
@@ -167,9 +167,9 @@ class SoleSurface:
         low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
         return self._touched(end, towards, (low, high), border, middle)
 
-    def _turned(self, touches: Touches) -> Touches:
+    def _turned(self, touches: ContourConstraints) -> ContourConstraints:
         turn = self._insole2sole.T
-        return Touches(touches.points @ turn, touches.normals @ turn)
+        return ContourConstraints(touches.points @ turn, touches.normals @ turn)
 
     def _touched(
         self,
@@ -182,7 +182,7 @@ class SoleSurface:
         """The outermost place by the outlines in the pictures; as it was where they do not tell."""
         if self._touches is None:
             return end
-        surface = Touches(self._toes, self._toe_normals)
+        surface = ContourConstraints(self._toes, self._toe_normals)
         scaled = border.scaled(self.length_mm / _USUAL_LENGTH_MM)
         fit = fit_border(surface, self._touches, direction, between_mm, scaled)
         trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
@@ -302,14 +302,14 @@ def _outermost(
     return int(inside[along[inside].argmax()])
 
 
-def _low_touches(touches: Touches) -> Touches:
+def _low_touches(touches: ContourConstraints) -> ContourConstraints:
     low = touches.points[:, 2] < OUTLINE_HEIGHT_MM
-    return Touches(touches.points[low], touches.normals[low])
+    return ContourConstraints(touches.points[low], touches.normals[low])
 
 
 def _near_border(mesh: TriangleMesh) -> BoolArray:
     """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
-    return _grown(_grown(is_border(mesh), mesh.triangles), mesh.triangles)
+    return _grown(_grown(is_boundary(mesh), mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:

@@ -43,7 +43,9 @@ def straight_on(border: Border) -> tuple[BoolArray, FloatArray]:
     return np.ones(count, dtype=bool), np.zeros(count)
 
 
-def grown(mesh: TriangleMesh, width_mm: float, course: Course = straight_on) -> TriangleMesh:
+def extend_boundary(
+    mesh: TriangleMesh, width_mm: float, course: Course = straight_on
+) -> TriangleMesh:
     """Add a ring of triangles along every border.
 
     Nothing is added where borders touch each other in one vertex, or where the ring would run

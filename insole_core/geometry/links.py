@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import BoolArray, IndexArray, IntArray
 _Matrix = sparse.csr_array[np.float64]
 
 
-class Links:
+class MeshTopology:
     """The edges of a mesh; computed once for all meshes that differ in their vertices' places only.
 
     Parameters
@@ -70,7 +70,7 @@ class Links:
         return links
 
     @cached_property
-    def is_border(self) -> BoolArray:
+    def is_boundary(self) -> BoolArray:
         """(n,) which vertices lie on an edge with one triangle."""
         border = np.zeros(self._count, dtype=bool)
         border[_entries(self._both_ways)[0][self._both_ways.data == 1]] = True

@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
-from insole_core.geometry.links import Links
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.links import MeshTopology
+from insole_core.geometry.touches import ContourConstraints
 from insole_core.geometry.transforms import transform
 
 
@@ -31,12 +31,12 @@ class TriangleMesh:
     vertices: FloatArray
     triangles: IndexArray
     colors: ByteArray | None = None
-    touches: Touches | None = None
+    touches: ContourConstraints | None = None
 
     @cached_property
-    def links(self) -> Links:
+    def links(self) -> MeshTopology:
         """How the vertices are joined."""
-        return Links(self.triangles, len(self.vertices))
+        return MeshTopology(self.triangles, len(self.vertices))
 
     @cached_property
     def triangle_normals(self) -> FloatArray:
@@ -95,8 +95,8 @@ class TriangleMesh:
             self, {"links"} & self.__dict__.keys()
         )
 
-    def dressed(
-        self, *, colors: ByteArray | None = None, touches: Touches | None = None
+    def with_attributes(
+        self, *, colors: ByteArray | None = None, touches: ContourConstraints | None = None
     ) -> TriangleMesh:
         """Exchange the colours or what outlines touch, or both, of the same surface."""
         mesh = replace(

@@ -27,9 +27,9 @@ def laplacian(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
     return mesh.links.laplacian
 
 
-def is_border(mesh: TriangleMesh) -> BoolArray:
+def is_boundary(mesh: TriangleMesh) -> BoolArray:
     """Tell which vertices (n,) lie on an edge with one triangle."""
-    return mesh.links.is_border
+    return mesh.links.is_boundary
 
 
 def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
@@ -48,7 +48,7 @@ def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
 def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
     """Smooth the vertices (n, 3) without shrinking, Taubin 1995; the border stays."""
     mean = mesh.links.mean
-    inner = ~is_border(mesh)[:, None]
+    inner = ~is_boundary(mesh)[:, None]
     vertices = mesh.vertices
     for _ in range(rounds):
         for step in (_SHRINK, _GROW):

@@ -14,7 +14,7 @@ PLY_ELEMENT = "touch"
 
 
 @dataclass(frozen=True, eq=False)
-class Touches:
+class ContourConstraints:
     """Planes through lines of sight that the surface touches from within.
 
     Across the plane a picture tells the surface to a fraction of a pixel; where along the line of
@@ -31,10 +31,12 @@ class Touches:
     points: FloatArray
     normals: FloatArray
 
-    def transformed(self, a2b: FloatArray) -> Touches:
+    def transformed(self, a2b: FloatArray) -> ContourConstraints:
         """Bring them from frame a to frame b."""
-        return Touches(transform(a2b, self.points), np.asarray(self.normals @ a2b[:3, :3].T))
+        return ContourConstraints(
+            transform(a2b, self.points), np.asarray(self.normals @ a2b[:3, :3].T)
+        )
 
-    def scaled(self, factor: float) -> Touches:
+    def scaled(self, factor: float) -> ContourConstraints:
         """Bring them to another unit."""
-        return Touches(self.points * factor, self.normals)
+        return ContourConstraints(self.points * factor, self.normals)

@@ -60,7 +60,7 @@ _STEP_MM = 2.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rules:
+class ClinicRules:
     """Limits of the warnings, and what a pronation suggests; lengths in mm, angles in degrees."""
 
     post_unusual_deg: float
@@ -133,7 +133,7 @@ class DesignWarning:
         return self.sentence.format(**plain)
 
 
-def load_rules(path: Path | None = None) -> Rules:
+def load_rules(path: Path | None = None) -> ClinicRules:
     """Read the rules of the clinic, or those that come with the product.
 
     Raises
@@ -146,8 +146,8 @@ def load_rules(path: Path | None = None) -> Rules:
     content.choice("format", ["insole-rules"])
     content.integer("version", 1, 1)
     rules = content.object("rules")
-    limits = [f.name for f in fields(Rules) if f.name != "pronation"]
-    return Rules(
+    limits = [f.name for f in fields(ClinicRules) if f.name != "pronation"]
+    return ClinicRules(
         **{name: rules.number(name, 0, 1000) for name in limits},
         pronation=tuple(
             PronationStep(step.number("from_deg", 0, 90), step.number("post_deg", 0, 15))
@@ -157,7 +157,7 @@ def load_rules(path: Path | None = None) -> Rules:
 
 
 def design_warnings(
-    insole: Insole, landmarks: Landmarks, rules: Rules
+    insole: Insole, landmarks: Landmarks, rules: ClinicRules
 ) -> tuple[DesignWarning, ...]:
     """Hold an insole against the rules."""
     design = insole.design
@@ -195,7 +195,7 @@ def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
                 yield DesignWarning(DISORDER, values, place_mm=(float(x), float(y)))
 
 
-def _of_posting(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
+def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     sentences = (POSTED_REARFOOT, POSTED_FOREFOOT)
     usual = f"{rules.post_unusual_deg:g}"
     for sentence, angle in zip(sentences, posting_angles(design), strict=True):
@@ -205,7 +205,7 @@ def _of_posting(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
             yield DesignWarning(sentence, values, next(causes))
 
 
-def _of_heel(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
+def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
     cup = min(cups, default=_USUAL_CUP_MM)
     inversion = max(posting_angles(design)[0], 0.0)
@@ -228,7 +228,7 @@ def _of_heel(design: InsoleDesign, rules: Rules) -> Iterator[DesignWarning]:
             yield DesignWarning(SHALLOW_CUP, values, c.id)
 
 
-def _of_height(insole: Insole, rules: Rules) -> Iterator[DesignWarning]:
+def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
     heights = np.where(insole.measured, insole.contact.heights_mm, -np.inf)
     row, column = np.unravel_index(heights.argmax(), heights.shape)
     if heights[row, column] > rules.greatest_insole_height_mm:
@@ -239,7 +239,7 @@ def _of_height(insole: Insole, rules: Rules) -> Iterator[DesignWarning]:
 
 
 def _of_pad(
-    insole: Insole, landmarks: Landmarks, pad: Pelott, rules: Rules
+    insole: Insole, landmarks: Landmarks, pad: Pelott, rules: ClinicRules
 ) -> Iterator[DesignWarning]:
     share = _share_on_foot(insole, pad)
     if share < rules.least_on_foot_share:
@@ -269,7 +269,7 @@ def _share_on_foot(insole: Insole, pad: Pelott) -> float:
     return float(insole.measured[row[inside], column[inside]].sum() / len(places))
 
 
-def _of_overlaps(pads: list[Pelott], rules: Rules) -> Iterator[DesignWarning]:
+def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarning]:
     places = {pad.id: _places_in(pad) for pad in pads}
     for a, b in combinations(pads, 2):
         small, large = sorted((a, b), key=lambda pad: len(places[pad.id]))

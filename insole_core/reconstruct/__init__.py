@@ -1,6 +1,6 @@
 """From a recorded session to one coloured foot in the reference frame."""
 
-from insole_core.reconstruct.marker_fix import MarkerFix
+from insole_core.reconstruct.marker_fix import MarkerObservation
 from insole_core.reconstruct.pose_quality import RegistrationLimits
 from insole_core.reconstruct.reconstruction import reconstruct
 from insole_core.reconstruct.result import (
@@ -12,7 +12,7 @@ from insole_core.reconstruct.result import (
 )
 
 __all__ = [
-    "MarkerFix",
+    "MarkerObservation",
     "Method",
     "Reconstruction",
     "RegistrationLimits",

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 
 _LEAST_COSINE = 0.2
@@ -16,7 +16,7 @@ _FARTHEST_MM = 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class Agreement:
+class ViewConsistency:
     """What the views say of a mesh.
 
     Parameters
@@ -38,7 +38,7 @@ class Agreement:
         return float(np.median(known)) if len(known) else float("nan")
 
 
-def view_agreement(mesh: TriangleMesh, readings: list[Reading]) -> Agreement:
+def view_consistency(mesh: TriangleMesh, readings: list[DepthView]) -> ViewConsistency:
     """Compare the views with each other on a mesh.
 
     Parameters
@@ -55,10 +55,10 @@ def view_agreement(mesh: TriangleMesh, readings: list[Reading]) -> Agreement:
         count += seen
         low[seen] = np.minimum(low, above_mm)[seen]
         high[seen] = np.maximum(high, above_mm)[seen]
-    return Agreement(count, np.where(count > 1, high - low, np.nan))
+    return ViewConsistency(count, np.where(count > 1, high - low, np.nan))
 
 
-def _heights(mesh: TriangleMesh, reading: Reading) -> FloatArray:
+def _heights(mesh: TriangleMesh, reading: DepthView) -> FloatArray:
     """How far a view's surface lies before each vertex along the normal, mm; NaN = not seen."""
     depth_mm = smooth_depth(reading).depth_mm
     way = reading.origin_mm - mesh.vertices

@@ -17,7 +17,7 @@ _REFINED = 1000
 
 
 @dataclass(frozen=True)
-class AssignmentLimits:
+class MarkerMatchLimits:
     """When an assignment is trusted.
 
     Parameters
@@ -49,7 +49,7 @@ class AssignmentLimits:
 
 
 @dataclass(frozen=True, eq=False)
-class Assignment:
+class MarkerMatch:
     """Pairs of points and markers.
 
     Parameters
@@ -94,11 +94,11 @@ class _Poses:
         )
 
 
-def assign(
+def match_markers(
     points: FloatArray,
     markers: FloatArray,
-    limits: AssignmentLimits = AssignmentLimits(),
-) -> Assignment:
+    limits: MarkerMatchLimits = MarkerMatchLimits(),
+) -> MarkerMatch:
     """Find the one pose in which most markers have a point, whatever else was seen.
 
     Every triangle of markers is compared with every triangle of points of the same side lengths;
@@ -127,10 +127,10 @@ def assign(
     _check_rivals(poses.counts[_elsewhere(poses, best, markers, limits)], most, limits)
     found = _explain(best.rotations, best.translations, points, markers, limits.found_mm)
     pairs = np.flatnonzero(found.explained[0])
-    return Assignment(found.nearest[0, pairs], pairs, best.explained[0, pairs])
+    return MarkerMatch(found.nearest[0, pairs], pairs, best.explained[0, pairs])
 
 
-def _candidate_poses(points: FloatArray, markers: FloatArray, limits: AssignmentLimits) -> _Poses:
+def _candidate_poses(points: FloatArray, markers: FloatArray, limits: MarkerMatchLimits) -> _Poses:
     """Give refined candidate poses, those that explain most."""
     three_points, three_markers = _congruent_triples(points, markers, limits)
     parts = []
@@ -170,7 +170,7 @@ def looks_at_foot(rotations: FloatArray) -> BoolArray:
 
 
 def _congruent_triples(
-    points: FloatArray, markers: FloatArray, limits: AssignmentLimits
+    points: FloatArray, markers: FloatArray, limits: MarkerMatchLimits
 ) -> tuple[IntArray, IntArray]:
     """Give (t, 3) indices of points and of markers whose triangles have the same sides."""
     between_points = np.linalg.norm(points[:, None] - points[None], axis=2)
@@ -228,7 +228,7 @@ def _explain(
 
 
 def _elsewhere(
-    poses: _Poses, best: _Poses, markers: FloatArray, limits: AssignmentLimits
+    poses: _Poses, best: _Poses, markers: FloatArray, limits: MarkerMatchLimits
 ) -> BoolArray:
     """Tell which poses would put the points of the markers elsewhere than the best does."""
     seen = (markers - best.translations[0]) @ best.rotations[0]
@@ -237,7 +237,7 @@ def _elsewhere(
 
 
 def _check_mirrored(
-    points: FloatArray, markers: FloatArray, most: int, limits: AssignmentLimits
+    points: FloatArray, markers: FloatArray, most: int, limits: MarkerMatchLimits
 ) -> None:
     if most >= min(len(points), len(markers)):
         return
@@ -249,11 +249,11 @@ def _check_mirrored(
         )
 
 
-def _needed(markers: int, limits: AssignmentLimits) -> int:
+def _needed(markers: int, limits: MarkerMatchLimits) -> int:
     return max(limits.least_markers, int(np.ceil(limits.least_share * markers)))
 
 
-def _check_enough(most: int, points: int, markers: int, limits: AssignmentLimits) -> None:
+def _check_enough(most: int, points: int, markers: int, limits: MarkerMatchLimits) -> None:
     needed = _needed(markers, limits)
     if most < needed:
         raise ReconstructionError(
@@ -262,7 +262,7 @@ def _check_enough(most: int, points: int, markers: int, limits: AssignmentLimits
         )
 
 
-def _check_rivals(rivals: IntArray, most: int, limits: AssignmentLimits) -> None:
+def _check_rivals(rivals: IntArray, most: int, limits: MarkerMatchLimits) -> None:
     if int(rivals.max(initial=0)) > most - limits.margin:
         raise ReconstructionError(
             f"the blue spots fit the markers in two ways, {most} and {rivals.max()} of them; "
@@ -270,7 +270,7 @@ def _check_rivals(rivals: IntArray, most: int, limits: AssignmentLimits) -> None
         )
 
 
-def _check_width(markers: FloatArray, limits: AssignmentLimits) -> None:
+def _check_width(markers: FloatArray, limits: MarkerMatchLimits) -> None:
     spread = np.linalg.svd(markers - markers.mean(0), compute_uv=False) / np.sqrt(len(markers))
     if spread[1] < limits.least_width_mm:
         raise ReconstructionError(

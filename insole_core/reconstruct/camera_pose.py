@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 _ROUNDS = 20
 _CONVERGED = 1e-9
@@ -39,7 +39,7 @@ class SightingNoise:
     place_mm: float = 0.13
     depth_mm: float = 1.0
 
-    def seen_from(self, distance_mm: float, camera: Camera) -> SightingNoise:
+    def seen_from(self, distance_mm: float, camera: PinholeCamera) -> SightingNoise:
         """Count what the marker system is off as if the picture were."""
         place_px = self.place_mm * camera.fx / distance_mm
         return SightingNoise(float(np.hypot(self.pixel_px, place_px)), 0.0, self.depth_mm)
@@ -112,7 +112,7 @@ class SeenMarkers:
 
 def fit_camera_pose(
     seen: SeenMarkers,
-    camera: Camera,
+    camera: PinholeCamera,
     start: FloatArray,
     noise: SightingNoise = SightingNoise(),
 ) -> CameraPose:
@@ -149,7 +149,7 @@ def fit_camera_pose(
 @dataclass(frozen=True, eq=False)
 class _Problem:
     seen: SeenMarkers
-    camera: Camera
+    camera: PinholeCamera
     noise: SightingNoise
 
     def converged(self, pose: FloatArray) -> FloatArray:

@@ -10,9 +10,9 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
-from insole_core.reconstruct.assignment import Assignment, looks_at_foot
+from insole_core.reconstruct.assignment import MarkerMatch, looks_at_foot
 from insole_core.reconstruct.pose_batch import LEAST_EXPLAINED, PoseBatch, Sight, improved, matches
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 _KEPT = 300
 _ROUNDS = 6
@@ -21,7 +21,7 @@ _TABLE = 256
 
 
 @dataclass(frozen=True)
-class ImageAssignmentLimits:
+class ImageMatchLimits:
     """When an assignment is trusted.
 
     Parameters
@@ -75,7 +75,7 @@ class ImageAssignmentLimits:
 
 
 @dataclass(frozen=True, eq=False)
-class ImageAssignment:
+class ImageMarkerMatch:
     """Pairs of blobs and markers, and the pose that explains them.
 
     Parameters
@@ -86,18 +86,18 @@ class ImageAssignment:
         Of the reprojection errors.
     """
 
-    pairs: Assignment
+    pairs: MarkerMatch
     reference2color: FloatArray
     rms_px: float
 
 
-def assign_in_image(
+def match_in_image(
     pixels: FloatArray,
     areas: FloatArray,
     markers: FloatArray,
-    camera: Camera,
-    limits: ImageAssignmentLimits = ImageAssignmentLimits(),
-) -> ImageAssignment:
+    camera: PinholeCamera,
+    limits: ImageMatchLimits = ImageMatchLimits(),
+) -> ImageMarkerMatch:
     """Find the one pose of the camera from which most markers are seen where blobs are.
 
     Three blobs that are three given markers determine the camera under weak perspective up to a
@@ -147,25 +147,25 @@ def assign_in_image(
             f"the blue spots fit the markers in two ways, {most} and "
             f"{explained[rival].sum(1).max()} of them; see that more markers are in view"
         )
-    return ImageAssignment(
-        Assignment(pairs[best, found], found, whole),
+    return ImageMarkerMatch(
+        MarkerMatch(pairs[best, found], found, whole),
         rigid(poses.rotations[best], poses.translations[best]),
         rms_px,
     )
 
 
-def _whole(squared: FloatArray, near: float, limits: ImageAssignmentLimits) -> BoolArray:
+def _whole(squared: FloatArray, near: float, limits: ImageMatchLimits) -> BoolArray:
     """Tell which pairs (k,) agree with most others, from their squared distances."""
     usual = np.median(squared) if len(squared) else 0.0
     return np.asarray(squared <= max(near**2, limits.strays**2 * usual))
 
 
-def _needed(markers: int, limits: ImageAssignmentLimits) -> int:
+def _needed(markers: int, limits: ImageMatchLimits) -> int:
     share = int(np.ceil(limits.least_share * markers))
     return max(min(limits.least_markers, markers), share)
 
 
-def _too_few(most: int, blobs: int, markers: int, limits: ImageAssignmentLimits) -> str:
+def _too_few(most: int, blobs: int, markers: int, limits: ImageMatchLimits) -> str:
     return (
         f"only {most} of the {blobs} blue spots fit the {markers} markers, and "
         f"{_needed(markers, limits)} are needed; check that it is the right reference system, that "
@@ -173,14 +173,12 @@ def _too_few(most: int, blobs: int, markers: int, limits: ImageAssignmentLimits)
     )
 
 
-def _elsewhere(poses: PoseBatch, best: int, limits: ImageAssignmentLimits) -> BoolArray:
+def _elsewhere(poses: PoseBatch, best: int, limits: ImageMatchLimits) -> BoolArray:
     trace = np.einsum("tij,ij->t", poses.rotations, poses.rotations[best])
     return np.asarray(trace < 1 + 2 * np.cos(np.radians(limits.elsewhere_deg)))
 
 
-def _search(
-    sight: Sight, areas: FloatArray, limits: ImageAssignmentLimits, near: float
-) -> PoseBatch:
+def _search(sight: Sight, areas: FloatArray, limits: ImageMatchLimits, near: float) -> PoseBatch:
     """Give the best candidate poses, improved; none where none explains four markers."""
     triangles = _blob_triangles(areas, limits)
     if len(triangles) == 0 or len(sight.markers) < LEAST_EXPLAINED:
@@ -207,7 +205,7 @@ def _search(
     return poses
 
 
-def _blob_triangles(areas: FloatArray, limits: ImageAssignmentLimits) -> IntArray:
+def _blob_triangles(areas: FloatArray, limits: ImageMatchLimits) -> IntArray:
     """Give all ordered triples (t, 3) of blobs of similar size."""
     count = len(areas)
     i, j, k = np.indices((count,) * 3).reshape(3, -1)
@@ -237,7 +235,7 @@ def _marker_triangles(markers: FloatArray, count: int) -> IntArray:
 
 
 def _weak_perspective(
-    sight: Sight, triangles: IntArray, chosen: IntArray, limits: ImageAssignmentLimits
+    sight: Sight, triangles: IntArray, chosen: IntArray, limits: ImageMatchLimits
 ) -> PoseBatch:
     """Poses in which three markers are seen as triangles (t, 3) of blobs, up to two for each."""
     origin, *others = sight.markers[chosen]

@@ -6,7 +6,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 _LEAST_TANGENT = 0.25
 _LEAST_OBLIQUE = 6
@@ -17,7 +17,7 @@ _ALONG_AXIS = float(np.cos(np.radians(25)))
 
 
 def apparent_centers(
-    markers: FloatArray, spreads: FloatArray, camera: Camera, reference2color: FloatArray
+    markers: FloatArray, spreads: FloatArray, camera: PinholeCamera, reference2color: FloatArray
 ) -> FloatArray:
     """Give the places that the centres of blobs show: those of the faces, or a little behind.
 
@@ -74,7 +74,7 @@ def _widths_mm(
     markers: FloatArray,
     axes: FloatArray,
     spreads: FloatArray,
-    camera: Camera,
+    camera: PinholeCamera,
     reference2color: FloatArray,
 ) -> FloatArray:
     """Widths (n, 2) of blobs along two axes (n, 2, 3) in the plane of the face.

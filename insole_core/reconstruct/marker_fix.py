@@ -11,7 +11,7 @@ from insole_core.reconstruct.camera_pose import CameraPose
 
 
 @dataclass(frozen=True)
-class MarkerFix:
+class MarkerObservation:
     """One marker as one view saw it.
 
     Parameters
@@ -63,7 +63,7 @@ class Registration:
     """
 
     sensor2reference: FloatArray
-    fixes: tuple[MarkerFix, ...]
+    fixes: tuple[MarkerObservation, ...]
     camera_pose: CameraPose | None = None
     displacement_mm: float | None = None
 

@@ -23,7 +23,7 @@ from insole_core.reconstruct.pose_quality import (
 from insole_core.reconstruct.registration import PoseSearch
 from insole_core.reconstruct.remarks import check_still, motion_note
 from insole_core.reconstruct.result import ViewResult, placed_result
-from insole_core.reconstruct.sighting import Sightings, locate_blobs
+from insole_core.reconstruct.sighting import Detections, locate_blobs
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.frames import RawAverage, average_raw, median_raw
@@ -68,7 +68,7 @@ class MeasuredView:
         return picture_fault(self.color, self.blobs)
 
     @cached_property
-    def sightings(self) -> Sightings:
+    def sightings(self) -> Detections:
         """The blobs that have a place in space."""
         return locate_blobs(self.blobs, self.points, self.view.sensor)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.reconstruct.sheet import Sheet
+from insole_core.reconstruct.sheet import RangeMesh
 
 _SOLE_HEIGHT_MM = 50.0
 _SLICE_MM = 10.0
@@ -13,7 +13,7 @@ _SEAM_MM = 20.0
 """How far each half reaches across the line, for what the other view sees badly there."""
 
 
-def cut_at_midline(sheets: list[Sheet]) -> list[Sheet]:
+def cut_at_midline(sheets: list[RangeMesh]) -> list[RangeMesh]:
     """Cut the sheets so that each part of the foot comes from the view that faces it.
 
     Of the views that face the sole, those at the left (x < 0) keep what lies left of the foot's
@@ -53,12 +53,12 @@ def fit_midline(points: FloatArray) -> tuple[float, float]:
     return float(offset), float(slope)
 
 
-def _faces_sole(sheet: Sheet) -> bool:
+def _faces_sole(sheet: RangeMesh) -> bool:
     axis = sheet.sensor2reference[:3, 2]
     return bool(axis[2] > axis[1])
 
 
-def _cut_left_and_right(sheets: list[Sheet]) -> list[Sheet]:
+def _cut_left_and_right(sheets: list[RangeMesh]) -> list[RangeMesh]:
     at_left = [bool(sheet.sensor2reference[0, 3] < 0) for sheet in sheets]
     if all(at_left) or not any(at_left):
         return sheets
@@ -72,7 +72,7 @@ def _cut_left_and_right(sheets: list[Sheet]) -> list[Sheet]:
     return cut
 
 
-def _cut_below_heel(sheet: Sheet, sole: list[Sheet]) -> Sheet:
+def _cut_below_heel(sheet: RangeMesh, sole: list[RangeMesh]) -> RangeMesh:
     """Drop what a view from behind sees of the sole, at a grazing angle.
 
     What remains lies above the plane that rises by 45 degrees from the foot's lower rear edge.

@@ -10,12 +10,12 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import rigid
-from insole_core.reconstruct.assignment import Assignment
+from insole_core.reconstruct.assignment import MarkerMatch
 from insole_core.reconstruct.pose_batch import PoseBatch, Sight, improved, matches
-from insole_core.reconstruct.sighting import Sightings, locate_places
+from insole_core.reconstruct.sighting import Detections, locate_places
 from insole_core.recording.hand_edits import NamedSpot, Region, ViewEdits
 from insole_core.recording.session import Marker
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 SNAP_SHARE = 12 / 1280
@@ -26,7 +26,7 @@ _FOLLOW_SHARES = np.geomspace(30, 3, 6) / 1280
 
 
 @dataclass(frozen=True, eq=False)
-class Naming:
+class EditedMatch:
     """Spots with the markers they are.
 
     Parameters
@@ -41,8 +41,8 @@ class Naming:
     """
 
     markers: tuple[Marker, ...]
-    sightings: Sightings
-    pairs: Assignment
+    sightings: Detections
+    pairs: MarkerMatch
     by_hand: BoolArray
     excluded: BoolArray
 
@@ -78,8 +78,8 @@ def searched(pixels: FloatArray, edits: ViewEdits) -> BoolArray:
 
 
 def with_places(
-    sightings: Sightings, points: FloatArray, sensor: Sensor, edits: ViewEdits
-) -> Sightings:
+    sightings: Detections, points: FloatArray, sensor: Sensor, edits: ViewEdits
+) -> Detections:
     """Add the places that somebody pointed at and that no blue spot stands for.
 
     Parameters
@@ -101,12 +101,12 @@ def with_places(
 
 
 def named(
-    pairs: Assignment,
+    pairs: MarkerMatch,
     markers: tuple[Marker, ...],
-    sightings: Sightings,
-    camera: Camera,
+    sightings: Detections,
+    camera: PinholeCamera,
     edits: ViewEdits,
-) -> Naming:
+) -> EditedMatch:
     """Put the hand's word over an assignment.
 
     Raises
@@ -129,10 +129,10 @@ def named(
     order = sorted(rows)
     excluded = np.array([markers[marker].id in edits.excluded for marker in order], dtype=bool)
     _check_enough(order, excluded, edits)
-    return Naming(
+    return EditedMatch(
         markers,
         sightings,
-        Assignment(
+        MarkerMatch(
             np.array([rows[marker][0] for marker in order], dtype=np.int64),
             np.array(order, dtype=np.int64),
             np.array([rows[marker][1] for marker in order], dtype=bool) & ~excluded,
@@ -143,8 +143,8 @@ def named(
 
 
 def follow_names(
-    markers: tuple[Marker, ...], sightings: Sightings, camera: Camera, edits: ViewEdits
-) -> tuple[Assignment, FloatArray]:
+    markers: tuple[Marker, ...], sightings: Detections, camera: PinholeCamera, edits: ViewEdits
+) -> tuple[MarkerMatch, FloatArray]:
     """Find the camera from the markers that somebody pointed at, then the other markers.
 
     Parameters
@@ -188,7 +188,7 @@ def follow_names(
     near = float(_FOLLOW_SHARES[-1] * camera.width / camera.fx)
     nearest, explained, _ = matches(poses, sight, near)
     found = np.flatnonzero(explained[0])
-    pairs = Assignment(rows[nearest[0, found]], found, np.ones(len(found), dtype=bool))
+    pairs = MarkerMatch(rows[nearest[0, found]], found, np.ones(len(found), dtype=bool))
     return pairs, rigid(poses.rotations[0], poses.translations[0])
 
 
@@ -209,7 +209,7 @@ def _check_enough(order: list[int], excluded: BoolArray, edits: ViewEdits) -> No
         )
 
 
-def _row(spot: NamedSpot, sightings: Sightings, camera: Camera) -> int:
+def _row(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int:
     row = _nearest(spot, sightings, camera)
     if row is None:
         u, v = spot.pixel
@@ -220,7 +220,7 @@ def _row(spot: NamedSpot, sightings: Sightings, camera: Camera) -> int:
     return row
 
 
-def _nearest(spot: NamedSpot, sightings: Sightings, camera: Camera) -> int | None:
+def _nearest(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int | None:
     """Give the sighting that was meant; a place that was added counts before a blue spot."""
     if len(sightings) == 0:
         return None

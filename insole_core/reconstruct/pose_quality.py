@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from insole_core.errors import ReconstructionError
-from insole_core.reconstruct.assignment import AssignmentLimits
-from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+from insole_core.reconstruct.assignment import MarkerMatchLimits
+from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class RegistrationLimits:
     reprojection_px: float = 1.0
     displacement_mm: float = 3.0
     turn_deviation_deg: float = 1.0
-    assignment: AssignmentLimits = field(default_factory=AssignmentLimits)
+    assignment: MarkerMatchLimits = field(default_factory=MarkerMatchLimits)
 
 
 DEFAULT_LIMITS = RegistrationLimits()
@@ -111,6 +111,6 @@ def _too_uncertain(registration: Registration, limits: RegistrationLimits) -> st
     return ""
 
 
-def _worst_in_image(fixes: list[MarkerFix]) -> str:
+def _worst_in_image(fixes: list[MarkerObservation]) -> str:
     worst = sorted(fixes, key=lambda fix: -(fix.reprojection_px or 0.0))[:3]
     return "worst: " + ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)

@@ -18,4 +18,4 @@ def coarse_foot(views: list[PreparedView]) -> TriangleMesh:
     mesh = mesh_views(views, _LATTICE)
     mesh = mesh.part(in_large_pieces(mesh, _LEAST_PIECE))
     mesh = mesh.moved(relaxed(mesh, _RELAXING_ROUNDS))
-    return mesh.dressed(colors=color_vertices(mesh, [view.reading for view in views]))
+    return mesh.with_attributes(colors=color_vertices(mesh, [view.reading for view in views]))

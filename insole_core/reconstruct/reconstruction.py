@@ -35,7 +35,7 @@ from insole_core.reconstruct.result import (
     refused_result,
 )
 from insole_core.reconstruct.sheet import (
-    Sheet,
+    RangeMesh,
     join,
     longest_edges,
     triangulate,
@@ -112,7 +112,7 @@ class _Thesis:
     def measure(self, view: View) -> MeasuredView:
         return measure_as_thesis(view)
 
-    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> Sheet:
+    def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> RangeMesh:
         sensor = measured.view.sensor
         placed = transform(sensor2reference, measured.points)
         inside = is_inside(placed, box)
@@ -121,13 +121,13 @@ class _Thesis:
         check_any_inside(inside)
         colors = color_points(measured.points, inside, measured.color, sensor)
         return without_small_pieces(
-            Sheet(placed, triangles, colors, sensor2reference, sensor.depth_camera)
+            RangeMesh(placed, triangles, colors, sensor2reference, sensor.depth_camera)
         )
 
-    def note(self, part: Sheet) -> str:
+    def note(self, part: RangeMesh) -> str:
         return ""
 
-    def join(self, parts: list[Sheet], progress: Progress) -> Surface:
+    def join(self, parts: list[RangeMesh], progress: Progress) -> Surface:
         progress.step(0.0, "Cutting the views where they overlap")
         return Surface(join([without_small_pieces(sheet) for sheet in cut_at_midline(parts)]))
 

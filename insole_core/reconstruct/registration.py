@@ -15,22 +15,22 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.assignment import Assignment, assign
+from insole_core.reconstruct.assignment import MarkerMatch, match_markers
 from insole_core.reconstruct.blobs import Blobs
 from insole_core.reconstruct.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
-from insole_core.reconstruct.image_assignment import assign_in_image
+from insole_core.reconstruct.image_assignment import match_in_image
 from insole_core.reconstruct.marker_faces import apparent_centers
-from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
 from insole_core.reconstruct.naming import (
     ENOUGH_NAMES,
-    Naming,
+    EditedMatch,
     follow_names,
     named,
     positions_of,
     searched,
 )
 from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits, check_pose
-from insole_core.reconstruct.sighting import Sightings
+from insole_core.reconstruct.sighting import Detections
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import Marker, ReferenceSystem
@@ -69,7 +69,7 @@ class PoseSearch:
     limits: RegistrationLimits = DEFAULT_LIMITS
     edits: ViewEdits = NO_VIEW_EDITS
 
-    def by_places(self, sightings: Sightings) -> Registration:
+    def by_places(self, sightings: Detections) -> Registration:
         """Determine the pose by Horn's method on the markers that were seen, thesis (2) - (6)."""
         naming = self._named(sightings)
         a2b = _by_horn(naming)
@@ -77,7 +77,7 @@ class PoseSearch:
         check_pose(registration, self.limits)
         return registration
 
-    def by_pixels(self, sightings: Sightings) -> Registration:
+    def by_pixels(self, sightings: Detections) -> Registration:
         """Determine the pose by the least reprojection error, started and checked by Horn's.
 
         The centres of the sightings are found to a fraction of a pixel. Where the hand names enough
@@ -94,12 +94,12 @@ class PoseSearch:
         """Determine the pose from sharpened blobs alone, where depth does not tell who is who."""
         markers, camera = self._facing(), self.sensor.color_camera
         rows = np.flatnonzero(searched(blobs.centroids, self.edits))
-        found = assign_in_image(
+        found = match_in_image(
             blobs.centroids[rows], blobs.areas[rows], positions_of(markers), camera
         )
         # The depth image has no say, so nothing has a place in space.
         nowhere = np.full((len(blobs), 3), np.nan)
-        sightings = Sightings(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
+        sightings = Detections(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
         exact = np.array([spot.pixel for spot in self.edits.named if spot.exact]).reshape(-1, 2)
         sightings = sightings.with_places(exact, np.full((len(exact), 3), np.nan))
         naming = named(_of_rows(found.pairs, rows), markers, sightings, camera, self.edits)
@@ -115,7 +115,7 @@ class PoseSearch:
             )
         return markers
 
-    def _named(self, sightings: Sightings) -> Naming:
+    def _named(self, sightings: Detections) -> EditedMatch:
         """Find who is who by the places in space, then let the hand correct it."""
         markers = self._facing()
         may = searched(sightings.pixels, self.edits)
@@ -123,16 +123,16 @@ class PoseSearch:
         rows = np.flatnonzero(may)
         points = sightings.points[rows]
         try:
-            found = assign(points, positions_of(markers), self.limits.assignment)
+            found = match_markers(points, positions_of(markers), self.limits.assignment)
         except ReconstructionError as error:
             if len(self.edits.named) < ENOUGH_NAMES:
                 raise ReconstructionError(self._why_unassigned(error, points)) from error
             nothing = np.zeros(0, dtype=np.int64)
-            found = Assignment(nothing, nothing, np.zeros(0, dtype=bool))
+            found = MarkerMatch(nothing, nothing, np.zeros(0, dtype=bool))
         camera = self.sensor.color_camera
         return named(_of_rows(found, rows), markers, sightings, camera, self.edits)
 
-    def _fitted(self, naming: Naming, start: FloatArray) -> Registration:
+    def _fitted(self, naming: EditedMatch, start: FloatArray) -> Registration:
         """Fit the pose to named markers and judge it."""
         counted, camera = ~naming.excluded, self.sensor.color_camera
         pixels, positions = naming.pixels, naming.positions
@@ -175,7 +175,9 @@ class PoseSearch:
             if group in self.sensor.faces:
                 continue
             try:
-                assign(points, positions_of(self.system.facing((group,))), self.limits.assignment)
+                match_markers(
+                    points, positions_of(self.system.facing((group,))), self.limits.assignment
+                )
             except ReconstructionError:
                 continue
             return (
@@ -187,12 +189,12 @@ class PoseSearch:
         )
 
 
-def _of_rows(pairs: Assignment, rows: IntArray) -> Assignment:
+def _of_rows(pairs: MarkerMatch, rows: IntArray) -> MarkerMatch:
     """Give pairs of some sightings as pairs of all."""
     return replace(pairs, points=rows[pairs.points])
 
 
-def _by_horn(naming: Naming) -> FloatArray:
+def _by_horn(naming: EditedMatch) -> FloatArray:
     """Give the pose (4, 4) of the markers' places in space."""
     weights = (naming.pairs.used & np.isfinite(naming.points[:, 2])).astype(float)
     if weights.sum() < ENOUGH_NAMES - 1:
@@ -204,7 +206,7 @@ def _by_horn(naming: Naming) -> FloatArray:
     return absolute_orientation(points, naming.positions, weights).a2b
 
 
-def _seen_in_image(fix: MarkerFix, projected: FloatArray, used: bool) -> MarkerFix:
+def _seen_in_image(fix: MarkerObservation, projected: FloatArray, used: bool) -> MarkerObservation:
     u, v = projected.tolist()
     missed = float(np.linalg.norm(projected - fix.pixel))
     return replace(fix, used=used, reprojection_px=missed, projected=(u, v))
@@ -216,7 +218,7 @@ def _middle(system: ReferenceSystem) -> FloatArray:
     return np.add(box.min_mm, box.max_mm) / 2
 
 
-def _spreads(naming: Naming) -> FloatArray | None:
+def _spreads(naming: EditedMatch) -> FloatArray | None:
     """Spreads (k, 2, 2) of the markers; what somebody pointed at has the usual one."""
     if naming.sightings.spreads is None:
         return None
@@ -227,7 +229,7 @@ def _spreads(naming: Naming) -> FloatArray | None:
     return np.asarray(np.where(known[:, None, None], spreads, spreads[known].mean(0)))
 
 
-def _placed_on_rays(naming: Naming, sensor: Sensor, pose: CameraPose) -> Naming:
+def _placed_on_rays(naming: EditedMatch, sensor: Sensor, pose: CameraPose) -> EditedMatch:
     """Put markers without a place in space on their rays, as far away as they should be."""
     unknown = np.flatnonzero(np.isnan(naming.points[:, 2]))
     if len(unknown) == 0:
@@ -240,7 +242,7 @@ def _placed_on_rays(naming: Naming, sensor: Sensor, pose: CameraPose) -> Naming:
     return replace(naming, sightings=replace(naming.sightings, points=points))
 
 
-def _precise(naming: Naming) -> BoolArray:
+def _precise(naming: EditedMatch) -> BoolArray:
     """Tell which markers (k,) are seen whole; all when too few of them are."""
     whole = np.ones(len(naming.pairs.points), dtype=bool)
     if naming.sightings.fills is None:
@@ -255,7 +257,7 @@ def _precise(naming: Naming) -> BoolArray:
     return np.asarray(unspoilt) if unspoilt.sum() >= _LEAST_PRECISE else whole
 
 
-def _fixes(a2b: FloatArray, naming: Naming) -> tuple[MarkerFix, ...]:
+def _fixes(a2b: FloatArray, naming: EditedMatch) -> tuple[MarkerObservation, ...]:
     measured = transform(a2b, naming.points)
     residuals = np.linalg.norm(measured - naming.positions, axis=1)
     fixes = []
@@ -263,7 +265,7 @@ def _fixes(a2b: FloatArray, naming: Naming) -> tuple[MarkerFix, ...]:
         u, v = naming.pixels[i].tolist()
         x, y, z = measured[i].tolist()
         fixes.append(
-            MarkerFix(
+            MarkerObservation(
                 naming.markers[marker].id,
                 (u, v),
                 (x, y, z),

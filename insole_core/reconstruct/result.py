@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.marker_fix import MarkerFix, Registration
+from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
 from insole_core.reconstruct.pose_quality import PoseRefusedError
 
 Method = Literal["fused", "thesis"]
@@ -58,7 +58,7 @@ class ViewResult:
     reason: str = ""
     sensor2reference: FloatArray | None = None
     residuals: Residuals | None = None
-    fixes: tuple[MarkerFix, ...] = ()
+    fixes: tuple[MarkerObservation, ...] = ()
     reprojection_px: float | None = None
     displacement_mm: float | None = None
     frames: int = 0

@@ -9,14 +9,14 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 _LONGEST_EDGE_PIXELS = 5.0
 _SMALLEST_PIECE = 0.01
 
 
 @dataclass(frozen=True, eq=False)
-class Sheet:
+class RangeMesh:
     """One view's part of the foot.
 
     Parameters
@@ -34,14 +34,14 @@ class Sheet:
     triangles: IndexArray
     colors: ByteArray
     sensor2reference: FloatArray
-    camera: Camera
+    camera: PinholeCamera
 
     @property
     def corners(self) -> FloatArray:
         """(m, 3, 3) corner positions of the triangles, mm, reference frame."""
         return np.asarray(self.points.reshape(-1, 3)[self.triangles])
 
-    def keeping(self, kept: BoolArray) -> Sheet:
+    def keeping(self, kept: BoolArray) -> RangeMesh:
         """Keep some of the triangles (m,)."""
         return replace(self, triangles=self.triangles[kept])
 
@@ -99,7 +99,7 @@ def longest_edges(depth_mm: FloatArray, focal_px: float) -> FloatArray:
     return np.asarray(_LONGEST_EDGE_PIXELS * depth_mm / focal_px)
 
 
-def without_small_pieces(sheet: Sheet) -> Sheet:
+def without_small_pieces(sheet: RangeMesh) -> RangeMesh:
     """Drop the pieces of a sheet that have less than a hundredth of its triangles."""
     if len(sheet.triangles) == 0:
         return sheet
@@ -108,7 +108,7 @@ def without_small_pieces(sheet: Sheet) -> Sheet:
     return sheet.keeping(size[piece] >= _SMALLEST_PIECE * len(piece))
 
 
-def join(sheets: list[Sheet]) -> TriangleMesh:
+def join(sheets: list[RangeMesh]) -> TriangleMesh:
     """Put sheets together to one coloured mesh; only vertices that have a triangle remain."""
     vertices, triangles, colors = [], [], []
     count = 0

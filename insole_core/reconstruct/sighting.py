@@ -31,7 +31,7 @@ class SizeLimits:
 
 
 @dataclass(frozen=True, eq=False)
-class Sightings:
+class Detections:
     """Blobs that have a place in space.
 
     Parameters
@@ -56,10 +56,10 @@ class Sightings:
     def __len__(self) -> int:
         return len(self.points)
 
-    def with_places(self, pixels: FloatArray, points: FloatArray) -> Sightings:
+    def with_places(self, pixels: FloatArray, points: FloatArray) -> Detections:
         """Add places (k, 2) that somebody pointed at, with their points (k, 3)."""
         more = len(pixels)
-        return Sightings(
+        return Detections(
             np.concatenate([self.pixels, pixels]),
             np.concatenate([self.points, points]),
             _extended(self.spreads, more),
@@ -73,7 +73,7 @@ def locate_blobs(
     points: FloatArray,
     sensor: Sensor,
     limits: SizeLimits = SizeLimits(),
-) -> Sightings:
+) -> Detections:
     """Place blobs in space: the direction from the colour image, the distance from the depth.
 
     Of every blob the rim is left out, where depth runs over to what lies behind, and the distance
@@ -97,7 +97,7 @@ def locate_blobs(
     rays = sensor.color_camera.normalised(pixels)
     in_color = np.column_stack([rays, np.ones(len(rays))]) * distance[good, None]
     spreads, fills = (None if x is None else x[good] for x in (blobs.spreads, blobs.fills))
-    return Sightings(pixels, transform(inverse(sensor.depth2color), in_color), spreads, fills)
+    return Detections(pixels, transform(inverse(sensor.depth2color), in_color), spreads, fills)
 
 
 def locate_places(pixels: FloatArray, points: FloatArray, sensor: Sensor) -> FloatArray:

@@ -8,7 +8,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.reconstruct.measured_view import MeasuredView
-from insole_core.reconstruct.sheet import Sheet, join, longest_edges, triangulate
+from insole_core.reconstruct.sheet import RangeMesh, join, longest_edges, triangulate
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.session import Box
 
@@ -25,4 +25,4 @@ def view_mesh(
     edges = _STEP * longest_edges(points[..., 2], camera.fx)
     triangles = triangulate(placed, is_inside(placed, box), edges)
     colors = np.broadcast_to(np.array(rgb, dtype=np.uint8), placed.shape)
-    return join([Sheet(placed, triangles, colors, sensor2reference, camera)])
+    return join([RangeMesh(placed, triangles, colors, sensor2reference, camera)])

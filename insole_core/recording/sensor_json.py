@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.json_object import JsonObject
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -84,13 +84,13 @@ def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
     return values
 
 
-def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> Camera:
+def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCamera:
     width, height = item.integer("width", 1, 10_000), item.integer("height", 1, 10_000)
     if (width, height) not in sizes:
         allowed = " or ".join(f"{w}×{h}" for w, h in sizes)
         raise item.fail("width", f"and height are {width}×{height}, but must be {allowed}")
     k1, k2, p1, p2, k3 = item.numbers("distortion", 5)
-    return Camera(
+    return PinholeCamera(
         width=width,
         height=height,
         fx=item.number("fx", 1, 1e5),
@@ -102,7 +102,7 @@ def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> Camera:
     )
 
 
-def _camera_json(camera: Camera) -> dict[str, Any]:
+def _camera_json(camera: PinholeCamera) -> dict[str, Any]:
     values: dict[str, Any] = {
         "width": camera.width, "height": camera.height, "fx": camera.fx, "fy": camera.fy,
         "cx": camera.cx, "cy": camera.cy, "distortion": list(camera.distortion),

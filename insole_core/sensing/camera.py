@@ -13,7 +13,7 @@ _UNDISTORT_STEPS = 20
 
 
 @dataclass(frozen=True)
-class Camera:
+class PinholeCamera:
     """Intrinsic parameters of one camera. Pixel centres lie at integers, (u, v) = (column, row).
 
     Parameters
@@ -84,7 +84,7 @@ class Camera:
 
 
 @lru_cache(maxsize=8)
-def _pixel_rays(camera: Camera) -> FloatArray:
+def _pixel_rays(camera: PinholeCamera) -> FloatArray:
     v, u = np.mgrid[: camera.height, : camera.width].astype(float)
     rays = camera.normalised(np.stack([u, v], axis=-1))
     rays.setflags(write=False)

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
 
@@ -34,8 +34,8 @@ class Sensor:
 
     model: str
     serial: str
-    depth_camera: Camera
-    color_camera: Camera
+    depth_camera: PinholeCamera
+    color_camera: PinholeCamera
     depth2color: FloatArray
     disparity: DisparityModel
     correction: DisparityCorrection | None = None

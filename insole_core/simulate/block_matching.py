@@ -16,7 +16,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray, RawArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.device import Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
@@ -59,7 +59,7 @@ class MatchedRecording:
     region: Region
     pattern: Float32Array
     search_raw: tuple[int, int]
-    camera: Camera
+    camera: PinholeCamera
 
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one frame: (480, 640) uint16."""
@@ -130,7 +130,7 @@ def record_matched_depth(
     return MatchedRecording(infrared, region, pattern.seen(region[0]), search, camera)
 
 
-def _region(camera: Camera, things: FloatArray) -> Region:
+def _region(camera: PinholeCamera, things: FloatArray) -> Region:
     pixels = camera.project(things)
     low = np.maximum(np.floor(pixels.min(0)).astype(int) - _MARGIN_PX, 0)
     high = np.ceil(pixels.max(0)).astype(int) + _MARGIN_PX

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.ray_caster import SceneCaster
 
@@ -63,8 +63,8 @@ def record_color(
     return ColorRecording(np.asarray(cv2.GaussianBlur(sharp, (0, 0), _BLUR_SIGMA_PX)))
 
 
-def _pixel_rays(camera: Camera) -> FloatArray:
-    """Like `Camera.pixel_rays`, but solved on a coarse grid and interpolated: 60 times faster.
+def _pixel_rays(camera: PinholeCamera) -> FloatArray:
+    """Like `PinholeCamera.pixel_rays`, but solved on a coarse grid and interpolated: 60 times faster.
 
     A lens is so smooth that this is exact to 0.01 px.
     """

@@ -11,7 +11,7 @@ from scipy.ndimage import gaussian_filter
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.recording.sensor_json import DEPTH_SIZE
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
@@ -86,7 +86,7 @@ def make_device(
     rng
     """
     focal_px = rng.normal(583.0, 3.0)
-    depth_camera = Camera(
+    depth_camera = PinholeCamera(
         _WIDTH, _HEIGHT, focal_px, focal_px, rng.normal(318.0, 3.0), rng.normal(242.0, 3.0)
     )
     disparity = _disparity(focal_px, rng)
@@ -107,12 +107,12 @@ def make_device(
     return Device(sensor, distortion, float(disparity.raw(np.array(distance_mm))))
 
 
-def _color_camera(size: tuple[int, int], rng: np.random.Generator) -> Camera:
+def _color_camera(size: tuple[int, int], rng: np.random.Generator) -> PinholeCamera:
     """The full image is 1280 x 1024; smaller ones are scaled, and cut at top and bottom."""
     width, height = size
     scale = width / _FULL_COLOR_WIDTH
     focal_px = rng.normal(1035.0, 4.0) * scale
-    return Camera(
+    return PinholeCamera(
         width,
         height,
         focal_px,

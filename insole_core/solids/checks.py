@@ -16,7 +16,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball import left_by_cutter
-from insole_core.solids.rules import CheckName, Policy, Rules
+from insole_core.solids.rules import CheckName, ExportRules, Policy
 
 _PITCH_MM = 1.0
 _OFF_LATTICE = 0.3137  # rays pass beside round coordinates, where lattices have their vertices
@@ -72,7 +72,7 @@ class Override:
 
 def check_solid(
     solid: TriangleMesh,
-    rules: Rules,
+    rules: ExportRules,
     progress: Progress = SILENT,
     *,
     unmarked: TriangleMesh | None = None,
@@ -170,13 +170,13 @@ def _worst(values: FloatArray) -> tuple[int, ...]:
     return tuple(int(i) for i in index)
 
 
-def _watertight(survey: _Survey, _rules: Rules, policy: Policy) -> Finding:
+def _watertight(survey: _Survey, _rules: ExportRules, policy: Policy) -> Finding:
     passed = survey.solid.is_closed and survey.solid.volume_mm3 > 0
     sentence = "The solid is closed." if passed else "The solid is open or inside out."
     return Finding("watertight", policy, passed, float(passed), 1.0, "", sentence)
 
 
-def _thickness(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     """From each place of the upper side straight into the material, until it ends."""
     heights, normals = survey.seen
     limit = rules.limits["thickness"]
@@ -192,7 +192,7 @@ def _thickness(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
     return _graded(survey, "thickness", policy, -thickness, limit, unit="mm thick", least=True)
 
 
-def _cutter(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _cutter(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     heights = survey.seen[0]
     radius = rules.cutter_diameter_mm / 2
     left = left_by_cutter(np.nan_to_num(heights, nan=0.0), _PITCH_MM, radius)
@@ -201,7 +201,7 @@ def _cutter(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
     return _graded(survey, "cutter", policy, left, rules.limits["cutter"], unit=unit)
 
 
-def _step(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _step(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     heights = np.where(survey.inner, survey.seen[0], np.nan)
     rise = np.full(heights.shape, np.nan)
     along_y, along_x = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
@@ -209,7 +209,7 @@ def _step(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
     return _graded(survey, "step", policy, rise, rules.limits["step"], unit="mm of rise over 1 mm")
 
 
-def _shoe_height(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _shoe_height(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     limit = rules.limits["shoe_height"]
     return _graded(survey, "shoe_height", policy, survey.seen[0], limit, unit="mm high")
 
@@ -239,7 +239,7 @@ def _graded(
     return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place, spots)
 
 
-def _undercut(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     """Area that looks down and is not the base: no cutter from above reaches it."""
     solid, limit = survey.unmarked, rules.limits["undercut"]
     corners = solid.vertices[solid.triangles]
@@ -258,7 +258,7 @@ def _undercut(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
     )
 
 
-def _block(survey: _Survey, rules: Rules, policy: Policy) -> Finding:
+def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     extent = np.ptp(survey.solid.vertices, axis=0)
     size = np.concatenate([np.sort(extent[:2])[::-1], extent[2:]])
     stock = np.concatenate([np.sort(rules.block_mm[:2])[::-1], rules.block_mm[2:]])

@@ -14,11 +14,11 @@ from insole_core.errors import UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.paper import JobSheet, section_along, write_job_sheet, write_prescription
 from insole_core.export.solid_file import check_suffix, write_solids
-from insole_core.export.three_mf import Part
+from insole_core.export.three_mf import ThreeMfPart
 from insole_core.insole.prescription_lines import correction_lines, make_facts
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override, require_export, survey_heights
-from insole_core.solids.order import Piece, nest_pieces
+from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.shop import Block, Shop
 
 _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
@@ -26,7 +26,7 @@ _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 
 
 @dataclass(frozen=True)
-class Places:
+class ExportPaths:
     """Where to write; None for what is not wanted.
 
     Parameters
@@ -45,7 +45,7 @@ class Places:
 
 
 @dataclass(frozen=True, eq=False)
-class Delivery:
+class ExportJob:
     """What is delivered.
 
     Parameters
@@ -66,7 +66,7 @@ class Delivery:
         STL as text.
     """
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Part, ...]
     shop: Shop
     identification: Mapping[str, str] = field(default_factory=dict)
     patient: Mapping[str, str] = field(default_factory=dict)
@@ -75,7 +75,7 @@ class Delivery:
     override: Override | None = None
     ascii_stl: bool = False
 
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[ThreeMfPart, ...]:
         """Give the objects of the file.
 
         Raises
@@ -84,12 +84,12 @@ class Delivery:
             When a pair does not fit the block.
         """
         if self.block is not None and len(self.pieces) == 2:
-            return nest_pieces(*self.pieces, self.block.size_mm, self.shop)
+            return nest_parts(*self.pieces, self.block.size_mm, self.shop)
         return tuple(part for piece in self.pieces for part in piece.parts(self.shop))
 
 
 @contextmanager
-def outputs(places: Places) -> Iterator[Places]:
+def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
     """Open every place before the work begins; nothing stays if it fails.
 
     Raises
@@ -107,11 +107,11 @@ def outputs(places: Places) -> Iterator[Places]:
         opened = (
             path and stack.enter_context(replacing_file(path)) for path in vars(places).values()
         )
-        yield Places(*opened)
+        yield ExportPaths(*opened)
 
 
-def deliver(
-    delivery: Delivery, places: Places, beside: Places, progress: Progress = SILENT
+def run_export_job(
+    delivery: ExportJob, places: ExportPaths, beside: ExportPaths, progress: Progress = SILENT
 ) -> None:
     """Write what is wanted.
 
@@ -142,7 +142,7 @@ def deliver(
         _write_prescription(delivery, beside.prescription)
 
 
-def _joined(delivery: Delivery, records: list[dict[str, Any]]) -> dict[str, Any]:
+def _joined(delivery: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
     """One piece: its record as it is; a pair: by side."""
     for piece, record in zip(delivery.pieces, records, strict=True):
         record["deviation_mm"] = round(piece.deviation_mm, 4)
@@ -152,7 +152,9 @@ def _joined(delivery: Delivery, records: list[dict[str, Any]]) -> dict[str, Any]
     return {str(piece.side): r for piece, r in zip(delivery.pieces, records, strict=True)}
 
 
-def _job_sheet(delivery: Delivery, piece: Piece, places: Places, beside: Places) -> JobSheet:
+def _job_sheet(
+    delivery: ExportJob, piece: Part, places: ExportPaths, beside: ExportPaths
+) -> JobSheet:
     top, bottom = survey_heights(piece.solid)
     return JobSheet(
         identification={
@@ -177,7 +179,7 @@ def _job_sheet(delivery: Delivery, piece: Piece, places: Places, beside: Places)
     )
 
 
-def _measures(piece: Piece) -> dict[str, str]:
+def _measures(piece: Part) -> dict[str, str]:
     solid = piece.solid
     length, width, height = (solid.bounds_mm[1] - solid.bounds_mm[0])[[1, 0, 2]]
     facts = {
@@ -190,7 +192,7 @@ def _measures(piece: Piece) -> dict[str, str]:
     return facts
 
 
-def _make(delivery: Delivery, piece: Piece) -> dict[str, str]:
+def _make(delivery: ExportJob, piece: Part) -> dict[str, str]:
     facts = {
         "material": delivery.material or "–",
         "tolerance": f"± {delivery.shop.tolerance_mm:g} mm",
@@ -203,14 +205,14 @@ def _make(delivery: Delivery, piece: Piece) -> dict[str, str]:
     return facts
 
 
-def _released(delivery: Delivery, piece: Piece) -> tuple[str, ...]:
+def _released(delivery: ExportJob, piece: Part) -> tuple[str, ...]:
     by = delivery.override
     if by is None or not any(finding.blocks for finding in piece.findings):
         return ()
     return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)
 
 
-def _write_prescription(delivery: Delivery, path: Path) -> None:
+def _write_prescription(delivery: ExportJob, path: Path) -> None:
     lines, make = [], {}
     for piece in delivery.pieces:
         lines += [

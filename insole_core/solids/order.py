@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from insole_core.errors import DesignError
 from insole_core.export.lettering import missing_letters
-from insole_core.export.three_mf import Part
+from insole_core.export.three_mf import ThreeMfPart
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
@@ -15,7 +15,7 @@ from insole_core.solids.checks import Finding, check_solid
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import nest_pair
-from insole_core.solids.rules import CheckName, Rules
+from insole_core.solids.rules import CheckName, ExportRules
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
@@ -57,7 +57,7 @@ class Order:
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class Part:
     """What an order came to.
 
     Parameters
@@ -90,14 +90,16 @@ class Piece:
         """Name the object in a file: side and kind."""
         return f"{self.side} {self.order.kind}"
 
-    def parts(self, shop: Shop) -> tuple[Part, ...]:
+    def parts(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
         """Give the objects of the file."""
         if self.order.layered and self.order.kind == "insole":
             return layer_parts(self.insole, self.solid, shop.layers, self.name)
-        return (Part(self.solid, self.name),)
+        return (ThreeMfPart(self.solid, self.name),)
 
 
-def make_piece(insole: Insole, order: Order, rules: Rules, progress: Progress = SILENT) -> Piece:
+def make_part(
+    insole: Insole, order: Order, rules: ExportRules, progress: Progress = SILENT
+) -> Part:
     """Make the solid of an insole, mark it, reduce its triangles, check it.
 
     Raises
@@ -114,12 +116,12 @@ def make_piece(insole: Insole, order: Order, rules: Rules, progress: Progress = 
     findings = check_solid(
         simple.mesh, rules.only(CHECKS_OF[order.kind]), progress.part(0.7, 1.0), unmarked=plain
     )
-    return Piece(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
+    return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
 
 
-def nest_pieces(
-    left: Piece, right: Piece, block_mm: tuple[float, float, float], shop: Shop
-) -> tuple[Part, ...]:
+def nest_parts(
+    left: Part, right: Part, block_mm: tuple[float, float, float], shop: Shop
+) -> tuple[ThreeMfPart, ...]:
     """Lay two pieces into one block, each object at its place.
 
     Raises

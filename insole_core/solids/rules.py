@@ -23,7 +23,7 @@ CHECK_NAMES: tuple[CheckName, ...] = get_args(CheckName)
 
 
 @dataclass(frozen=True)
-class Rules:
+class ExportRules:
     """How strictly each check is taken, and its limit.
 
     Parameters
@@ -44,12 +44,12 @@ class Rules:
     cutter_diameter_mm: float = 10.0
     block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
 
-    def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> Rules:
+    def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> ExportRules:
         """Take one check more or less strictly; a check without a limit keeps having none."""
         limits = self.limits if limit is None else {**self.limits, name: limit}
         return replace(self, policies={**self.policies, name: policy}, limits=limits)
 
-    def with_cutter(self, diameter_mm: float) -> Rules:
+    def with_cutter(self, diameter_mm: float) -> ExportRules:
         """Hold hollows against another cutter.
 
         Raises
@@ -64,12 +64,12 @@ class Rules:
             )
         return replace(self, cutter_diameter_mm=diameter_mm)
 
-    def only(self, names: Collection[CheckName]) -> Rules:
+    def only(self, names: Collection[CheckName]) -> ExportRules:
         """Switch the other checks off."""
         return replace(self, policies={k: v for k, v in self.policies.items() if k in names})
 
 
-def read_rules(path: Path | None = None) -> Rules:
+def read_rules(path: Path | None = None) -> ExportRules:
     """Read rules, by default those that come with the product.
 
     Raises
@@ -94,7 +94,7 @@ def read_rules(path: Path | None = None) -> Rules:
     return _parsed(rules, path)
 
 
-def write_rules(rules: Rules, path: Path) -> None:
+def write_rules(rules: ExportRules, path: Path) -> None:
     """Write rules as `read_rules` reads them.
 
     Raises
@@ -115,7 +115,7 @@ def write_rules(rules: Rules, path: Path) -> None:
         beside.write_text(text + "\n", encoding="utf-8")
 
 
-def _parsed(rules: dict[CheckName, Any], path: Path) -> Rules:
+def _parsed(rules: dict[CheckName, Any], path: Path) -> ExportRules:
     policies: dict[CheckName, Policy] = {}
     limits: dict[CheckName, float] = {}
     for name, rule in rules.items():
@@ -126,12 +126,12 @@ def _parsed(rules: dict[CheckName, Any], path: Path) -> Rules:
         policies[name] = rule["policy"]
         if name not in ("watertight", "block"):
             limits[name] = _number(rule.get("limit"), f'limit of "{name}"', path)
-    diameter = rules.get("cutter", {}).get("cutter_diameter_mm", Rules.cutter_diameter_mm)
-    size = rules.get("block", {}).get("size_mm", list(Rules.block_mm))
+    diameter = rules.get("cutter", {}).get("cutter_diameter_mm", ExportRules.cutter_diameter_mm)
+    size = rules.get("block", {}).get("size_mm", list(ExportRules.block_mm))
     if not isinstance(size, list) or len(size) != 3:
         raise InputError(f"size_mm of the block in {path} must be [length, width, height].")
     length, width, height = (_number(value, "size_mm of the block", path) for value in size)
-    return Rules(
+    return ExportRules(
         policies, limits, _number(diameter, "cutter_diameter_mm", path), (length, width, height)
     )
 

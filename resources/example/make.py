@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 from insole_core.cases.case_file import write_case
-from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
@@ -35,12 +35,12 @@ def main() -> None:
     write_case(record, Path(__file__).with_name("example.insole"))
 
 
-def _source(session: Session) -> Source:
+def _source(session: Session) -> ScanSource:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "example.zip"
         write_session(session, path)
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
-    return Source("session", "example.zip", digest, session.manifest.recorded_at)
+    return ScanSource("session", "example.zip", digest, session.manifest.recorded_at)
 
 
 if __name__ == "__main__":

@@ -14,12 +14,12 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import Source
+from insole_core.cases.record import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.bootstrap import Application, UserPaths, build_application
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Answer, SameSide
 
@@ -117,8 +117,8 @@ def no_leaks() -> Iterator[None]:
 
 
 @pytest.fixture
-def places(tmp_path: Path) -> Places:
-    return Places(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
+def places(tmp_path: Path) -> UserPaths:
+    return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
 
 @pytest.fixture
@@ -138,23 +138,23 @@ def questions() -> CannedQuestions:
 
 @pytest.fixture
 def app(
-    qapp: QApplication, qtbot: QtBot, places: Places, questions: CannedQuestions
+    qapp: QApplication, qtbot: QtBot, places: UserPaths, questions: CannedQuestions
 ) -> Iterator[Application]:
     """The whole application on an empty case, shown."""
     built = build_application(qapp, places)
-    built.studio.rooms.dialogue.questions = questions  # type: ignore[assignment]
+    built.studio.rooms.messages.questions = questions  # type: ignore[assignment]
     built.window.resize(960, 640)  # fewer pixels for the software renderer
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.rooms.dialogue.dialogs):
+    for dialog in list(built.studio.rooms.messages.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()
 
 
 @pytest.fixture
-def hands(qapp: QApplication, places: Places) -> Iterator[Hands]:
+def hands(qapp: QApplication, places: UserPaths) -> Iterator[Hands]:
     """A user before the empty window."""
     with ScriptedStudio(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio)
@@ -173,6 +173,6 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
 @pytest.fixture
 def opened(app: Application, settle: Callable[[], None]) -> Application:
     """The application with a left foot on the bench and its insole built."""
-    app.case.open_foot(plantar_foot(Side.LEFT), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    app.case.open_foot(plantar_foot(Side.LEFT), ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
     settle()
     return app

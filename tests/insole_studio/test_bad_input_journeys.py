@@ -23,7 +23,7 @@ from insole_core.insole.design import BrushStroke, Posting
 from insole_core.resources import resource_path
 from insole_studio.bootstrap import Application
 from insole_studio.tools.key_point import shown_points
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]
@@ -55,7 +55,7 @@ def type_number(app: Application, key: str, text: str) -> NumberField:
 
 def said(app: Application) -> str:
     """The one sentence of the one dialog."""
-    (dialog,) = app.studio.rooms.dialogue.dialogs
+    (dialog,) = app.studio.rooms.messages.dialogs
     return dialog.text()
 
 
@@ -86,7 +86,7 @@ def test_landmarks_in_an_impossible_order_are_warned_of_until_they_are_back(
     settle()
     (warning,) = warnings(opened)
     assert f"The landmarks {named} stand in an order that no foot has" in warning.text()
-    assert opened.studio.rooms.dialogue.dialogs == []
+    assert opened.studio.rooms.messages.dialogs == []
     warning.linkActivated.emit(warning.text().split('"')[1])
     focus = opened.stage.foot.scene.camera.focal_mm
     assert focus[:2] == pytest.approx(shown_points(opened.case)[name][:2], abs=3.0)
@@ -102,7 +102,7 @@ def test_what_needs_the_landmarks_says_that_they_stand_wrong(
     x, y, _ = shown_points(opened.case)["metatarsal_head_1"]
     move_landmark(opened, "metatarsal_head_5", (x + 9.0, y - 6.0))
     record = opened.case.record
-    opened.studio.rooms.dialogue.questions.path = tmp_path / "t.insole-template"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.path = tmp_path / "t.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert "1st metatarsal head lies lateral of the 5th" in said(opened)
     assert list(tmp_path.glob("*.insole-template")) == []
@@ -145,7 +145,7 @@ def test_a_strong_stroke_that_becomes_smoothing_is_weakened(
     assert design is not None
     opened.case.apply(design.with_added(stroke), "Brush")
     opened.case.select(stroke.id)
-    choices = opened.stage.parameters.findChildren(Choice)
+    choices = opened.stage.parameters.findChildren(ComboBox)
     (mode,) = [choice for choice in choices if choice.property("key") == "correction.mode"]
     mode.edited.emit("smooth")
     settle()
@@ -199,7 +199,7 @@ def test_a_case_of_a_newer_version_is_one_sentence(
 
 def test_a_template_of_a_newer_version_is_one_sentence(opened: Application, tmp_path: Path) -> None:
     path = tmp_path / "t.insole-template"
-    questions = opened.studio.rooms.dialogue.questions
+    questions = opened.studio.rooms.messages.questions
     questions.path = path  # type: ignore[attr-defined]
     act(opened, "save_template")
     path.write_text(path.read_text().replace('"version": 1', '"version": 99'))
@@ -244,7 +244,7 @@ def test_a_scan_without_toes_or_heel_is_opened_and_said(
     settle()
     notices = [n.text for n in app.studio.rooms.notices.notices]
     assert any(sentence in text for text in notices)
-    assert app.studio.rooms.dialogue.dialogs == []
+    assert app.studio.rooms.messages.dialogs == []
     assert app.surface.mesh is not None
     act(app, "add_posting")
     settle()

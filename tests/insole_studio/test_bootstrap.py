@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.record import CaseRecord, Patient
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Places, run_application
+from insole_studio.bootstrap import UserPaths, run_application
 from insole_studio.jobs import Jobs
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.settings import load_settings
@@ -22,7 +22,7 @@ from insole_studio.workbench.case import Case
 
 
 def test_the_whole_journey_by_program(
-    qapp: QApplication, places: Places, small_session: Path, tmp_path: Path
+    qapp: QApplication, places: UserPaths, small_session: Path, tmp_path: Path
 ) -> None:
     with ScriptedStudio(places, (1000, 700)) as studio:
         studio.open(small_session)
@@ -40,7 +40,7 @@ def test_the_whole_journey_by_program(
 
 
 def test_a_second_file_is_opened_over_unsaved_work(
-    qapp: QApplication, places: Places, tmp_path: Path
+    qapp: QApplication, places: UserPaths, tmp_path: Path
 ) -> None:
     for name in ("first", "second"):
         write_case(CaseRecord(patient=Patient(name=name)), tmp_path / f"{name}.insole")
@@ -65,7 +65,9 @@ def close_soon(window_seen: list[str]) -> None:
             widget.close()
 
 
-def test_the_application_runs_until_its_window_closes(qapp: QApplication, places: Places) -> None:
+def test_the_application_runs_until_its_window_closes(
+    qapp: QApplication, places: UserPaths
+) -> None:
     seen: list[str] = []
     QTimer.singleShot(300, qapp, lambda: close_soon(seen))
     hook = sys.excepthook
@@ -76,7 +78,7 @@ def test_the_application_runs_until_its_window_closes(qapp: QApplication, places
     sys.excepthook = hook
 
 
-def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places: Places) -> None:
+def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places: UserPaths) -> None:
     jobs, case = Jobs(), Case()
     left = Autosave(case, jobs, places.autosave_folder)
     case.open(CaseRecord(patient=Patient(name="Anna B.")), None, unsaved=True)
@@ -100,7 +102,7 @@ def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places:
 
 @pytest.mark.parametrize("dark", [False, True])
 def test_both_themes_are_drawn(
-    qapp: QApplication, places: Places, tmp_path: Path, dark: bool
+    qapp: QApplication, places: UserPaths, tmp_path: Path, dark: bool
 ) -> None:
     with ScriptedStudio(places, (900, 600), dark) as studio:
         studio.screenshot(tmp_path / "window.png")

@@ -13,14 +13,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
-from insole_studio.bootstrap import Application, Places
+from insole_studio.bootstrap import Application, UserPaths
 from insole_studio.shell.questions import SameSide
 from insole_studio.workbench.autosave import Recovered
 from insole_studio.workbench.counterpart import foot_difference, insole_difference
@@ -87,7 +87,7 @@ def scan(make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
 @pytest.fixture
 def two_feet(opened: Application, make_foot: MakeFoot, settle: Settle) -> Application:
     """The application with a left foot, and a right one added and at hand."""
-    right = FootRecord.begun(make_foot(Side.RIGHT), Source("mesh", "/nowhere.ply", "0" * 64))
+    right = FootRecord.begun(make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere.ply", "0" * 64))
     opened.case.apply(right, "Add the right foot")
     settle()
     return opened
@@ -97,7 +97,7 @@ def test_a_second_scan_of_the_other_side_joins_the_case(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     pad = add_pad(opened)
-    questions = opened.studio.rooms.dialogue.questions
+    questions = opened.studio.rooms.messages.questions
     questions.side, questions.path = Side.RIGHT, scan(Side.RIGHT)  # type: ignore[attr-defined]
     press(opened, Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier)
     settle()
@@ -135,7 +135,7 @@ def test_a_missing_foot_is_offered_by_its_button(opened: Application) -> None:
         "capture",
     ]
     press(opened, Qt.Key.Key_X)
-    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    (dialog,) = opened.studio.rooms.messages.dialogs
     assert "no right foot yet" in dialog.text()
 
 
@@ -195,7 +195,7 @@ def test_variants_are_made_named_chosen_and_deleted(
     ]
     QTest.mouseClick(duplicate[0], LEFT_BUTTON)
     opened.case.apply(design(opened).with_changed(replace(pad, height_mm=8.0)), "Raise")
-    opened.studio.rooms.dialogue.questions.typed = "higher"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.typed = "higher"  # type: ignore[attr-defined]
     act(opened, "variant_name")
     assert opened.case.record.current is not None
     assert [v.name for v in opened.case.record.current.variants] == ["A", "higher"]
@@ -218,7 +218,7 @@ def test_variants_are_made_named_chosen_and_deleted(
 
 def test_the_only_variant_is_not_deleted(opened: Application) -> None:
     act(opened, "variant_delete")
-    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    (dialog,) = opened.studio.rooms.messages.dialogs
     assert "only variant" in dialog.text()
 
 
@@ -226,7 +226,7 @@ def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     before = add_pad(opened)
-    questions = opened.studio.rooms.dialogue.questions
+    questions = opened.studio.rooms.messages.questions
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
     opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
@@ -245,7 +245,7 @@ def test_a_dismissed_offer_stays_away(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     add_pad(opened)
-    questions = opened.studio.rooms.dialogue.questions
+    questions = opened.studio.rooms.messages.questions
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
     opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
@@ -262,7 +262,7 @@ def test_a_second_scan_may_begin_a_new_case(
 ) -> None:
     add_pad(opened)
     opened.case.apply(Patient(name="Anna"), "Name")
-    questions = opened.studio.rooms.dialogue.questions
+    questions = opened.studio.rooms.messages.questions
     questions.same_side = SameSide.NEW_CASE  # type: ignore[attr-defined]
     opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
@@ -277,7 +277,7 @@ def test_an_earlier_case_of_the_patient_is_found(
     prescribed = InsoleDesign(
         Side.LEFT, (Pelott(centre_mm=(8.0, 150.0), created_at="2026-05-01T08:00:00"),)
     )
-    foot = FootRecord.begun(make_foot(Side.LEFT), Source("mesh", "x.ply", "0" * 64), prescribed)
+    foot = FootRecord.begun(make_foot(Side.LEFT), ScanSource("mesh", "x.ply", "0" * 64), prescribed)
     write_case(CaseRecord.of_foot(foot, Patient("Anna  Berg", "1971-04-02")), path)
     opened.settings.remember(path)
     opened.case.apply(Patient("anna berg", "1971-04-02"), "Name")
@@ -397,7 +397,7 @@ def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
 def test_nothing_to_compare_with_is_said(opened: Application) -> None:
     for key in ("beside_foot", "beside_variant", "map_difference"):
         act(opened, key)
-    sentences = [dialog.text() for dialog in opened.studio.rooms.dialogue.dialogs]
+    sentences = [dialog.text() for dialog in opened.studio.rooms.messages.dialogs]
     assert ["one foot only" in s or "one variant only" in s for s in sentences] == [True] * 3
     assert opened.window.actions_by_key["beside_nothing"].isChecked()
     assert opened.window.actions_by_key["map_none"].isChecked()
@@ -434,7 +434,7 @@ def test_a_foot_without_design_is_offered_that_of_the_other(two_feet: Applicatio
 def test_feet_of_unlike_sizes_are_noticed(opened: Application, make_foot: MakeFoot) -> None:
     right = make_foot(Side.RIGHT)
     longer = replace(right, length_mm=right.length_mm + 25)
-    foot = FootRecord.begun(longer, Source("mesh", "/nowhere.ply", "0" * 64))
+    foot = FootRecord.begun(longer, ScanSource("mesh", "/nowhere.ply", "0" * 64))
     opened.case.apply(foot, "Add the right foot")
     (notice,) = opened.studio.rooms.notices.notices
     assert "250 mm long and the right one 275 mm" in notice.text
@@ -457,7 +457,7 @@ def test_a_scan_that_is_gone_is_noticed_when_the_case_is_opened(
     assert opened_notices(two_feet, "sources") == []
 
 
-def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: Places) -> None:
+def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: UserPaths) -> None:
     act(two_feet, "variant_duplicate")
     two_feet.autosave.write_now()
     (copy,) = places.autosave_folder.glob("*.insole")
@@ -471,7 +471,7 @@ def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: Plac
 
 
 def test_the_author_is_stamped_and_remembered(opened: Application) -> None:
-    opened.studio.rooms.dialogue.questions.typed = "Dr Ek"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.typed = "Dr Ek"  # type: ignore[attr-defined]
     act(opened, "author")
     act(opened, "add_posting")
     (posting,) = design(opened).corrections

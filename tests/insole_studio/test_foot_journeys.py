@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from insole_core.cases.record import KeyPoint, Source
+from insole_core.cases.record import KeyPoint, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
@@ -44,7 +44,7 @@ def whole_foot() -> Foot:
 
 @pytest.fixture
 def bench(app: Application, settle: Callable[[], None], whole_foot: Foot) -> Application:
-    app.case.open_foot(whole_foot, Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    app.case.open_foot(whole_foot, ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
     settle()
     return app
 

@@ -14,7 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QToolButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import Source
+from insole_core.cases.record import ScanSource
 from insole_core.cases.scan import ScannedFoot
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -135,7 +135,7 @@ def test_typing_a_number_is_no_shortcut(opened: Application) -> None:
     QTest.keyClicks(field, "Olof 2")
     assert field.text() == "Olof 2"
     assert opened.stage.foot.scene.camera == before
-    assert opened.hand.tool.key == "orbit"
+    assert opened.tool_controller.tool.key == "orbit"
 
 
 def test_arrow_keys_nudge_the_selected_pelott(opened: Application, view: SceneView) -> None:
@@ -214,7 +214,7 @@ def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(
     opening, notices = app.studio.rooms.opening, app.studio.rooms.notices
     notes = ("Of the file.", "A sentence of some length. " * 8, "Of the foot.")
     foot = replace(make_foot(Side.LEFT), notes=notes)
-    scanned = ScannedFoot(foot, Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    scanned = ScannedFoot(foot, ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
     opening.take_scan(scanned)
     (notice,) = notices.notices
     assert notice.key == "scan"

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.insole.design import Pelott, Posting
-from insole_studio.bootstrap import Places
+from insole_studio.bootstrap import UserPaths
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Questions
 from insole_studio.tools.key_point import confidence, shown_points
@@ -72,10 +72,10 @@ def _type_path(path: Path) -> None:
 
 
 @pytest.fixture
-def keyboard(qapp: QApplication, qtbot: QtBot, places: Places) -> Iterator[Keyboard]:
+def keyboard(qapp: QApplication, qtbot: QtBot, places: UserPaths) -> Iterator[Keyboard]:
     with ScriptedStudio(places, (960, 640)) as studio:
         # The real dialogs: they are answered by keys as well.
-        studio.app.studio.rooms.dialogue.questions = Questions(studio.app.window)
+        studio.app.studio.rooms.messages.questions = Questions(studio.app.window)
         studio.app.window.activateWindow()
         QTest.qWaitForWindowActive(studio.app.window)
         yield Keyboard(studio, qtbot)

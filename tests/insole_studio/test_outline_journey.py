@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 from insole_core.insole.design import Outline
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 RIGHT = Qt.MouseButton.RightButton
@@ -104,7 +104,7 @@ def test_an_outline_that_would_cross_itself_is_held(opened: Application, view: S
     line = np.array([place(view, n) for n in range(len(view.handles))])
     left, right = pixel(view, int(line[:, 0].argmin())), pixel(view, int(line[:, 0].argmax()))
     drag(view, left, right + (right - left))
-    assert "cross itself" in opened.hand.tool.hint(opened.case)
+    assert "cross itself" in opened.tool_controller.tool.hint(opened.case)
     assert not opened.surface.problem
 
 
@@ -120,7 +120,7 @@ def test_arrow_keys_move_the_last_point(opened: Application, view: SceneView) ->
 def choose(app: Application, source: str) -> None:
     field = next(
         c
-        for c in app.stage.parameters.findChildren(Choice)
+        for c in app.stage.parameters.findChildren(ComboBox)
         if c.property("key") == "outline.source"
     )
     field.setCurrentIndex(field.findData(source))

@@ -19,7 +19,7 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.resources import resource_path
 from insole_studio.phrasebook import Phrasebook
-from insole_studio.texts import load_language, spoken
+from insole_studio.texts import load_language, translate_core_message
 
 CORE = Path(insole_core.__file__).parent
 WORKBENCH = Path(insole_studio.__file__).parent / "workbench"
@@ -137,9 +137,11 @@ def test_a_real_error_is_said_in_swedish(qapp: QApplication, tmp_path: Path) -> 
     with pytest.raises(InputError) as caught:
         read_mesh(path)
     load_language(qapp, "sv")
-    assert spoken(str(caught.value)) == f"{path} finns inte; kontrollera filens namn."
+    assert (
+        translate_core_message(str(caught.value)) == f"{path} finns inte; kontrollera filens namn."
+    )
     load_language(qapp, "en")
-    assert spoken(str(caught.value)) == str(caught.value)
+    assert translate_core_message(str(caught.value)) == str(caught.value)
 
 
 def test_a_reason_within_a_sentence_is_said_as_well() -> None:

@@ -20,7 +20,7 @@ from insole_studio.scene.view import SceneView
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.tools.key_point import confidence, shown_points
 from insole_studio.tools.metatarsal import USUAL_MM, clearance
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour
 from insole_studio.workbench.landmarks import metatarsal_line
@@ -73,7 +73,7 @@ def test_a_drawing_that_crosses_itself_makes_no_pad(opened: Application, foot: S
     drag(foot, *(pixel(foot, *place) for place in eight))
     assert opened.case.record.design is not None
     assert opened.case.record.design.corrections == ()
-    assert "crosses itself" in opened.hand.tool.hint(opened.case)
+    assert "crosses itself" in opened.tool_controller.tool.hint(opened.case)
 
 
 def test_a_stroke_raises_the_surface_where_it_went_and_nowhere_else(
@@ -127,7 +127,7 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
     exact = clearance(opened.case.record, settled)
     assert exact is not None
     assert exact.distance_mm == pytest.approx(USUAL_MM, abs=0.05)
-    assert f"{USUAL_MM:.1f} mm" in opened.hand.tool.hint(opened.case)
+    assert f"{USUAL_MM:.1f} mm" in opened.tool_controller.tool.hint(opened.case)
 
 
 def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> None:
@@ -147,7 +147,9 @@ def test_a_heel_skive_is_prescribed_and_its_values_edited(
     panel = opened.stage.parameters
     fields = {field.property("key"): field for field in panel.findChildren(NumberField)}
     fields["correction.depth_mm"].setValue(4.0)
-    border = next(c for c in panel.findChildren(Choice) if c.property("key") == "correction.border")
+    border = next(
+        c for c in panel.findChildren(ComboBox) if c.property("key") == "correction.border"
+    )
     border.setCurrentIndex(border.findData("lateral"))
     border.activated.emit(border.currentIndex())
     skive = last(opened)
@@ -251,7 +253,7 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 150.0))
     pad = last(opened)
     assert isinstance(pad, Pelott)
-    opened.studio.rooms.dialogue.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert opened.case.record.source is not None
     opened.case.open_foot(make_foot(Side.RIGHT), opened.case.record.source)  # type: ignore[operator]
@@ -266,9 +268,9 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
 
 def test_a_template_that_is_none_is_one_sentence(opened: Application, tmp_path: Path) -> None:
     (tmp_path / "odd.insole-template").write_text("{}")
-    opened.studio.rooms.dialogue.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
     act(opened, "apply_template")
-    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    (dialog,) = opened.studio.rooms.messages.dialogs
     assert "format is missing" in dialog.text()
 
 
@@ -341,7 +343,7 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"
     length = next(line for line in copied.splitlines() if line.startswith("foot_length,mm,"))
     assert float(length.split(",")[2]) == pytest.approx(250.0, abs=1.0)
-    opened.studio.rooms.dialogue.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
+    opened.studio.rooms.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied
 
@@ -372,7 +374,7 @@ def test_touch_mode_makes_every_target_44_pixels(opened: Application, foot: Scen
     opened.case.select(None)  # the fields are laid out anew
     QApplication.processEvents()
     panel = opened.stage.parameters
-    fields = [*panel.findChildren(NumberField), *panel.findChildren(Choice)]
+    fields = [*panel.findChildren(NumberField), *panel.findChildren(ComboBox)]
     assert fields
     assert min(field.height() for field in fields) >= 44
     buttons = opened.window.findChildren(QToolButton)

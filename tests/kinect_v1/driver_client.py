@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from kinect_v1.camera import Camera, CameraSettings, open_camera
+from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import MODES
 from kinect_v1.motor import Led
@@ -25,7 +25,7 @@ PATIENT = CameraSettings(watchdog_s=10.0)
 """The emulator is slower than a device."""
 
 
-def start(camera: Camera, request: dict[str, Any]) -> dict[str, Stream]:
+def start(camera: KinectCamera, request: dict[str, Any]) -> dict[str, Stream]:
     streams = {}
     if "depth" in request:
         streams["depth"] = camera.start_depth(MODES[request["depth"]])

@@ -13,11 +13,11 @@ from insole_core.progress import Cancelled
 from insole_studio.capture.draft import Draft, ViewFacts
 from insole_studio.capture.errors import BusFullError, SensorError
 from insole_studio.capture.light import judge_light
-from insole_studio.capture.plan import CapturePlan, Shot, Step
+from insole_studio.capture.plan import CapturePlan, CaptureStep, Shot
 from insole_studio.capture.rig import ColorSize, OpenSensor, Rig
 from insole_studio.capture.series import Beginning, Series, poll_depth
 from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
-from insole_studio.capture.workplace import Calibrated, Workplace
+from insole_studio.capture.workplace import Calibrated, CaptureSetup
 
 _POLL_S = 0.002
 _IN_FLIGHT_S = 2 / 30
@@ -33,7 +33,7 @@ def _never() -> bool:
 
 
 @dataclass(frozen=True)
-class Watcher:
+class CaptureCallbacks:
     """Who follows a capture.
 
     Parameters
@@ -50,11 +50,11 @@ class Watcher:
 
     report: Callable[[CaptureStatus], None]
     is_cancelled: Callable[[], bool] = _never
-    wait_for_hand: Callable[[Step], None] = lambda _step: None
+    wait_for_hand: Callable[[CaptureStep], None] = lambda _step: None
     show: Callable[[str, RawArray | ByteArray], None] = _nothing_shown
 
 
-def hand_sentence(step: Step) -> str:
+def hand_sentence(step: CaptureStep) -> str:
     """Say what somebody has to do before a step."""
     return f"Put the sensor in its place for view {step.names}"
 
@@ -88,7 +88,7 @@ def close_sensors(sensors: Iterable[OpenSensor]) -> None:
         raise failures[0]
 
 
-class Capturing:
+class CaptureRunner:
     """Carries a plan out; a view that is finished stays in the draft, whatever happens later.
 
     Parameters
@@ -105,9 +105,9 @@ class Capturing:
         self,
         sensors: Mapping[str, OpenSensor],
         plan: CapturePlan,
-        workplace: Workplace,
+        workplace: CaptureSetup,
         draft: Draft,
-        watcher: Watcher,
+        watcher: CaptureCallbacks,
     ) -> None:
         self._sensors = sensors
         self._plan = plan
@@ -170,7 +170,7 @@ class Capturing:
         tilted = {shot.serial for shot in self._plan.shots if shot.tilt_deg}
         return {serial: self._sensors[serial].tilt_deg() for serial in sorted(tilted)}
 
-    def _take(self, step: Step, tilts: dict[str, float]) -> None:
+    def _take(self, step: CaptureStep, tilts: dict[str, float]) -> None:
         names = step.names
         self._under_way = tuple(shot.view for shot in step.shots)
         if step.by_hand:
@@ -198,7 +198,7 @@ class Capturing:
         if by_hand or level_deg is not None:
             sensor.stop()  # what is under way was seen from the place before
 
-    def _light_only(self, step: Step) -> list[Beginning]:
+    def _light_only(self, step: CaptureStep) -> list[Beginning]:
         """Switch the emitters of all other sensors off and those of a step on."""
         own = [self._sensors[shot.serial] for shot in step.shots]
         others = [sensor for sensor in self._sensors.values() if sensor not in own]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import multiprocessing
 from dataclasses import replace
 
-from insole_studio.capture.frame_board import FrameBoard, Kind, Picture
+from insole_studio.capture.frame_board import Kind, Picture, SharedFrameBuffer
 from insole_studio.capture.messages import Command, Event, Quit, Sensors
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.capture.service import serve
 
 _PATIENCE_S = 5.0
@@ -22,11 +22,11 @@ class CaptureService:
         Where the sensors are.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: SensorSource) -> None:
         # Not forked: a copy of a program with threads and a window would not be safe.
         context = multiprocessing.get_context("spawn")
         self._connection, theirs = context.Pipe()
-        self._board = FrameBoard(context)
+        self._board = SharedFrameBuffer(context)
         self._process = context.Process(
             target=serve,
             args=(theirs, self._board, replace(place)),

@@ -24,7 +24,7 @@ _CUT_ROWS = 32
 """A picture of 1280 × 960 is one of 1280 × 1024 without so many rows at top and bottom."""
 
 
-class EmulatedRoom:
+class EmulatedRig:
     """A sensor for each serial number of a session, each with a USB controller of its own.
 
     A sensor that gave several views was tilted by its motor, where the views are named like bursts

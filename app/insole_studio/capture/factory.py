@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import FactoryDisparity
 from insole_core.sensing.nominal import nominal_kinect
 from insole_core.sensing.sensor import Sensor
@@ -28,7 +28,7 @@ def factory_sensor(
     focal_px = calibration.focal_length_px
     return replace(
         usual_sensor(serial, faces, color_size),
-        depth_camera=Camera(640, 480, focal_px, focal_px, 320.0, 240.0),
+        depth_camera=PinholeCamera(640, 480, focal_px, focal_px, 320.0, 240.0),
         disparity=FactoryDisparity(
             reference_distance_mm=plane.reference_distance_cm * _MM_PER_CM,
             reference_pixel_size_mm=plane.reference_pixel_cm * _MM_PER_CM,
@@ -46,7 +46,7 @@ def usual_sensor(serial: str, faces: tuple[str, ...], color_size: tuple[int, int
     )
 
 
-def resized_camera(camera: Camera, size: tuple[int, int]) -> Camera:
+def resized_camera(camera: PinholeCamera, size: tuple[int, int]) -> PinholeCamera:
     """Give the same camera for smaller pictures, which are scaled and cut at top and bottom."""
     width, height = size
     scale = width / camera.width

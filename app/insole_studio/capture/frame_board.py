@@ -43,7 +43,7 @@ class Picture:
     number: int
 
 
-class FrameBoard:
+class SharedFrameBuffer:
     """Shared memory; give it to the other process when that is started.
 
     Parameters

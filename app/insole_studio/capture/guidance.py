@@ -83,7 +83,7 @@ class Guidance:
 
 
 @dataclass(frozen=True, eq=False)
-class Glimpse:
+class FrameSnapshot:
     """The newest pictures of one sensor.
 
     Parameters
@@ -99,7 +99,7 @@ class Glimpse:
     color: ByteArray
 
 
-def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: Glimpse) -> Guidance:
+def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: FrameSnapshot) -> Guidance:
     """Judge the pictures of one sensor.
 
     Parameters

@@ -13,7 +13,7 @@ from insole_studio.capture.request import PlanRequest, kept_request
 
 
 @dataclass(frozen=True, eq=False)
-class LeftDraft:
+class UnfinishedCapture:
     """What a capture has left.
 
     Parameters
@@ -39,16 +39,16 @@ class LeftDraft:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def newest_left_draft(folder: Path) -> LeftDraft | None:
+def newest_unfinished_capture(folder: Path) -> UnfinishedCapture | None:
     """Find what the last unfinished capture has left in the folder for drafts."""
     found = [draft for path in folder.glob("*/manifest.json") if (draft := _read(path.parent))]
     return max(found, key=lambda draft: draft.manifest.recorded_at, default=None)
 
 
-def _read(folder: Path) -> LeftDraft | None:
+def _read(folder: Path) -> UnfinishedCapture | None:
     try:
         manifest = read_session(folder).manifest
     except InputError:
         return None
     request = kept_request(manifest.extra)
-    return None if request is None else LeftDraft(folder, manifest, request)
+    return None if request is None else UnfinishedCapture(folder, manifest, request)

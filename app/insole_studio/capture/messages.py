@@ -135,10 +135,10 @@ class Sensors:
 
 
 @dataclass(frozen=True)
-class Told:
+class Message:
     """A sentence for the user: an order could not be carried out."""
 
     sentence: str
 
 
-Event = Sensors | CaptureStatus | Told
+Event = Sensors | CaptureStatus | Message

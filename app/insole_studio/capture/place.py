@@ -8,13 +8,13 @@ from pathlib import Path
 
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
-from insole_studio.capture.emulation import EmulatedRoom, emulated_bursts, emulated_views
+from insole_studio.capture.emulation import EmulatedRig, emulated_bursts, emulated_views
 from insole_studio.capture.errors import translating
-from insole_studio.capture.plan import Step
+from insole_studio.capture.plan import CaptureStep
 from insole_studio.capture.rig import Rig
 from insole_studio.capture.workplace import (
+    CaptureSetup,
     SensorFiles,
-    Workplace,
     own_workplace,
     recorded_workplace,
 )
@@ -22,7 +22,7 @@ from kinect_v1.usb_bus import UsbBus, system_bus
 
 
 @dataclass(frozen=True)
-class Place:
+class SensorSource:
     """Makes rig and workplace; small enough to go to another process.
 
     Parameters
@@ -45,9 +45,9 @@ class Place:
         return None if self.emulate is None else read_session(self.emulate)
 
     @cached_property
-    def room(self) -> EmulatedRoom | None:
+    def room(self) -> EmulatedRig | None:
         """The emulated sensors."""
-        return None if self.session is None else EmulatedRoom(self.session)
+        return None if self.session is None else EmulatedRig(self.session)
 
     def rig(self) -> Rig:
         """Find the sensors' bus, or make the emulated one.
@@ -64,7 +64,7 @@ class Place:
         with translating():
             return Rig(system_bus())
 
-    def workplace(self) -> Workplace:
+    def workplace(self) -> CaptureSetup:
         """Describe the room.
 
         Raises
@@ -83,7 +83,7 @@ class Place:
         """Give how many series a view emulated sensors have; one for real sensors."""
         return 1 if self.session is None else emulated_bursts(self.session)
 
-    def put(self, step: Step) -> None:
+    def put(self, step: CaptureStep) -> None:
         """Put emulated sensors where a step wants them; real ones somebody has put there."""
         if self.room is not None:
             for shot in step.shots:

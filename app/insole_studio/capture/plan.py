@@ -9,7 +9,7 @@ from itertools import chain
 
 from insole_core.errors import UsageError
 from insole_core.recording.session import ReferenceSystem
-from insole_studio.capture.settling import SettleRule
+from insole_studio.capture.settling import StabilisationRule
 
 MOST_SENSORS = 8
 MOST_FRAMES = 999
@@ -41,7 +41,7 @@ class Shot:
 
 
 @dataclass(frozen=True)
-class Step:
+class CaptureStep:
     """Shots that are taken at the same time.
 
     Parameters
@@ -73,10 +73,10 @@ class CapturePlan:
         When the depth of a sensor is steady enough to be used.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[CaptureStep, ...]
     frames: int = 10
     color_frames: int = 1
-    settle: SettleRule = field(default_factory=SettleRule)
+    settle: StabilisationRule = field(default_factory=StabilisationRule)
 
     @property
     def shots(self) -> tuple[Shot, ...]:
@@ -99,13 +99,13 @@ class CapturePlan:
         A sensor that is moved by hand may stand anywhere by then, so it has to be put in its place.
         """
         moved = {shot.serial for step in self.steps if step.by_hand for shot in step.shots}
-        steps: list[Step] = []
+        steps: list[CaptureStep] = []
         for step in self.steps:
             shots = tuple(shot for shot in step.shots if shot.view in views)
             before = steps[-1].shots[-1].place if steps else None
             by_hand = any(shot.serial in moved and shot.place != before for shot in shots)
             if shots:
-                steps.append(Step(shots, by_hand))
+                steps.append(CaptureStep(shots, by_hand))
         return replace(self, steps=tuple(steps))
 
 
@@ -146,7 +146,7 @@ def make_plan(
             raise UsageError(f"{number} {name} were asked for, but 1 to {most} are possible.")
     rounds = [_round(assignment, burst) for burst in range(bursts)]
     if simultaneous:
-        steps = [Step(shots) for shots in rounds]
+        steps = [CaptureStep(shots) for shots in rounds]
     else:
         steps = _turns(list(zip(*rounds, strict=True)))
     plan = CapturePlan(tuple(steps), frames, color_frames)
@@ -200,13 +200,13 @@ def burst_tilt_deg(burst: int) -> float:
     return _BURST_STEP_DEG * ((burst + 1) // 2) * (1.0 if burst % 2 else -1.0) + 0.0
 
 
-def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[Step]:
+def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
     """One sensor after the other; one that has been elsewhere before is moved by hand."""
-    steps: list[Step] = []
+    steps: list[CaptureStep] = []
     seen: set[str] = set()
     for shots in bursts_by_view:
-        steps.append(Step(shots[:1], by_hand=shots[0].serial in seen))
-        steps += [Step((shot,)) for shot in shots[1:]]
+        steps.append(CaptureStep(shots[:1], by_hand=shots[0].serial in seen))
+        steps += [CaptureStep((shot,)) for shot in shots[1:]]
         seen.add(shots[0].serial)
     return steps
 

@@ -16,7 +16,7 @@ from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.errors import NoSensorFoundError, SensorError, translating
 from insole_studio.capture.factory import factory_sensor
 from insole_studio.capture.status import FoundSensor
-from kinect_v1.camera import Camera, CameraSettings, open_camera
+from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode
 from kinect_v1.motor import Led, Posture
@@ -107,7 +107,7 @@ class OpenSensor:
         Since when it is in use, `time.monotonic()`.
     """
 
-    def __init__(self, camera: Camera) -> None:
+    def __init__(self, camera: KinectCamera) -> None:
         self.serial = camera.serial
         self.model = camera.model.value
         self.bus = camera.bus

@@ -12,7 +12,7 @@ from insole_core.sensing.frames import median_raw
 from insole_studio.capture.light import Light
 from insole_studio.capture.plan import CapturePlan, Shot
 from insole_studio.capture.rig import OpenSensor, raw_image
-from insole_studio.capture.settling import Settling
+from insole_studio.capture.settling import Stabilisation
 from insole_studio.capture.status import ViewStatus
 
 _LEAST_VALID_SHARE = 0.01
@@ -61,7 +61,7 @@ class Series:
         self.color_count = 0
         self.light = Light.GOOD
         """Of the last colour picture."""
-        self.settling = Settling(plan.settle, beginning.switched_s)
+        self.settling = Stabilisation(plan.settle, beginning.switched_s)
         self._plan = plan
         self._beginning = beginning
 

@@ -11,9 +11,9 @@ from multiprocessing.connection import Connection
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import Cancelled
-from insole_studio.capture.capturing import Capturing, Watcher
+from insole_studio.capture.capturing import CaptureCallbacks, CaptureRunner
 from insole_studio.capture.draft import Draft
-from insole_studio.capture.frame_board import FrameBoard
+from insole_studio.capture.frame_board import SharedFrameBuffer
 from insole_studio.capture.live import LiveSensors
 from insole_studio.capture.messages import (
     Cancel,
@@ -22,17 +22,17 @@ from insole_studio.capture.messages import (
     Find,
     Identify,
     Infrared,
+    Message,
     Placed,
     Quit,
     Sensors,
     Start,
     Tilt,
-    Told,
 )
-from insole_studio.capture.place import Place
-from insole_studio.capture.plan import Step
+from insole_studio.capture.place import SensorSource
+from insole_studio.capture.plan import CaptureStep
 from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import Workplace
+from insole_studio.capture.workplace import CaptureSetup
 
 _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25
@@ -41,7 +41,7 @@ _ROLL_DEG = 1.0
 """A smaller lean is the accelerometer's noise."""
 
 
-def serve(connection: Connection, board: FrameBoard, place: Place) -> None:
+def serve(connection: Connection, board: SharedFrameBuffer, place: SensorSource) -> None:
     """Run the service until the other end says so, or is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window, which tells us
     try:
@@ -63,8 +63,8 @@ class _Service:
         self,
         connection: Connection,
         live: LiveSensors,
-        workplace: Workplace,
-        put: Callable[[Step], None],
+        workplace: CaptureSetup,
+        put: Callable[[CaptureStep], None],
     ) -> None:
         self._connection = connection
         self._live = live
@@ -132,9 +132,9 @@ class _Service:
             elif isinstance(command, Quit):
                 self._quitting = True
         except KeyError as error:
-            self._send(Told(f"Sensor {error.args[0]} is not in use; look for sensors again."))
+            self._send(Message(f"Sensor {error.args[0]} is not in use; look for sensors again."))
         except InsoleError as error:
-            self._send(Told(str(error)))
+            self._send(Message(str(error)))
 
     def _tilt(self, command: Tilt) -> None:
         sensor = self._live.opened[command.serial]
@@ -148,7 +148,7 @@ class _Service:
         """Say what the motor cannot mend."""
         if roll_deg >= _ROLL_DEG:
             self._send(
-                Told(
+                Message(
                     f"Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot "
                     "mend; straighten it by hand and level it again."
                 )
@@ -177,12 +177,12 @@ class _Service:
             if exists
             else Draft(order.folder, order.manifest, order.order)
         )
-        watcher = Watcher(
+        watcher = CaptureCallbacks(
             self._report, self._is_cancelled, self._wait_for_hand, self._show_captured
         )
         try:
             sensors = self._live.opened
-            return Capturing(sensors, order.plan, self._workplace, draft, watcher).run()
+            return CaptureRunner(sensors, order.plan, self._workplace, draft, watcher).run()
         finally:
             draft.close()
 
@@ -201,7 +201,7 @@ class _Service:
             return True
         return self._quitting
 
-    def _wait_for_hand(self, step: Step) -> None:
+    def _wait_for_hand(self, step: CaptureStep) -> None:
         """Stream on until somebody says that the sensor stands."""
         self._live.start()
         while not any(isinstance(command, Placed) for command in self._waiting):

@@ -13,7 +13,7 @@ from insole_core.sensing.disparity import NO_READING
 
 
 @dataclass(frozen=True)
-class SettleRule:
+class StabilisationRule:
     """When the count of valid pixels is steady.
 
     The time that a projector needs is not documented, so it is measured each time. The frames by
@@ -42,7 +42,7 @@ class _Held(NamedTuple):
     valid: int
 
 
-class Settling:
+class Stabilisation:
     """Holds frames back until they are steady, then gives every one.
 
     Parameters
@@ -52,7 +52,7 @@ class Settling:
         On the clock of the frames: earlier ones saw other emitters and are left out.
     """
 
-    def __init__(self, rule: SettleRule, started_s: float) -> None:
+    def __init__(self, rule: StabilisationRule, started_s: float) -> None:
         self._rule = rule
         self._started_s = started_s
         self._held: deque[_Held] = deque(maxlen=rule.frames)

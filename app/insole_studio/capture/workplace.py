@@ -48,7 +48,7 @@ class Calibrated:
 
 
 @dataclass(frozen=True, eq=False)
-class Workplace:
+class CaptureSetup:
     """The room.
 
     Parameters
@@ -114,7 +114,7 @@ def _checked(sensor: Sensor) -> Calibrated:
     return Calibrated(corrected.sensor, "settings", corrected.warnings)
 
 
-def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> Workplace:
+def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> CaptureSetup:
     """Give the room of this computer.
 
     Parameters
@@ -128,11 +128,11 @@ def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> Workp
     InputError
     """
     system = load_reference_system(system_file or resource_path(DEFAULT_SYSTEM))
-    return Workplace(system, stored)
+    return CaptureSetup(system, stored)
 
 
-def recorded_workplace(stored: SensorFiles, session: Session) -> Workplace:
+def recorded_workplace(stored: SensorFiles, session: Session) -> CaptureSetup:
     """Give the room in which a session was recorded, for its emulated sensors."""
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
-    return Workplace(manifest.reference_system, stored, manifest.volume_of_interest, recorded)
+    return CaptureSetup(manifest.reference_system, stored, manifest.volume_of_interest, recorded)

@@ -19,11 +19,11 @@ from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
     from insole_studio.capture.draft import Draft
-    from insole_studio.capture.place import Place
-    from insole_studio.capture.plan import CapturePlan, Step
+    from insole_studio.capture.place import SensorSource
+    from insole_studio.capture.plan import CapturePlan, CaptureStep
     from insole_studio.capture.request import PlanRequest
     from insole_studio.capture.status import CaptureStatus
-    from insole_studio.capture.workplace import Workplace
+    from insole_studio.capture.workplace import CaptureSetup
 
 NAME = "capture"
 HELP = "capture a foot with the sensors, one after the other or all at once, as a session"
@@ -61,7 +61,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Capture every view, then put the session in its place."""
     _check_out(arguments.out)
-    from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
+    from insole_studio.capture.capturing import (
+        CaptureCallbacks,
+        CaptureRunner,
+        close_sensors,
+        open_sensors,
+    )
 
     place = place_of(arguments, arguments.reference)
     rig, workplace = place.rig(), place.workplace()
@@ -79,8 +84,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         try:
             sensors = open_sensors(rig, plan.serials)
             try:
-                watcher = Watcher(report, wait_for_hand=partial(_wait_for_hand, place))
-                warnings = Capturing(sensors, plan, workplace, draft, watcher).run()
+                watcher = CaptureCallbacks(report, wait_for_hand=partial(_wait_for_hand, place))
+                warnings = CaptureRunner(sensors, plan, workplace, draft, watcher).run()
             finally:
                 close_sensors(sensors.values())
             progress.step(0.95, "Checking the session")
@@ -107,7 +112,7 @@ def _left_draft(folder: Path) -> Draft:
 
 
 def _request(
-    arguments: argparse.Namespace, place: Place, found: int, left: Draft | None
+    arguments: argparse.Namespace, place: SensorSource, found: int, left: Draft | None
 ) -> PlanRequest:
     """Give what is to be captured: as the call says, else as it was begun, else as it is played."""
     from insole_studio.capture.plan import parse_assignment
@@ -137,7 +142,10 @@ def _missing(plan: CapturePlan, finished: Sequence[str]) -> CapturePlan:
 
 
 def _new_draft(
-    arguments: argparse.Namespace, request: PlanRequest, place: Place, workplace: Workplace
+    arguments: argparse.Namespace,
+    request: PlanRequest,
+    place: SensorSource,
+    workplace: CaptureSetup,
 ) -> Draft:
     from insole_studio.capture.draft import Draft, drafts_folder_of_user
 
@@ -147,7 +155,9 @@ def _new_draft(
     return Draft(drafts_folder_of_user() / name, manifest, views)
 
 
-def _manifest(arguments: argparse.Namespace, place: Place, workplace: Workplace) -> Manifest:
+def _manifest(
+    arguments: argparse.Namespace, place: SensorSource, workplace: CaptureSetup
+) -> Manifest:
     from insole_core.geometry.side import Side
     from insole_core.recording.session import CaptureCondition, Manifest
 
@@ -167,7 +177,7 @@ def _manifest(arguments: argparse.Namespace, place: Place, workplace: Workplace)
     )
 
 
-def _wait_for_hand(place: Place, step: Step) -> None:
+def _wait_for_hand(place: SensorSource, step: CaptureStep) -> None:
     """Ask for a sensor to be moved; emulated ones need no hand."""
     from insole_studio.capture.capturing import hand_sentence
 

@@ -10,7 +10,7 @@ from insole_core.errors import CalibrationError, UsageError
 
 if TYPE_CHECKING:
     from insole_core.evaluation.limits import Limits
-    from insole_core.evaluation.report import Section
+    from insole_core.evaluation.report import ReportSection
 
 BUNDLED = Path()
 """Stands for the limits that come with the product."""
@@ -49,7 +49,7 @@ def check_reports(arguments: argparse.Namespace) -> None:
     check_report_paths(arguments.report)
 
 
-def conclude(section: Section, serial: str, arguments: argparse.Namespace) -> None:
+def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace) -> None:
     """Print an evaluation, write its reports, and judge it.
 
     Raises

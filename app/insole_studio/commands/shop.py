@@ -16,8 +16,8 @@ from insole_core.progress import Progress
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
     from insole_core.solids.checks import Override
-    from insole_core.solids.delivery import Places
-    from insole_core.solids.order import Order, Piece
+    from insole_core.solids.delivery import ExportPaths
+    from insole_core.solids.order import Order, Part
     from insole_core.solids.shop import Block, Shop
 
 
@@ -53,16 +53,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     papers.add_argument("--override", metavar="REASON", help="let pass what a rule would stop")
 
 
-def places(arguments: argparse.Namespace) -> Places:
+def places(arguments: argparse.Namespace) -> ExportPaths:
     """Give the places that the call names."""
-    from insole_core.solids.delivery import Places
+    from insole_core.solids.delivery import ExportPaths
 
-    return Places(
+    return ExportPaths(
         arguments.out, arguments.checks, arguments.job_sheet, arguments.prescription_paper
     )
 
 
-def outputs(arguments: argparse.Namespace) -> AbstractContextManager[Places]:
+def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths]:
     """Open every place before the work begins; nothing stays if it fails."""
     from insole_core.solids.delivery import outputs as open_places
 
@@ -72,7 +72,10 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[Places]:
 
 
 def deliver(
-    insoles: tuple[Insole, ...], arguments: argparse.Namespace, beside: Places, progress: Progress
+    insoles: tuple[Insole, ...],
+    arguments: argparse.Namespace,
+    beside: ExportPaths,
+    progress: Progress,
 ) -> None:
     """Make the solids, check them, and write everything that is wanted."""
     from insole_core.solids import delivery
@@ -103,10 +106,10 @@ def deliver(
 
 def _piece(
     insole: Insole, arguments: argparse.Namespace, block: Block | None, progress: Progress
-) -> Piece:
+) -> Part:
     from dataclasses import replace
 
-    from insole_core.solids.order import make_piece
+    from insole_core.solids.order import make_part
     from insole_core.solids.rules import read_rules
 
     rules = read_rules(arguments.rules)
@@ -114,7 +117,7 @@ def _piece(
         rules = rules.with_cutter(arguments.cutter)
     if block is not None:
         rules = replace(rules, block_mm=block.size_mm)
-    piece = make_piece(insole, _order(arguments), rules, progress)
+    piece = make_part(insole, _order(arguments), rules, progress)
     if piece.order.most_triangles is not None:
         print(
             f"{len(piece.solid.triangles)} triangles; they deviate by"

@@ -1,6 +1,6 @@
 """Where one looks from: a camera as a value that keeps the foot upright, and its arithmetic.
 
-Both views share one `Camera`. A plantar look at the foot comes from below, the same look at the
+Both views share one `ViewCamera`. A plantar look at the foot comes from below, the same look at the
 insole from above: the sole and what it stands on are seen like two pages of an open book.
 """
 
@@ -41,7 +41,7 @@ class Subject(StrEnum):
 
 
 @dataclass(frozen=True)
-class Camera:
+class ViewCamera:
     """A look at the scene in parallel projection, so that lengths on the screen are true.
 
     Parameters
@@ -64,7 +64,7 @@ class Camera:
     focal_mm: tuple[float, float, float] = (0.0, 130.0, 20.0)
     height_mm: float = 300.0
 
-    def orbited(self, azimuth_deg: float, elevation_deg: float) -> Camera:
+    def orbited(self, azimuth_deg: float, elevation_deg: float) -> ViewCamera:
         """Turn by the given angles; never over the top."""
         elevation = self.elevation_deg + elevation_deg
         return replace(
@@ -73,7 +73,7 @@ class Camera:
             elevation_deg=float(np.clip(elevation, -MAX_ELEVATION_DEG, MAX_ELEVATION_DEG)),
         )
 
-    def zoomed(self, factor: float, about_mm: FloatArray | None = None) -> Camera:
+    def zoomed(self, factor: float, about_mm: FloatArray | None = None) -> ViewCamera:
         """Show `factor` times as much; `about_mm` stays where it is on the screen."""
         height = float(np.clip(self.height_mm * factor, SMALLEST_VIEW_MM, LARGEST_VIEW_MM))
         focal = np.asarray(self.focal_mm)
@@ -81,13 +81,13 @@ class Camera:
             focal = about_mm + (focal - about_mm) * (height / self.height_mm)
         return replace(self, height_mm=height, focal_mm=_point(focal))
 
-    def centred(self, focal_mm: FloatArray) -> Camera:
+    def centred(self, focal_mm: FloatArray) -> ViewCamera:
         """Put a point into the middle."""
         return replace(self, focal_mm=_point(focal_mm))
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class ViewTransform:
     """A camera made concrete for one subject and one picture.
 
     Parameters
@@ -130,14 +130,16 @@ class Look:
         return np.stack([x, y], axis=1)
 
 
-def look(camera: Camera, subject: Subject, side: Side, size_px: tuple[int, int]) -> Look:
+def look(
+    camera: ViewCamera, subject: Subject, side: Side, size_px: tuple[int, int]
+) -> ViewTransform:
     """Make a camera concrete."""
     upright, front = _preset_axes(camera.preset, subject, side)
     right = np.cross(upright, front)
     lift = rotation_about(right, -camera.elevation_deg)
     turn = rotation_about(upright, camera.azimuth_deg)
     pose = turn @ lift
-    return Look(
+    return ViewTransform(
         right=np.asarray(pose @ right),
         up=np.asarray(pose @ upright),
         back=np.asarray(pose @ front),
@@ -147,7 +149,7 @@ def look(camera: Camera, subject: Subject, side: Side, size_px: tuple[int, int])
     )
 
 
-def fitted(camera: Camera, bounds_mm: FloatArray, size_px: tuple[int, int]) -> Camera:
+def fitted(camera: ViewCamera, bounds_mm: FloatArray, size_px: tuple[int, int]) -> ViewCamera:
     """Show a whole box (2, 3), whatever the direction."""
     low, high = bounds_mm
     extent = high - low + 2 * np.array(ROUND_MM)

@@ -17,7 +17,7 @@ NAME_PX, FRAME_PX = 15, 4
 
 
 @dataclass(frozen=True, eq=False)
-class Name:
+class NameLabel:
     """A word on a coloured ground at a place (3,), mm."""
 
     text: str
@@ -25,7 +25,7 @@ class Name:
     color: str
 
 
-class Companion:
+class SecondaryMesh:
     """Paints on the plotter of a view; what it shows cannot be touched."""
 
     def __init__(self, plotter: Any, pixel_ratio: float = 1.0) -> None:
@@ -45,7 +45,7 @@ class Companion:
             polydata(mesh), name="companion", render=False, reset_camera=False, specular=0.0, **look
         )
 
-    def show_names(self, names: Sequence[Name]) -> None:
+    def show_names(self, names: Sequence[NameLabel]) -> None:
         """Write these names and no others."""
         for number in range(self._named):
             self._plotter.remove_actor(f"name-{number}", render=False)
@@ -53,7 +53,7 @@ class Companion:
         for number, name in enumerate(names):
             self._write(f"name-{number}", name)
 
-    def _write(self, key: str, name: Name) -> None:
+    def _write(self, key: str, name: NameLabel) -> None:
         actor = self._plotter.add_point_labels(
             np.array([name.place_mm], dtype=float),
             [f" {name.text} "],

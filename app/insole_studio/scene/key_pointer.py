@@ -14,7 +14,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import Camera, Look
+from insole_studio.scene.camera import ViewCamera, ViewTransform
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
 DRAG_MM = 0.5
@@ -36,14 +36,14 @@ ARROWS: dict[int, tuple[int, int]] = {
 }
 
 
-class Keyed(Protocol):
+class CursorTarget(Protocol):
     """What the keys need of a view."""
 
-    camera: Camera
+    camera: ViewCamera
     handles: tuple[Handle, ...]
 
     @property
-    def look(self) -> Look: ...  # noqa: D102
+    def look(self) -> ViewTransform: ...  # noqa: D102
     @property
     def start_mm(self) -> tuple[float, float, float] | None: ...  # noqa: D102
     def event_at(  # noqa: D102
@@ -56,14 +56,14 @@ class Keyed(Protocol):
     def lift(self, event: PointerEvent, steps: float) -> bool: ...  # noqa: D102
     def offer_menu(self, event: PointerEvent) -> None: ...  # noqa: D102
     def remove(self, event: PointerEvent) -> bool: ...  # noqa: D102
-    def change_camera(self, camera: Camera) -> None: ...  # noqa: D102
+    def change_camera(self, camera: ViewCamera) -> None: ...  # noqa: D102
     def show_pointer(self, lines: tuple[FloatArray, ...], event: PointerEvent | None) -> None: ...  # noqa: D102
 
 
-class KeyPointer:
+class KeyboardCursor:
     """Turns keys into the presses, moves and releases of a pointer."""
 
-    def __init__(self, view: Keyed) -> None:
+    def __init__(self, view: CursorTarget) -> None:
         self._view = view
         self._place: FloatArray | None = None
         """Where the pointer is, (3,) mm; None while it is not shown."""
@@ -252,29 +252,29 @@ def _has_shift(modifiers: Qt.KeyboardModifier) -> bool:
     return bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
 
 
-def _ring(look: Look, place: FloatArray) -> tuple[FloatArray, ...]:
+def _ring(look: ViewTransform, place: FloatArray) -> tuple[FloatArray, ...]:
     radius = RING_PX * look.mm_per_px
     circle = np.cos(_RING)[:, None] * look.right + np.sin(_RING)[:, None] * look.up
     return (place + radius * circle,)
 
 
-def _cross(look: Look, place: FloatArray) -> tuple[FloatArray, ...]:
+def _cross(look: ViewTransform, place: FloatArray) -> tuple[FloatArray, ...]:
     near, far = (length * look.mm_per_px for length in ARM_PX)
     arms = (look.right, -look.right, look.up, -look.up)
     return tuple(np.stack([place + near * arm, place + far * arm]) for arm in arms)
 
 
-_ACTS: dict[int, Callable[[KeyPointer, Qt.KeyboardModifier], bool]] = {
-    Qt.Key.Key_Space: KeyPointer._hold,
-    Qt.Key.Key_Return: KeyPointer._click,
-    Qt.Key.Key_Enter: KeyPointer._click,
-    Qt.Key.Key_Home: KeyPointer._home,
+_ACTS: dict[int, Callable[[KeyboardCursor, Qt.KeyboardModifier], bool]] = {
+    Qt.Key.Key_Space: KeyboardCursor._hold,
+    Qt.Key.Key_Return: KeyboardCursor._click,
+    Qt.Key.Key_Enter: KeyboardCursor._click,
+    Qt.Key.Key_Home: KeyboardCursor._home,
     Qt.Key.Key_PageDown: lambda keys, _modifiers: keys._choose(1),
     Qt.Key.Key_PageUp: lambda keys, _modifiers: keys._choose(-1),
     Qt.Key.Key_Plus: lambda keys, modifiers: keys._lift(1.0, modifiers),
     Qt.Key.Key_Minus: lambda keys, modifiers: keys._lift(-1.0, modifiers),
-    Qt.Key.Key_Delete: KeyPointer._remove,
-    Qt.Key.Key_Menu: KeyPointer._menu,
-    Qt.Key.Key_F10: KeyPointer._menu,
-    Qt.Key.Key_Escape: KeyPointer._escape,
+    Qt.Key.Key_Delete: KeyboardCursor._remove,
+    Qt.Key.Key_Menu: KeyboardCursor._menu,
+    Qt.Key.Key_F10: KeyboardCursor._menu,
+    Qt.Key.Key_Escape: KeyboardCursor._escape,
 }

@@ -9,7 +9,7 @@ import numpy as np
 import pyvista as pv
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import Look
+from insole_studio.scene.camera import ViewTransform
 from insole_studio.scene.name_places import leader_ends, name_boxes
 from insole_studio.scene.pointer import MarkedPoint
 
@@ -37,7 +37,7 @@ class NameTags:
             self._plotter.add_actor(text, name=f"name-{number}", render=False)
         self._sizes = np.array([self._size(text) for text in self._texts]).reshape(-1, 2)
 
-    def place(self, look: Look, taken_px: FloatArray) -> list[FloatArray]:
+    def place(self, look: ViewTransform, taken_px: FloatArray) -> list[FloatArray]:
         """Put the tags beside their places, and give the lines (2, 3) that lead to them, mm.
 
         Parameters

@@ -14,7 +14,7 @@ from insole_core.cases.record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import Look
+from insole_studio.scene.camera import ViewTransform
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -69,7 +69,7 @@ class Painter:
         self._tags = NameTags(plotter, pixel_ratio)
         self._named: Sequence[MarkedPoint] = ()
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])
-        self._look: Look | None = None
+        self._look: ViewTransform | None = None
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
         plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
@@ -292,7 +292,7 @@ class Painter:
             show_edges=False,
         )
 
-    def aim(self, look: Look) -> None:
+    def aim(self, look: ViewTransform) -> None:
         """Look at the scene."""
         camera = self._plotter.camera
         camera.focal_point = tuple(look.focal_mm)
@@ -303,7 +303,7 @@ class Painter:
         self._look = look
         self._place_names(look)
 
-    def _place_names(self, look: Look) -> None:
+    def _place_names(self, look: ViewTransform) -> None:
         """Lay the names of the key points out, clear of the anatomical words."""
         places, words = self._directions
         middle = look.pixels_of(np.array(places)) if words else np.zeros((0, 2))

@@ -8,7 +8,7 @@ from enum import Enum, auto
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import Look, Subject
+from insole_studio.scene.camera import Subject, ViewTransform
 
 
 class Phase(Enum):
@@ -63,7 +63,7 @@ class PointerEvent:
 
     phase: Phase
     subject: Subject
-    look: Look
+    look: ViewTransform
     pixel: tuple[float, float]
     surface_mm: FloatArray | None = None
     handle: str | None = None

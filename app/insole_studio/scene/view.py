@@ -23,11 +23,11 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import Camera, Look, Preset, Subject, fitted, look
+from insole_studio.scene.camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
 from insole_studio.scene.canvas import make_canvas
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.companion import Companion
-from insole_studio.scene.key_pointer import KeyPointer
+from insole_studio.scene.companion import SecondaryMesh
+from insole_studio.scene.key_pointer import KeyboardCursor
 from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 
@@ -43,7 +43,7 @@ _DARK = 128
 """Below this lightness of its windows a theme is dark."""
 
 
-class Offered(Protocol):
+class OfferedItem(Protocol):
     """A line of the menu under the pointer; one that removes is also meant by the Delete key."""
 
     @property
@@ -85,7 +85,7 @@ class PointerSink(Protocol):
         """Act on a double click; False leaves it to the camera."""
         ...
 
-    def offers(self, event: PointerEvent) -> Sequence[Offered]:
+    def offers(self, event: PointerEvent) -> Sequence[OfferedItem]:
         """Give what can be done at a place."""
         ...
 
@@ -111,20 +111,20 @@ class SceneView(QWidget):
         self.subject = subject
         self.sink: PointerSink | None = None
         self.side = Side.LEFT
-        self.camera = Camera()
+        self.camera = ViewCamera()
         self.handles: tuple[Handle, ...] = ()
         self.grab_px = GRAB_PX
         """How near the pointer must come to a handle."""
         self.start: Callable[[], tuple[float, float, float] | None] | None = None
         """Tells where the pointer of the keys begins."""
-        self.keys = KeyPointer(self)
+        self.keys = KeyboardCursor(self)
         self._mesh: TriangleMesh | None = None
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
         self._last = QPointF()
         self._canvas = make_canvas(self._aim, self)
         self.painter = Painter(self._canvas.plotter, dark, self.devicePixelRatioF())
-        self.companion = Companion(self._canvas.plotter, self.devicePixelRatioF())
+        self.companion = SecondaryMesh(self._canvas.plotter, self.devicePixelRatioF())
         layout = QVBoxLayout(self)
         layout.setContentsMargins(FRAME_PX, FRAME_PX, FRAME_PX, FRAME_PX)
         layout.addWidget(self._canvas)
@@ -141,7 +141,7 @@ class SceneView(QWidget):
         return self._canvas.surface
 
     @property
-    def look(self) -> Look:
+    def look(self) -> ViewTransform:
         """The camera made concrete for the size of the widget."""
         size = (max(self._canvas.width(), 1), max(self._canvas.height(), 1))
         return look(self.camera, self.subject, self.side, size)
@@ -176,22 +176,22 @@ class SceneView(QWidget):
             self.keys.refresh()
         self.request_render()
 
-    def set_camera(self, camera: Camera) -> None:
+    def set_camera(self, camera: ViewCamera) -> None:
         """Look through another camera, without telling anybody."""
         self.camera = camera
         if self.keys.is_shown:
             self.keys.refresh()
         self.request_render()
 
-    def change_camera(self, camera: Camera) -> None:
+    def change_camera(self, camera: ViewCamera) -> None:
         """Look through another camera."""
         self.set_camera(camera)
         self.camera_changed.emit(camera)
 
-    def aim_at(self, preset: Preset, bounds_mm: FloatArray) -> Camera:
+    def aim_at(self, preset: Preset, bounds_mm: FloatArray) -> ViewCamera:
         """Give the camera of a preset that shows the whole box in this view."""
         size = (self._canvas.width(), self._canvas.height())
-        return fitted(Camera(preset), bounds_mm, size)
+        return fitted(ViewCamera(preset), bounds_mm, size)
 
     def request_render(self) -> None:
         """Draw soon."""
@@ -430,7 +430,7 @@ class SceneView(QWidget):
         return self.handles[nearest].name if distance[nearest] <= self.grab_px else None
 
 
-def _run(offer: Offered, _checked: bool = False) -> None:
+def _run(offer: OfferedItem, _checked: bool = False) -> None:
     offer.run()
 
 

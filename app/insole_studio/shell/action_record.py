@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from insole_studio.shell.rooms import Rooms
+from insole_studio.shell.rooms import ActionContext
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class ActionRecord:
     key: str
     text: Callable[[], str]
     tip: Callable[[], str]
-    run: Callable[[Rooms, bool], object]
+    run: Callable[[ActionContext, bool], object]
     icon: str = ""
     shortcut: str = ""
     checkable: bool = False

@@ -13,7 +13,7 @@ from insole_studio.shell.questions import Answer, Questions, SameSide
 
 
 @dataclass
-class Answers:
+class ScriptedAnswers:
     """What is answered; may be changed between two steps.
 
     Parameters
@@ -46,7 +46,7 @@ class Answers:
 class AnsweredQuestions(Questions):
     """Asks nobody."""
 
-    def __init__(self, parent: QWidget, answers: Answers) -> None:
+    def __init__(self, parent: QWidget, answers: ScriptedAnswers) -> None:
         super().__init__(parent)
         self.answers = answers
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from insole_studio.settings import Language, Settings
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.dialogue import UserMessages
 from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -38,7 +38,7 @@ class Appearance(QObject):
         frame: Frame,
         stage: DesignStage,
         settings: Settings,
-        dialogue: Dialogue,
+        messages: UserMessages,
         remember: Callable[[], None],
         parent: QObject | None = None,
     ) -> None:
@@ -46,7 +46,7 @@ class Appearance(QObject):
         self._frame = frame
         self._stage = stage
         self._settings = settings
-        self._dialogue = dialogue
+        self._messages = messages
         self._remember = remember
         self._layout_rest = QTimer(self)
         self._layout_rest.setSingleShot(True)
@@ -78,7 +78,7 @@ class Appearance(QObject):
         """Speak another language from the next start on."""
         self._settings.language = language
         self._remember()
-        self._dialogue.say(tr("The window speaks this language from the next start on."))
+        self._messages.say(tr("The window speaks this language from the next start on."))
 
     def note_layout(self) -> None:
         """Remember where the panels are, once they rest."""

@@ -7,13 +7,13 @@ from insole_studio.stages.design.maps import MapKind
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, Counterpart
+from insole_studio.workbench.counterpart import Beside, SideBySide
 
 
-class Comparing:
+class SideBySideActions:
     """Shows two feet or two variants beside each other, and how they differ."""
 
-    def __init__(self, case: Case, stage: DesignStage, counterpart: Counterpart) -> None:
+    def __init__(self, case: Case, stage: DesignStage, counterpart: SideBySide) -> None:
         self._case = case
         self._stage = stage
         self.counterpart = counterpart

@@ -6,20 +6,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from insole_studio.jobs import Jobs, Result, Task
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.dialogue import UserMessages
 from insole_studio.shell.notices import Notices
 from insole_studio.workbench.case import Case
 
 
 @dataclass(frozen=True, eq=False)
-class Desk:
+class AppServices:
     """The open case, the work beside the window, and what is said to the user."""
 
     case: Case
     jobs: Jobs
-    dialogue: Dialogue
+    messages: UserMessages
     notices: Notices
 
     def run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
         """Do long work, then `done` with its result; what goes wrong is said."""
-        self.jobs.start(channel, task, done, self.dialogue.show_error)
+        self.jobs.start(channel, task, done, self.messages.show_error)

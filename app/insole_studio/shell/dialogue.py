@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QMainWindow
 
 from insole_core.errors import InsoleError
 from insole_studio.shell.questions import Questions
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.error_dialog import ErrorDialog
 
 BRIEF_MS, LONG_MS = 5_000, 15_000
 
 
-class Dialogue(QObject):
+class UserMessages(QObject):
     """Dialogs, the status line, and the questions."""
 
     def __init__(self, window: QMainWindow) -> None:
@@ -41,7 +41,7 @@ class Dialogue(QObject):
         self._show_dialog(sentence, "")
 
     def _show_dialog(self, sentence: str, details: str) -> None:
-        dialog = ErrorDialog(spoken(sentence), details, self._window)
+        dialog = ErrorDialog(translate_core_message(sentence), details, self._window)
         self.dialogs.append(dialog)
         dialog.finished.connect(self._forget_dialog)
         dialog.open()

@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 from insole_studio.texts import tr
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.posting import posting_of
 from insole_studio.workbench.case import Case
 
 
-class Editing:
+class EditActions:
     """What the Edit and Tools menus do."""
 
-    def __init__(self, case: Case, hand: Hand) -> None:
+    def __init__(self, case: Case, tool_controller: ToolController) -> None:
         self._case = case
-        self._hand = hand
+        self._tool_controller = tool_controller
 
     def undo(self) -> None:
         """Take the gesture or the last step back."""
-        if not self._hand.cancel():
+        if not self._tool_controller.cancel():
             self._case.undo()
 
     def redo(self) -> None:
         """Do the last undone step again."""
-        self._hand.cancel()
+        self._tool_controller.cancel()
         self._case.redo()
 
     def remove_selected(self) -> None:
@@ -37,4 +37,4 @@ class Editing:
         if key == "posting" and design is not None:
             posting = posting_of(design)
             self._case.select(None if posting is None else posting.id)
-        self._hand.take(key)
+        self._tool_controller.take(key)

@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal
 from insole_core.cases.record import CaseRecord
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
-from insole_core.solids.delivery import Delivery, Places, deliver, outputs
+from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.rules import read_rules
 from insole_core.solids.shop import read_shop
-from insole_studio.shell.desk import Desk
+from insole_studio.shell.desk import AppServices
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.saving import file_stem
 from insole_studio.shell.stage_window import StageWindow
@@ -27,7 +27,7 @@ AskPath = Callable[[str, str], Path | None]
 MayReplace = Callable[[Sequence[Path]], bool]
 
 
-class Exporting(QObject):
+class ExportActions(QObject):
     """Opens the export stage, and writes what needs no questions.
 
     Parameters
@@ -43,14 +43,14 @@ class Exporting(QObject):
 
     def __init__(
         self,
-        desk: Desk,
+        services: AppServices,
         make_stage: Callable[[AskPath, MayReplace], ExportStage],
         parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._desk = desk
-        self._case = desk.case
-        self._dialogue = desk.dialogue
+        self._services = services
+        self._case = services.case
+        self._dialogue = services.messages
         self.exported: CaseRecord | None = None
         """What was exported last."""
         self._make_stage = make_stage
@@ -75,15 +75,17 @@ class Exporting(QObject):
             return
 
         def write(progress: Progress) -> None:
-            with outputs(Places(path)) as beside:
+            with outputs(ExportPaths(path)) as beside:
                 plain = OrderChoice(most_triangles=None)
                 pieces = make_pieces(record, plain, read_rules(), progress.part(0.0, 0.9))
-                deliver(Delivery(pieces, read_shop()), Places(path), beside, progress.part(0.9, 1))
+                run_export_job(
+                    ExportJob(pieces, read_shop()), ExportPaths(path), beside, progress.part(0.9, 1)
+                )
 
         def done(_nothing: None) -> None:
             self._note(record, [path])
 
-        self._desk.run(CHANNEL, write, done)
+        self._services.run(CHANNEL, write, done)
 
     def _make_connected(self) -> ExportStage:
         stage = self._make_stage(self._ask_path, self._dialogue.questions.may_replace)
@@ -127,4 +129,4 @@ class Exporting(QObject):
         def done(_nothing: None) -> None:
             self._dialogue.say(tr("Written: {name}").format(name=path.name))
 
-        self._desk.run(CHANNEL, write, done)
+        self._services.run(CHANNEL, write, done)

@@ -14,7 +14,7 @@ from insole_studio.workbench.case import Case
 from insole_studio.workbench.fitting import fitted, template_of
 
 
-class Feet:
+class FeetActions:
     """What the Feet menu does."""
 
     def __init__(self, case: Case) -> None:

@@ -15,7 +15,7 @@ from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
 
 
-class Guide(QObject):
+class HelpActions(QObject):
     """Shows the program to the one who sits before it."""
 
     def __init__(

@@ -6,18 +6,18 @@ from PySide6.QtGui import QGuiApplication
 
 from insole_core.export.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.dialogue import UserMessages
 from insole_studio.stages.design.measure_texts import table_of
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 
 
-class Measuring:
+class MeasureActions:
     """Hands over the measures of all feet of the case."""
 
-    def __init__(self, case: Case, dialogue: Dialogue) -> None:
+    def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
-        self._dialogue = dialogue
+        self._messages = messages
 
     def copy(self) -> None:
         """Put the table onto the clipboard."""
@@ -25,8 +25,8 @@ class Measuring:
 
     def ask_save(self) -> None:
         """Let the user choose where the table goes."""
-        path = self._dialogue.questions.file_to_write("measures.csv", "CSV (*.csv)")
+        path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)")
         if path is not None:
             with replacing_file(path.with_suffix(".csv")) as beside:
                 beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")
-            self._dialogue.say(tr("Written: {name}").format(name=path.name))
+            self._messages.say(tr("Written: {name}").format(name=path.name))

@@ -5,19 +5,19 @@ from __future__ import annotations
 from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_studio.stages.design.stage import DesignStage
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tab_order import give_focus, tab_stops
 from insole_studio.workbench.case import Case
 
 
-class Navigating:
+class KeyboardNavigation:
     """Gives the focus to what the user asks for."""
 
-    def __init__(self, case: Case, stage: DesignStage, hand: Hand) -> None:
+    def __init__(self, case: Case, stage: DesignStage, tool_controller: ToolController) -> None:
         self._case = case
         self._stage = stage
-        self._hand = hand
+        self._tool_controller = tool_controller
 
     def go_to_panel(self, step: int) -> None:
         """Go to the next panel, or to the one before."""
@@ -53,7 +53,7 @@ class Navigating:
         elif self._case.selection is not None:
             self._case.select(None)
         else:
-            self._hand.take("orbit")
+            self._tool_controller.take("orbit")
 
 
 def _holds(panel: QWidget, focused: QWidget | None) -> bool:

@@ -14,13 +14,13 @@ from insole_core.foot.placing import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
-from insole_studio.shell.desk import Desk
+from insole_studio.shell.desk import AppServices
 from insole_studio.shell.dialogue import LONG_MS
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
 from insole_studio.shell.questions import SameSide
-from insole_studio.shell.recent import Recent
-from insole_studio.shell.saving import Saving
-from insole_studio.texts import spoken, tr
+from insole_studio.shell.recent import RecentFiles
+from insole_studio.shell.saving import SaveActions
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.workbench.autosave import Autosave, Recovered
 from insole_studio.workbench.fitting import last_design
 from insole_studio.workbench.opening import kind_of
@@ -32,22 +32,22 @@ LINE_LETTERS = 160
 EXAMPLE = "example/example.insole"
 
 
-class Opening:
+class OpenActions:
     """Reads beside the window, then puts what was read onto the bench."""
 
     def __init__(
         self,
-        desk: Desk,
+        services: AppServices,
         *,
-        recent: Recent,
-        saving: Saving,
+        recent: RecentFiles,
+        saving: SaveActions,
         autosave: Autosave,
         reconstruct: Callable[[Path], None],
     ) -> None:
-        self._desk = desk
-        self._case = desk.case
-        self._dialogue = desk.dialogue
-        self._notices = desk.notices
+        self._services = services
+        self._case = services.case
+        self._dialogue = services.messages
+        self._notices = services.notices
         self._recent = recent
         self._saving = saving
         self._autosave = autosave
@@ -100,7 +100,7 @@ class Opening:
         """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
         # What was found last is about the foot, what was found first about the file.
-        self._tell(" ".join(map(spoken, reversed(scanned.foot.notes))))
+        self._tell(" ".join(map(translate_core_message, reversed(scanned.foot.notes))))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
             again = replace(before, foot=scanned.foot, source=scanned.source)
@@ -129,7 +129,7 @@ class Opening:
             self._case.open(record, path)
             self._recent.remember(path)
 
-        self._saving.after_unsaved(lambda: self._desk.run(CHANNEL, read, opened))
+        self._saving.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)
@@ -155,13 +155,15 @@ class Opening:
     ) -> None:
         def opened(scanned: ScannedFoot) -> None:
             if scanned.warnings:
-                self._dialogue.show_sentence(" ".join(map(spoken, scanned.warnings)))
+                self._dialogue.show_sentence(
+                    " ".join(map(translate_core_message, scanned.warnings))
+                )
             self.take_scan(scanned)
 
         def task_of(progress: Progress) -> ScannedFoot:
             return task(progress=progress)
 
-        self._desk.jobs.start(CHANNEL, task_of, opened, failed)
+        self._services.jobs.start(CHANNEL, task_of, opened, failed)
 
     def _put_on_bench(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one that is there already is replaced, or begins a new case."""

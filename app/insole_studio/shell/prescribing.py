@@ -19,11 +19,11 @@ from insole_core.insole.template import (
     read_template,
     write_template,
 )
-from insole_studio.shell.dialogue import LONG_MS, Dialogue
+from insole_studio.shell.dialogue import LONG_MS, UserMessages
 from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.fitting import fitted, template_of
@@ -31,22 +31,22 @@ from insole_studio.workbench.landmarks import confirmed, found_anew, landmarks_o
 from insole_studio.workbench.pad_library import LibraryPad
 
 
-class Prescribing:
+class PrescriptionActions:
     """The actions of the Prescribe menu."""
 
     def __init__(
         self,
         case: Case,
-        hand: Hand,
+        tool_controller: ToolController,
         pads: Sequence[LibraryPad],
         behind_heads_mm: float,
-        dialogue: Dialogue,
+        messages: UserMessages,
     ) -> None:
         self._case = case
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._pads = pads
         self._behind_heads_mm = behind_heads_mm
-        self._dialogue = dialogue
+        self._messages = messages
 
     def prescribe(self, correction: Correction) -> None:
         """Add a correction and show its values."""
@@ -59,11 +59,11 @@ class Prescribing:
 
     def take_pad(self, number: int) -> None:
         """Put a pad of the library where it usually lies, and take the tool that moves it."""
-        tool, pad = self._hand.tools["pelott"], self._pads[number]
+        tool, pad = self._tool_controller.tools["pelott"], self._pads[number]
         design, side = self._case.record.design, self._case.side
         assert isinstance(tool, PelottTool)
         tool.template = pad.template
-        self._hand.take("pelott")
+        self._tool_controller.take("pelott")
         if design is None or side is None:
             return
         landmarks = landmarks_of(self._case.record)
@@ -74,25 +74,25 @@ class Prescribing:
 
     def ask_save_template(self) -> None:
         """Let the user choose where the template goes."""
-        path = self._dialogue.questions.file_to_write(
+        path = self._messages.questions.file_to_write(
             f"template{TEMPLATE_SUFFIX}", template_kinds()
         )
         if path is not None and self._case.record.design is not None:
             save_template(self._case, path.with_suffix(TEMPLATE_SUFFIX))
-            self._dialogue.say(tr("Written: {name}").format(name=path.name))
+            self._messages.say(tr("Written: {name}").format(name=path.name))
 
     def ask_apply_template(self) -> None:
         """Let the user choose a template."""
-        path = self._dialogue.questions.file_to_open(template_kinds())
+        path = self._messages.questions.file_to_open(template_kinds())
         if path is not None and self._case.record.design is not None:
             template, foot = read_template(path), _foot_of(self._case)
             self._case.apply(fitted(template, foot, self._case.stamped), tr("Apply a template"))
             if template.design.side is not foot.side:
-                self._dialogue.say(_mirrored_sentence(foot.side), LONG_MS)
+                self._messages.say(_mirrored_sentence(foot.side), LONG_MS)
 
     def ask_repeat_design(self) -> None:
         """Let the user choose an earlier case."""
-        path = self._dialogue.questions.file_to_open(case_kinds())
+        path = self._messages.questions.file_to_open(case_kinds())
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))

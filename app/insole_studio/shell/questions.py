@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from insole_core.geometry.side import Side
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 
 
 class Answer(Enum):
@@ -119,6 +119,6 @@ class Questions:
     def _box(self, text: str) -> QMessageBox:
         box = QMessageBox(self._parent)
         box.setWindowTitle(tr("Insole Studio"))
-        said = spoken(text)
+        said = translate_core_message(text)
         box.setText(said[:1].upper() + said[1:])
         return box

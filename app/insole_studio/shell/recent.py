@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from insole_studio.settings import Settings
 
 
-class Recent(QObject):
+class RecentFiles(QObject):
     """The list that the settings keep."""
 
     changed = Signal()

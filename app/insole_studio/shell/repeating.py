@@ -12,9 +12,9 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.template import Template
 from insole_core.progress import Progress
-from insole_studio.shell.desk import Desk
-from insole_studio.shell.feet import Feet
-from insole_studio.shell.recent import Recent
+from insole_studio.shell.desk import AppServices
+from insole_studio.shell.feet import FeetActions
+from insole_studio.shell.recent import RecentFiles
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.workbench.earlier_designs import find_last_design, identity
@@ -24,21 +24,21 @@ CHANNEL = "earlier"
 NOTICE, MIRROR = "repeat", "mirror"
 
 
-class Repeating(QObject):
+class RepeatActions(QObject):
     """Looks for the last design of the foot at hand as long as nothing is prescribed on it."""
 
     def __init__(
         self,
-        desk: Desk,
-        recent: Recent,
-        feet: Feet,
+        services: AppServices,
+        recent: RecentFiles,
+        feet: FeetActions,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._desk = desk
-        self._case = case = desk.case
-        self._dialogue = desk.dialogue
-        self._notices = desk.notices
+        self._services = services
+        self._case = case = services.case
+        self._dialogue = services.messages
+        self._notices = services.notices
         self._recent = recent
         self._feet = feet
         self._mirror_offered: Foot | None = None
@@ -132,7 +132,7 @@ class Repeating(QObject):
             if template is not None:
                 self.offer()
 
-        self._desk.run(CHANNEL, search, found)
+        self._services.run(CHANNEL, search, found)
 
 
 def _describe(template: Template) -> str:

@@ -7,51 +7,51 @@ from dataclasses import dataclass
 from PySide6.QtWidgets import QMainWindow
 
 from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.authorship import Authorship
+from insole_studio.shell.authorship import PrescriberSetting
 from insole_studio.shell.capture_window import CaptureWindow
-from insole_studio.shell.comparing import Comparing
-from insole_studio.shell.dialogue import Dialogue
-from insole_studio.shell.editing import Editing
-from insole_studio.shell.exporting import Exporting
-from insole_studio.shell.feet import Feet
+from insole_studio.shell.comparing import SideBySideActions
+from insole_studio.shell.dialogue import UserMessages
+from insole_studio.shell.editing import EditActions
+from insole_studio.shell.exporting import ExportActions
+from insole_studio.shell.feet import FeetActions
 from insole_studio.shell.foot_window import FootWindow
-from insole_studio.shell.guide import Guide
-from insole_studio.shell.measuring import Measuring
-from insole_studio.shell.navigating import Navigating
+from insole_studio.shell.guide import HelpActions
+from insole_studio.shell.measuring import MeasureActions
+from insole_studio.shell.navigating import KeyboardNavigation
 from insole_studio.shell.notices import Notices
-from insole_studio.shell.opening import Opening
-from insole_studio.shell.prescribing import Prescribing
-from insole_studio.shell.repeating import Repeating
-from insole_studio.shell.saving import Saving
+from insole_studio.shell.opening import OpenActions
+from insole_studio.shell.prescribing import PrescriptionActions
+from insole_studio.shell.repeating import RepeatActions
+from insole_studio.shell.saving import SaveActions
 from insole_studio.shell.stage_window import StageWindow
-from insole_studio.shell.variants import Variants
+from insole_studio.shell.variants import VariantActions
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.stages.design.stage import DesignStage
 
 
 @dataclass(frozen=True, eq=False)
-class Rooms:
+class ActionContext:
     """The rooms of the window, and its stages."""
 
     window: QMainWindow
     stage: DesignStage
-    dialogue: Dialogue
-    opening: Opening
-    saving: Saving
-    exporting: Exporting
-    editing: Editing
-    navigating: Navigating
-    prescribing: Prescribing
-    measuring: Measuring
-    feet: Feet
-    variants: Variants
-    comparing: Comparing
-    repeating: Repeating
-    authorship: Authorship
+    messages: UserMessages
+    opening: OpenActions
+    saving: SaveActions
+    exporting: ExportActions
+    editing: EditActions
+    navigating: KeyboardNavigation
+    prescribing: PrescriptionActions
+    measuring: MeasureActions
+    feet: FeetActions
+    variants: VariantActions
+    comparing: SideBySideActions
+    repeating: RepeatActions
+    authorship: PrescriberSetting
     notices: Notices
     appearance: Appearance
-    guide: Guide
+    guide: HelpActions
     capture: CaptureWindow
     calibrate: StageWindow[CalibrateStage]
     compare: StageWindow[CompareStage]

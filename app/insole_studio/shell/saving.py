@@ -8,10 +8,10 @@ from typing import TypeAlias
 
 from insole_core.cases.case_file import write_case
 from insole_core.progress import Progress
-from insole_studio.shell.desk import Desk
+from insole_studio.shell.desk import AppServices
 from insole_studio.shell.file_kinds import case_kinds
 from insole_studio.shell.questions import Answer
-from insole_studio.shell.recent import Recent
+from insole_studio.shell.recent import RecentFiles
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.opening import CASE_SUFFIX
@@ -24,13 +24,13 @@ def _nothing() -> None:
     pass
 
 
-class Saving:
+class SaveActions:
     """Writes the case beside the window."""
 
-    def __init__(self, desk: Desk, recent: Recent) -> None:
-        self._desk = desk
-        self._case = desk.case
-        self._dialogue = desk.dialogue
+    def __init__(self, services: AppServices, recent: RecentFiles) -> None:
+        self._services = services
+        self._case = services.case
+        self._dialogue = services.messages
         self._recent = recent
 
     def save(self) -> None:
@@ -60,7 +60,7 @@ class Saving:
             self._recent.remember(path)
             then()
 
-        self._desk.run(CHANNEL, write, saved)
+        self._services.run(CHANNEL, write, saved)
 
     def after_unsaved(self, then: Then) -> None:
         """Go on, once nothing can be lost by it."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWidget
 
 from insole_studio.jobs import JobProgress, Jobs
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.icons import icon
 
 SHOW_AFTER_MS = 300
@@ -78,7 +78,7 @@ class StatusBar(QStatusBar):
 
 
 def _describe(news: JobProgress) -> str:
-    text = f"{spoken(news.text)}…" if news.text else ""
+    text = f"{translate_core_message(news.text)}…" if news.text else ""
     if news.left_s is not None and news.left_s > 1:
         text += "  " + tr("{seconds} s left").format(seconds=round(news.left_s))
     return text

@@ -7,10 +7,10 @@ from pathlib import Path
 from insole_core.cases.record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_studio.texts import tr
-from insole_studio.widgets.step_strip import Step, StepState
+from insole_studio.widgets.step_strip import StepState, WorkflowStep
 
 
-def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
+def steps_of(record: CaseRecord, exported: bool) -> list[WorkflowStep]:
     """Give the five steps: the current one is where the work is, and what lies behind may be open.
 
     A foot on the bench is designed on; the design stays current until it is exported.
@@ -27,7 +27,8 @@ def steps_of(record: CaseRecord, exported: bool) -> list[Step]:
     reached = max((number + 1 for number, key in enumerate(keys) if done[key]), default=0)
     current = keys[reached] if reached < len(keys) else ""
     return [
-        Step(key, _texts()[key], _state(is_done, key == current)) for key, is_done in done.items()
+        WorkflowStep(key, _texts()[key], _state(is_done, key == current))
+        for key, is_done in done.items()
     ]
 
 

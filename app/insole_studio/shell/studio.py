@@ -10,18 +10,18 @@ from insole_core.errors import InsoleError
 from insole_studio.settings import Settings
 from insole_studio.shell.actions import ACTIONS
 from insole_studio.shell.main_window import MainWindow
-from insole_studio.shell.recent import Recent
-from insole_studio.shell.rooms import Rooms
+from insole_studio.shell.recent import RecentFiles
+from insole_studio.shell.rooms import ActionContext
 from insole_studio.shell.saving import case_name
 from insole_studio.shell.steps import session_of, steps_of, whose
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.workbench.autosave import Autosave
 from insole_studio.workbench.case import Case
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
 
 
-class Studio(QObject):
+class MainController(QObject):
     """Connects window, case and rooms. Constructed by the composition root."""
 
     closed = Signal()
@@ -29,19 +29,19 @@ class Studio(QObject):
     def __init__(
         self,
         *,
-        rooms: Rooms,
+        rooms: ActionContext,
         window: MainWindow,
         case: Case,
-        hand: Hand,
+        tool_controller: ToolController,
         autosave: Autosave,
         settings: Settings,
-        recent: Recent,
+        recent: RecentFiles,
     ) -> None:
         super().__init__()
         self.rooms = rooms
         self._window = window
         self._case = case
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._autosave = autosave
         self._recent = recent
         self._actions = {record.key: record for record in ACTIONS}
@@ -50,8 +50,8 @@ class Studio(QObject):
             signal.connect(self._show_state)
         rooms.exporting.changed.connect(self._show_state)
         rooms.comparing.counterpart.changed.connect(self._show_choices)
-        hand.tool_changed.connect(self._show_tool)
-        autosave.failed.connect(rooms.dialogue.show_sentence)
+        tool_controller.tool_changed.connect(self._show_tool)
+        autosave.failed.connect(rooms.messages.show_sentence)
         self._show_state()
         self._show_tool()
         self._show_choices()
@@ -65,7 +65,7 @@ class Studio(QObject):
         try:
             self._actions[key].run(self.rooms, checked)
         except InsoleError as error:
-            self.rooms.dialogue.show_error(error)
+            self.rooms.messages.show_error(error)
         self._show_choices()
 
     def quit(self) -> None:
@@ -87,7 +87,7 @@ class Studio(QObject):
         rooms.foot.foot_made.connect(rooms.opening.take_scan)
         rooms.foot.closed.connect(rooms.capture.hand_on, Qt.ConnectionType.QueuedConnection)
         rooms.foot.closed.connect(window.come_forward, Qt.ConnectionType.QueuedConnection)
-        rooms.foot.unreadable.connect(rooms.dialogue.show_error)
+        rooms.foot.unreadable.connect(rooms.messages.show_error)
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":
@@ -100,7 +100,7 @@ class Studio(QObject):
             self.run_action(_STEP_ACTIONS[key], True)
 
     def _close(self) -> None:
-        self._hand.cancel()
+        self._tool_controller.cancel()
         self.rooms.capture.close()
         self.rooms.calibrate.close()
         self.rooms.exporting.close()
@@ -146,4 +146,4 @@ class Studio(QObject):
         self._window.check_action(f"map_{comparing.map_kind.value}", True)
 
     def _show_tool(self) -> None:
-        self._window.check_action(f"tool_{self._hand.tool.key}", True)
+        self._window.check_action(f"tool_{self._tool_controller.tool.key}", True)

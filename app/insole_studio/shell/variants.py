@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from insole_core.cases.record import FootRecord, Variant
-from insole_studio.shell.dialogue import Dialogue
+from insole_studio.shell.dialogue import UserMessages
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.variants import choose_variant, next_name
 
 
-class Variants:
+class VariantActions:
     """Every step is one of undo; the chosen variant is the one that is shown, checked and made."""
 
-    def __init__(self, case: Case, dialogue: Dialogue) -> None:
+    def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
-        self._dialogue = dialogue
+        self._messages = messages
 
     def duplicate(self) -> None:
         """Go on with a copy of the chosen variant, under the next free letter."""
@@ -40,7 +40,7 @@ class Variants:
         """
         foot = self._foot
         question = tr("What is variant {name} to be called?").format(name=foot.chosen)
-        name = self._dialogue.questions.text(tr("Name the variant"), question, foot.chosen)
+        name = self._messages.questions.text(tr("Name the variant"), question, foot.chosen)
         if name:
             sentence = tr("Name the variant {name}").format(name=name)
             self._case.apply(foot.with_name(foot.chosen, name), sentence)

@@ -8,20 +8,20 @@ from insole_core.cases.record import CaseRecord
 from insole_core.cases.scan import change_of_source
 from insole_core.foot.measure_table import unlike_sizes
 from insole_core.progress import Progress
-from insole_studio.shell.desk import Desk
+from insole_studio.shell.desk import AppServices
 
 CHANNEL = "sources"
 SOURCES, SIZES = "sources", "sizes"
 
 
-class Vigilance(QObject):
+class ScanMonitor(QObject):
     """Looks at the scans when a case is opened, and at the sizes of its feet; by itself."""
 
-    def __init__(self, desk: Desk, parent: QObject) -> None:
+    def __init__(self, services: AppServices, parent: QObject) -> None:
         super().__init__(parent)
-        self._desk = desk
-        self._case = case = desk.case
-        self._notices = desk.notices
+        self._services = services
+        self._case = case = services.case
+        self._notices = services.notices
         self._sizes = ""
         case.opened.connect(self._look_at_sources)
         case.opened.connect(self._look_at_sizes)
@@ -31,7 +31,7 @@ class Vigilance(QObject):
         self._notices.drop(SOURCES)
         record = self._case.record
         if self._case.path is None or not record.feet:
-            self._desk.jobs.cancel(CHANNEL)
+            self._services.jobs.cancel(CHANNEL)
             return
 
         def look(_progress: Progress) -> str:
@@ -41,7 +41,7 @@ class Vigilance(QObject):
             if sentences:
                 self._notices.put(SOURCES, sentences)
 
-        self._desk.run(CHANNEL, look, tell)
+        self._services.run(CHANNEL, look, tell)
 
     def _look_at_sizes(self) -> None:
         feet = self._case.record.feet

@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.recording.session import Box
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
-from insole_studio.scene.view import Offered
+from insole_studio.scene.view import OfferedItem
 from insole_studio.texts import tr
 from insole_studio.tools.running_gesture import RunningGesture
 from insole_studio.tools.tool import Gesture, rounded
@@ -48,7 +48,7 @@ def box_edges(box: Box) -> list[FloatArray]:
     return edges
 
 
-class BoxHand:
+class BoxDragger:
     """Takes the pointer of a view and drags the faces of a box.
 
     Parameters
@@ -105,7 +105,7 @@ class BoxHand:
         del event
         return False
 
-    def offers(self, event: PointerEvent) -> tuple[Offered, ...]:
+    def offers(self, event: PointerEvent) -> tuple[OfferedItem, ...]:
         """Offer nothing."""
         del event
         return ()

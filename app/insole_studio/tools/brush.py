@@ -9,7 +9,7 @@ from insole_core.insole.design import BrushStroke, Place
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import seen_from_above
-from insole_studio.tools.tool import Gesture, Ground, Tool, place_at
+from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, place_at
 from insole_studio.workbench.case import Case
 
 LEAST_STEP_SHARE = 0.15
@@ -28,7 +28,7 @@ class BrushTool(Tool):
         """Say in one short sentence what one can do now."""
         return _HINTS[self.template.mode]()
 
-    def press(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
         """Begin a stroke."""
         place = event.surface_mm
         if case.record.design is None or place is None or seen_from_above(event):

@@ -10,7 +10,7 @@ from insole_core.insole.outline_curve import crosses_itself, inside_curve
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import pelott_handles, seen_from_above
-from insole_studio.tools.tool import Gesture, Ground, Tool, place_at
+from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, place_at
 from insole_studio.workbench.case import Case
 
 CORNERS = 14
@@ -31,7 +31,7 @@ class FreeHandTool(Tool):
         """Say in one short sentence what one can do now, or why the last drawing made no pad."""
         return self._refusal or tr("Draw the outline of a pad round its place, in one go")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Show the handles of what was drawn."""
         return pelott_handles(case, ground)
 
@@ -40,7 +40,7 @@ class FreeHandTool(Tool):
         """What is drawn so far."""
         return self._sketch
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Begin to draw."""
         if event.surface_mm is None or case.record.design is None or seen_from_above(event):
             return None

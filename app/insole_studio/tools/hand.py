@@ -8,11 +8,11 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.tools.running_gesture import RunningGesture
-from insole_studio.tools.tool import Ground, MenuOffer, Tool
+from insole_studio.tools.tool import ContextMenuItem, SurfaceContext, Tool
 from insole_studio.workbench.case import Case
 
 
-class Hand(QObject):
+class ToolController(QObject):
     """The tool in use, shared by all views."""
 
     tool_changed = Signal()
@@ -37,7 +37,7 @@ class Hand(QObject):
         """Whether a gesture is under way."""
         return bool(self._gesture)
 
-    def press(self, event: PointerEvent, ground: Ground) -> bool:
+    def press(self, event: PointerEvent, ground: SurfaceContext) -> bool:
         """Begin a gesture; False leaves the press to the camera."""
         self.cancel()
         gesture = self.tool.press(self._case, event, ground)
@@ -59,11 +59,11 @@ class Hand(QObject):
         self.gesture_ended.emit()
         return True
 
-    def double_click(self, event: PointerEvent, ground: Ground) -> bool:
+    def double_click(self, event: PointerEvent, ground: SurfaceContext) -> bool:
         """Act on a double click; False leaves it to the camera."""
         return not self.is_busy and self.tool.double_click(self._case, event, ground)
 
-    def offers(self, event: PointerEvent, ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(self, event: PointerEvent, ground: SurfaceContext) -> tuple[ContextMenuItem, ...]:
         """Give the lines of the menu under the pointer."""
         return () if self.is_busy else self.tool.offers(self._case, event, ground)
 

@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool, rounded
+from insole_studio.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool, rounded
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.landmarks import SHOWN, landmarks_of
 
@@ -45,7 +45,7 @@ class KeyPointTool(Tool):
         """Say in one short sentence what one can do now."""
         return tr("Drag a landmark to where it belongs; click on the skin to mark a further point")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the landmarks and points that can be grabbed."""
         if ground.subject is not Subject.FOOT:
             return ()
@@ -54,7 +54,7 @@ class KeyPointTool(Tool):
             for name, place in shown_points(case).items()
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab a landmark or mark a point."""
         if event.subject is not Subject.FOOT:
             return None
@@ -66,14 +66,16 @@ class KeyPointTool(Tool):
             return None
         return _carry(case, event, next_name(case.record.annotations), tr("Mark a point"))
 
-    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Offer to forget the point under the pointer."""
         if event.handle is None or event.subject is not Subject.FOOT:
             return ()
         return _forget_offers(case, event.handle.removeprefix(PREFIX))
 
 
-def _forget_offers(case: Case, name: str) -> tuple[MenuOffer, ...]:
+def _forget_offers(case: Case, name: str) -> tuple[ContextMenuItem, ...]:
     """Offer to take away a further point, or to let a landmark be found again."""
     annotations = case.record.annotations
     kept = tuple(point for point in annotations.key_points if point.name != name)
@@ -84,7 +86,7 @@ def _forget_offers(case: Case, name: str) -> tuple[MenuOffer, ...]:
     def forget() -> None:
         case.apply(replace(annotations, key_points=kept), text)
 
-    return (MenuOffer(text, forget, removes=True),)
+    return (ContextMenuItem(text, forget, removes=True),)
 
 
 def shown_points(case: Case) -> dict[str, tuple[float, float, float]]:

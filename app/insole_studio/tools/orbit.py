@@ -13,7 +13,7 @@ from insole_studio.tools.pelott import (
     raise_pelott,
     selected_pelott,
 )
-from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool
+from insole_studio.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool
 from insole_studio.workbench.case import Case
 
 
@@ -28,11 +28,13 @@ class OrbitTool(Tool):
             return tr("Drag a handle to change the pelott, drag beside it to turn the view")
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return pelott_handles(case, ground)
 
-    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Offer to remove the pad at a place."""
         return pelott_offers(case, event)
 
@@ -40,7 +42,7 @@ class OrbitTool(Tool):
         """Raise the selected pad by keys; the wheel is the camera's."""
         return event.by_key and raise_pelott(case, event, steps)
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab a handle; select or leave what is under the pointer, and let the camera turn."""
         if event.handle is not None:
             return grab_pelott(case, event)

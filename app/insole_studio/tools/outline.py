@@ -15,7 +15,14 @@ from insole_core.insole.outline import insole_outline, outline_points
 from insole_core.insole.outline_curve import closed_curve, crosses_itself
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, MenuOffer, Tool, nudge_mm, place_at
+from insole_studio.tools.tool import (
+    ContextMenuItem,
+    Gesture,
+    SurfaceContext,
+    Tool,
+    nudge_mm,
+    place_at,
+)
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.landmarks import landmarks_of
 
@@ -41,21 +48,21 @@ class OutlineTool(Tool):
             "Drag a point of the outline; double click adds one on the line, or takes one away"
         )
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the points of the outline."""
         points = points_of(case.shown)
         hint = tr("Drag to change the outline of the insole; double click takes the point away")
         places = (ground.place(*point) for point in points)
         return tuple(Handle(f"{PREFIX}{i}", place, hint) for i, place in enumerate(places))
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab a point."""
         number = _number(event)
         if number is None or case.record.design is None:
             return None
         return self._carry(case, case.record.design, number, event)
 
-    def double_click(self, case: Case, event: PointerEvent, _ground: Ground) -> bool:
+    def double_click(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> bool:
         """Take the point under the pointer away, or add one on the line."""
         number = _number(event)
         if number is not None:
@@ -67,19 +74,23 @@ class OutlineTool(Tool):
         self._add(case, place_at(place))
         return True
 
-    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Offer what a double click would do, and to begin anew."""
         number, place = _number(event), event.place_mm(0.0)
         found = []
         if number is not None:
             text = tr("Remove this point")
-            found.append(MenuOffer(text, lambda: self._remove(case, number), removes=True))
+            found.append(ContextMenuItem(text, lambda: self._remove(case, number), removes=True))
         elif place is not None and is_near(points_of(case.record), place[:2]):
             here = place_at(place)
-            found.append(MenuOffer(tr("Add a point here"), lambda: self._add(case, here)))
+            found.append(ContextMenuItem(tr("Add a point here"), lambda: self._add(case, here)))
         design = case.record.design
         if design is not None and design.outline.source == "drawn":
-            found.append(MenuOffer(tr("Back to the outline of the foot"), lambda: _to_foot(case)))
+            found.append(
+                ContextMenuItem(tr("Back to the outline of the foot"), lambda: _to_foot(case))
+            )
         return tuple(found)
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:

@@ -21,9 +21,9 @@ from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.metatarsal import NEAR_MM, clearance, snapped, usual_place
 from insole_studio.tools.tool import (
+    ContextMenuItem,
     Gesture,
-    Ground,
-    MenuOffer,
+    SurfaceContext,
     Tool,
     nudge_mm,
     place_at,
@@ -57,7 +57,7 @@ class PelottTool(Tool):
             return distance
         return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return pelott_handles(case, ground)
 
@@ -65,11 +65,13 @@ class PelottTool(Tool):
         """Begin where such a pad usually lies."""
         return usual_place(case.record, self.template)
 
-    def offers(self, case: Case, event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Offer to remove the pad at a place."""
         return pelott_offers(case, event)
 
-    def press(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
         """Grab a handle or a pad, or place a new one."""
         return grab_pelott(case, event) or self._place(case, event, ground)
 
@@ -81,7 +83,7 @@ class PelottTool(Tool):
         """Move the selected pad by a little."""
         return nudge_pelott(case, event, right, up)
 
-    def _place(self, case: Case, event: PointerEvent, ground: Ground) -> Gesture | None:
+    def _place(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
         place = event.surface_mm
         if case.record.design is None or place is None or seen_from_above(event):
             return None
@@ -102,7 +104,7 @@ def selected_pelott(case: Case) -> Pelott | None:
     return correction if isinstance(correction, Pelott) else None
 
 
-def pelott_handles(case: Case, ground: Ground) -> tuple[Handle, ...]:
+def pelott_handles(case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
     """Give the handles of the selected pad; the corners of a free outline are among them."""
     pad = selected_pelott(case)
     if pad is None:
@@ -166,7 +168,7 @@ def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
     return True
 
 
-def pelott_offers(case: Case, event: PointerEvent) -> tuple[MenuOffer, ...]:
+def pelott_offers(case: Case, event: PointerEvent) -> tuple[ContextMenuItem, ...]:
     """Offer to remove the pad at a place, or the selected one where a handle was chosen."""
     design = case.record.design
     if design is None:
@@ -174,7 +176,7 @@ def pelott_offers(case: Case, event: PointerEvent) -> tuple[MenuOffer, ...]:
     pad = pelott_at(design, event) if event.handle is None else selected_pelott(case)
     if pad is None:
         return ()
-    return (MenuOffer(tr("Remove the pad"), partial(_remove, case, pad), removes=True),)
+    return (ContextMenuItem(tr("Remove the pad"), partial(_remove, case, pad), removes=True),)
 
 
 def clearance_text(case: Case) -> str:

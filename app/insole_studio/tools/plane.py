@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.cases.record import Annotations, ReferencePlane
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, Tool, rise_mm, rounded
+from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded
 from insole_studio.workbench.case import Case
 
 ARM_MM = 70.0
@@ -30,7 +30,7 @@ class PlaneTool(Tool):
             return tr("Click on the foot to put the reference plane through that place")
         return tr("Drag the middle up or down to raise the plane, its ends to turn it")
 
-    def handles(self, case: Case, _ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, _ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         plane = case.shown.annotations.plane
         if plane is None:
@@ -41,7 +41,7 @@ class PlaneTool(Tool):
             for name, arm in arms.items()
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab the plane or put it through the touched place."""
         annotations = case.record.annotations
         if event.handle in _TURNS and annotations.plane is not None:

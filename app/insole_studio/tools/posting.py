@@ -11,7 +11,7 @@ from insole_core.insole.limits import CORRECTION_RANGES
 from insole_core.insole.posting import posting_angles
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, Tool, rise_mm, rounded, with_number
+from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded, with_number
 from insole_studio.workbench.case import Case
 
 ANGLE_STEP_DEG = 0.5
@@ -31,7 +31,7 @@ class PostingTool(Tool):
         """Say in one short sentence what one can do now."""
         return tr("Drag heel or forefoot up to raise the medial edge, down to raise the lateral")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         if case.foot is None:
             return ()
@@ -41,7 +41,7 @@ class PostingTool(Tool):
             for name, share in (("rearfoot", REARFOOT_SHARE), ("forefoot", FOREFOOT_SHARE))
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab the heel or the forefoot."""
         part = event.handle or self._part(case, event)
         if part not in _HINTS or case.record.design is None:

@@ -10,16 +10,16 @@ import numpy as np
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import (
+    ContextMenuItem,
     Gesture,
-    Ground,
-    MenuOffer,
+    SurfaceContext,
     Tool,
     nudge_mm,
     place_at,
     rounded,
 )
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.section import Section, SectionPlane
+from insole_studio.workbench.section import SectionModel, SectionPlane
 
 ARM_MM = 45.0
 PLACE_STEP_MM = 0.5
@@ -33,7 +33,7 @@ class SectionTool(Tool):
 
     key = "section"
 
-    def __init__(self, section: Section) -> None:
+    def __init__(self, section: SectionModel) -> None:
         self._section = section
 
     def hint(self, _case: Case) -> str:
@@ -42,7 +42,7 @@ class SectionTool(Tool):
             return tr("Click on the sole to cut the insole there")
         return tr("Drag the middle to move the section, its end to turn it")
 
-    def handles(self, _case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, _case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         plane = self._section.plane
         if plane is None:
@@ -53,7 +53,7 @@ class SectionTool(Tool):
             Handle("section-turn", ground.place(*end), _turn_hint()),
         )
 
-    def press(self, _case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, _case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab a handle, or put the section through the touched place."""
         plane = self._section.plane
         if plane is not None and event.handle in _CHANGES:
@@ -64,12 +64,14 @@ class SectionTool(Tool):
         put = SectionPlane(place_at(event.surface_mm, PLACE_STEP_MM), turn)
         return self._drag(event, put, _moved)
 
-    def offers(self, _case: Case, _event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, _case: Case, _event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Offer to look at the whole again."""
         if self._section.plane is None:
             return ()
         text = tr("Remove the section")
-        return (MenuOffer(text, lambda: self._section.show(None), removes=True),)
+        return (ContextMenuItem(text, lambda: self._section.show(None), removes=True),)
 
     def nudge(self, _case: Case, event: PointerEvent, right: int, up: int) -> bool:
         """Move the section by half a millimetre."""

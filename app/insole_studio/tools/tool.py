@@ -28,7 +28,7 @@ Gesture = Generator[None, PointerEvent, None]
 
 
 @dataclass(frozen=True)
-class MenuOffer:
+class ContextMenuItem:
     """One line of the menu under the pointer: its text and what it does.
 
     What `removes` is also meant by the Delete key.
@@ -39,7 +39,7 @@ class MenuOffer:
     removes: bool = False
 
 
-class Ground(Protocol):
+class SurfaceContext(Protocol):
     """What marks are drawn on in one view: the skin or the insole."""
 
     @property
@@ -70,7 +70,7 @@ class Tool:
         """Say in one short sentence what one can do now."""
         raise NotImplementedError
 
-    def handles(self, _case: Case, _ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, _case: Case, _ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return ()
 
@@ -88,15 +88,17 @@ class Tool:
         """How the hand is moving the foot just now, (4, 4); None when it does not."""
         return None
 
-    def press(self, _case: Case, _event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, _case: Case, _event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Begin a gesture; None leaves the press to the camera."""
         return None
 
-    def double_click(self, _case: Case, _event: PointerEvent, _ground: Ground) -> bool:
+    def double_click(self, _case: Case, _event: PointerEvent, _ground: SurfaceContext) -> bool:
         """Act on a double click; False leaves it to the camera."""
         return False
 
-    def offers(self, _case: Case, _event: PointerEvent, _ground: Ground) -> tuple[MenuOffer, ...]:
+    def offers(
+        self, _case: Case, _event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
         """Give what can be done at a place, for the menu under the pointer."""
         return ()
 

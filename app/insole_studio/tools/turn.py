@@ -15,7 +15,7 @@ from insole_core.geometry.transforms import inverse
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, Ground, Tool, rounded
+from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rounded
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.foot_moving import turned_record
 from insole_studio.workbench.landmarks import landmarks_of
@@ -112,7 +112,7 @@ class TurnTool(Tool):
             return tr("The landmarks stand where they do on no foot; put them right first")
         return self._angle_text or tr("Drag a ring to turn the foot; hold Ctrl for small steps")
 
-    def handles(self, case: Case, ground: Ground) -> tuple[Handle, ...]:
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
         """Give two spots on each ring; the ring itself can be grabbed as well."""
         if case.foot is None or ground.subject is not Subject.FOOT or _angles(case) is None:
             return ()
@@ -130,7 +130,7 @@ class TurnTool(Tool):
         centre = ring_centre(case.foot)
         return tuple(ring.line(centre) for ring in RINGS.values())
 
-    def press(self, case: Case, event: PointerEvent, _ground: Ground) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
         """Grab the ring under the pointer."""
         angles, foot = _angles(case), case.foot
         if angles is None or foot is None or event.subject is not Subject.FOOT:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QWidget
 
 
-class Choice(QComboBox):
+class ComboBox(QComboBox):
     """Shows texts, gives words."""
 
     edited = Signal(str)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLabel
 LEAST_PX = 120
 
 
-class FoldedText(QLabel):
+class ElidedLabel(QLabel):
     """Leaves out its end where there is no room; the whole text is its tooltip then."""
 
     overflowed = Signal(bool)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.flow import FlowLayout
-from insole_studio.widgets.folded_text import FoldedText
+from insole_studio.widgets.folded_text import ElidedLabel
 from insole_studio.widgets.icons import icon
 
 LEAST_PX = 640
@@ -85,7 +85,7 @@ class _Line(QFrame):
         super().__init__()
         self.setObjectName("notice")
         self._key = notice.key
-        self._text = FoldedText(notice.text)
+        self._text = ElidedLabel(notice.text)
         self._more = _button("down", tr("Read all"))
         self._more.setCheckable(True)
         self._more.hide()

@@ -7,7 +7,7 @@ from PySide6.QtGui import QHideEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
 from insole_studio.texts import tr
-from insole_studio.widgets.refusal import Refusal
+from insole_studio.widgets.refusal import ValidationBubble
 
 TOUCH_HEIGHT_PX = 36
 """A field that is higher is made for fingers."""
@@ -49,7 +49,7 @@ class NumberField(QDoubleSpinBox):
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.valueChanged.connect(self.edited)
-        self.refusal = Refusal(self)
+        self.refusal = ValidationBubble(self)
         self.lineEdit().textEdited.connect(self.refusal.hide)
 
     @property

@@ -10,7 +10,7 @@ WIDTH_PX = 260
 GAP_PX = 4
 
 
-class Refusal(QLabel):
+class ValidationBubble(QLabel):
     """A bubble above its field, or below where there is no room; it goes by itself.
 
     It is a window of its own: a native 3-D view would hide what lies over it in the same window.

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar
 
-from insole_studio.texts import spoken
+from insole_studio.texts import translate_core_message
 
 
-class Sentences(QLabel):
+class MessageLabel(QLabel):
     """Sentences below each other; nothing is shown while there are none.
 
     Parameters
@@ -32,12 +32,12 @@ class Sentences(QLabel):
 
     def say_all(self, sentences: Sequence[str]) -> None:
         """Show sentences in the language of the window, each from a capital on."""
-        said = map(spoken, sentences)
+        said = map(translate_core_message, sentences)
         self.setText("\n".join(sentence[:1].upper() + sentence[1:] for sentence in said))
         self.setVisible(bool(sentences))
 
 
-class WorkBar(QProgressBar):
+class ProgressBar(QProgressBar):
     """How far a long work is, and what is being done; hidden while there is none."""
 
     def __init__(self) -> None:
@@ -49,4 +49,4 @@ class WorkBar(QProgressBar):
         """Show the work; an empty text ends it."""
         self.setVisible(bool(text))
         self.setValue(round(100 * fraction))
-        self.setFormat(spoken(text))
+        self.setFormat(translate_core_message(text))

@@ -19,7 +19,7 @@ class StepState(StrEnum):
 
 
 @dataclass(frozen=True)
-class Step:
+class WorkflowStep:
     """One step: its key, its text, and how far it is."""
 
     key: str
@@ -48,7 +48,7 @@ class StepStrip(QWidget):
         row.addWidget(self._whose)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
-    def show_steps(self, steps: Sequence[Step]) -> None:
+    def show_steps(self, steps: Sequence[WorkflowStep]) -> None:
         """Show the steps as they are."""
         for step in steps:
             if step.key not in self._buttons:
@@ -62,7 +62,7 @@ class StepStrip(QWidget):
         """Say whose case is open, and which foot."""
         self._whose.setText(text)
 
-    def _add(self, step: Step) -> None:
+    def _add(self, step: WorkflowStep) -> None:
         if self._buttons:
             line = QLabel("───")
             line.setObjectName("quiet")

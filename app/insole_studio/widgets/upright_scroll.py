@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 from insole_studio.widgets.finger_scroll import scroll_by_finger
 
 
-class UprightScroll(QScrollArea):
+class VerticalScroll(QScrollArea):
     """Never cuts its lines: they cannot be scrolled sideways."""
 
     def __init__(self, parent: QWidget | None = None) -> None:

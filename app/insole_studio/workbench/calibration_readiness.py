@@ -10,7 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import Board, Sighting, read_grey
+from insole_core.calibration.board import Board, BoardDetection, read_grey
 from insole_core.calibration.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
@@ -37,7 +37,7 @@ _GREEN = (60, 200, 60)
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class PictureInspection:
     """One picture or wall as it was looked at.
 
     Parameters
@@ -71,7 +71,7 @@ class Readiness:
         Of the walls.
     """
 
-    looks: tuple[Look, ...]
+    looks: tuple[PictureInspection, ...]
     missing: tuple[str, ...]
     cells: IntArray = field(default_factory=lambda: np.zeros(CELLS, dtype=np.int64))
     distances_mm: tuple[float, ...] = ()
@@ -109,9 +109,9 @@ def inspect_pairs(folder: Path, board: Board, progress: Progress = SILENT) -> Re
 
 def _look_at_boards(
     folder: Path, kind: str, board: Board, progress: Progress
-) -> tuple[tuple[Look, ...], list[Sighting]]:
+) -> tuple[tuple[PictureInspection, ...], list[BoardDetection]]:
     paths = board_pictures(folder, kind)
-    found: list[tuple[Look, Sighting | None]] = []
+    found: list[tuple[PictureInspection, BoardDetection | None]] = []
     for done, path in enumerate(paths):
         progress.step(done / len(paths), f"Looking at {path.name}")
         found.append(_look_at_file(path, path.stat().st_mtime_ns, board))
@@ -120,14 +120,16 @@ def _look_at_boards(
 
 
 @lru_cache(maxsize=128)
-def _look_at_file(path: Path, _changed_ns: int, board: Board) -> tuple[Look, Sighting | None]:
+def _look_at_file(
+    path: Path, _changed_ns: int, board: Board
+) -> tuple[PictureInspection, BoardDetection | None]:
     """Look once: a folder grows while pictures are taken."""
     return look_at_board(path.name, read_grey(path), board)
 
 
 def look_at_board(
     name: str, grey: ByteArray, board: Board, picture: ByteArray | None = None
-) -> tuple[Look, Sighting | None]:
+) -> tuple[PictureInspection, BoardDetection | None]:
     """Look for the board in one picture.
 
     Parameters
@@ -142,11 +144,11 @@ def look_at_board(
     try:
         sighting = board.find(name, grey)
     except CalibrationError as error:
-        return Look(name, False, str(error), small(shown)), None
-    return Look(name, True, _told(sighting), _with_corners(shown, sighting)), sighting
+        return PictureInspection(name, False, str(error), small(shown)), None
+    return PictureInspection(name, True, _told(sighting), _with_corners(shown, sighting)), sighting
 
 
-def _told(sighting: Sighting) -> str:
+def _told(sighting: BoardDetection) -> str:
     count, (turn_deg, side) = len(sighting.pixels), turn_of(sighting)
     if turn_deg < _FRONT_DEG:
         return tr("{count} corners, seen from the front").format(count=count)
@@ -164,7 +166,7 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
         When the folder or an image cannot be read.
     """
     captures = read_captures(folder, progress.part(0, 0.5))
-    found: list[tuple[Look, WallFit | None]] = []
+    found: list[tuple[PictureInspection, WallFit | None]] = []
     for done, capture in enumerate(captures):
         progress.step(0.5 + 0.5 * done / len(captures), f"Finding the wall in {capture.name}")
         found.append(look_at_wall(capture, sensor))
@@ -174,16 +176,16 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
     return Readiness(looks, _missing_walls(walls), wall_cells(walls), distances)
 
 
-def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[Look, WallFit | None]:
+def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspection, WallFit | None]:
     """Look for the wall in one capture."""
     try:
         wall = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
     except CalibrationError as error:
-        return Look(capture.name, False, str(error), _depth_picture(capture)), None
+        return PictureInspection(capture.name, False, str(error), _depth_picture(capture)), None
     sentence = tr("a wall at {distance:.0f} mm that fills {share:.0%}").format(
         distance=wall_distance_mm(wall), share=wall.wall.mean()
     )
-    return Look(capture.name, True, sentence, _depth_picture(capture, wall.wall)), wall
+    return PictureInspection(capture.name, True, sentence, _depth_picture(capture, wall.wall)), wall
 
 
 def wall_distance_mm(wall: WallFit) -> float:
@@ -196,7 +198,7 @@ def is_near(distance_mm: float, distances_mm: Sequence[float]) -> bool:
     return any(abs(distance_mm - one) < _NEAR_MM for one in distances_mm)
 
 
-def _missing_boards(sightings: Sequence[Sighting]) -> tuple[str, ...]:
+def _missing_boards(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
     missing = []
     if len(sightings) < GOOD_PICTURES:
         missing.append(
@@ -208,7 +210,7 @@ def _missing_boards(sightings: Sequence[Sighting]) -> tuple[str, ...]:
     return (*missing, *_missing_parts(sightings))
 
 
-def _missing_pairs(sightings: Sequence[Sighting], each: int) -> tuple[str, ...]:
+def _missing_pairs(sightings: Sequence[BoardDetection], each: int) -> tuple[str, ...]:
     missing = []
     if turns := missing_turns(sightings, each):
         sides = [f"{count}\u00a0×\u00a0{_side_texts()[side]}" for side, count in turns.items()]
@@ -218,7 +220,7 @@ def _missing_pairs(sightings: Sequence[Sighting], each: int) -> tuple[str, ...]:
     return (*missing, *_missing_parts(sightings))
 
 
-def _missing_parts(sightings: Sequence[Sighting]) -> tuple[str, ...]:
+def _missing_parts(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
     regions = missing_regions(count_corners(sightings))
     if not regions:
         return ()
@@ -285,7 +287,7 @@ def wall_cells(walls: Sequence[WallFit]) -> IntArray:
     return counts
 
 
-def _with_corners(shown: ByteArray, sighting: Sighting) -> ByteArray:
+def _with_corners(shown: ByteArray, sighting: BoardDetection) -> ByteArray:
     picture = small(shown)
     scale = picture.shape[1] / shown.shape[1]
     for u, v in np.round(sighting.pixels * scale).astype(int).tolist():

@@ -9,12 +9,12 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from insole_core.errors import UsageError
-from insole_core.evaluation.report import Report, Section
+from insole_core.evaluation.report import Report, ReportSection
 from insole_core.evaluation.report_files import WRITERS
 from insole_core.export.atomic import replacing_file
 
 
-def make_report(title: str, serial: str, sections: Sequence[Section]) -> Report:
+def make_report(title: str, serial: str, sections: Sequence[ReportSection]) -> Report:
     """Give a report of now."""
     return Report(title, serial, datetime.now(UTC).isoformat(timespec="seconds"), tuple(sections))
 

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from insole_core.calibration.board import Board, Sighting, picture_paths, shifted
+from insole_core.calibration.board import Board, BoardDetection, picture_paths, shifted
 from insole_core.calibration.intrinsics import find_boards
 from insole_core.calibration.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
-from insole_core.evaluation.report import Section
+from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.nominal import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
@@ -45,7 +45,7 @@ class StepResult:
     """
 
     sensor: Sensor
-    section: Section
+    section: ReportSection
     sentences: tuple[str, ...]
     advice: tuple[str, ...] = ()
 
@@ -86,7 +86,7 @@ def depth_images(folder: Path) -> list[Path]:
 
 def find_infrared_pairs(
     folder: Path, board: Board, progress: Progress = SILENT
-) -> list[tuple[Sighting, Sighting]]:
+) -> list[tuple[BoardDetection, BoardDetection]]:
     """Find the board in ``ir_003`` and ``color_003`` …: the corners that both show.
 
     Returns
@@ -115,7 +115,7 @@ def find_infrared_pairs(
     return pairs
 
 
-def check_color_camera(sensor: Sensor, color: Sequence[Sighting]) -> None:
+def check_color_camera(sensor: Sensor, color: Sequence[BoardDetection]) -> None:
     """Refuse pictures that the colour camera was not calibrated for.
 
     Raises
@@ -136,5 +136,5 @@ def check_color_camera(sensor: Sensor, color: Sequence[Sighting]) -> None:
         )
 
 
-def _number(sighting: Sighting, kind: str) -> str:
+def _number(sighting: BoardDetection, kind: str) -> str:
     return Path(sighting.name).stem.removeprefix(kind)

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.record import Annotations, CaseRecord, FootRecord, Patient, Source
+from insole_core.cases.record import Annotations, CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.corrections import CorrectionBase
@@ -163,7 +163,7 @@ class Case(QObject):
         self.selection_changed.emit()
         self.saved_changed.emit()
 
-    def open_foot(self, foot: Foot, source: Source) -> None:
+    def open_foot(self, foot: Foot, source: ScanSource) -> None:
         """Begin a design on a new foot alone; the patient stays."""
         record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
         self.open(record, self.path, unsaved=True)

@@ -21,7 +21,7 @@ from insole_core.compare.report import (
     report_json,
     span_mm,
 )
-from insole_core.compare.sources import Source, read_source
+from insole_core.compare.sources import ComparisonSource, read_source
 from insole_core.errors import InputError, UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.ply import write_ply
@@ -70,7 +70,7 @@ class Compared:
     measures: dict[str, dict[str, float]]
 
 
-def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> Source:
+def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> ComparisonSource:
     """Give the surface that is wanted.
 
     Raises
@@ -85,13 +85,13 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
         raise InputError("The case has no such foot; open or capture one first.")
     name = f"{foot.side} {wanted.kind}"
     if wanted.kind == "foot":
-        return Source(name, foot.foot.mesh)
-    return Source(name, insole_solid(build_insole(foot.foot, foot.design, progress)))
+        return ComparisonSource(name, foot.foot.mesh)
+    return ComparisonSource(name, insole_solid(build_insole(foot.foot, foot.design, progress)))
 
 
 def compare_sources(
-    a: Source,
-    b: Source,
+    a: ComparisonSource,
+    b: ComparisonSource,
     alignment: Alignment,
     median_pixels: int,
     progress: Progress = SILENT,

@@ -14,7 +14,7 @@ from insole_studio.workbench.history import History
 from insole_studio.workbench.reconstructing import MeasuredSession
 
 
-class Correcting:
+class SessionEditor:
     """The corrections of one session. They are kept beside it at every step.
 
     Parameters

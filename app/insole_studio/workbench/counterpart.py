@@ -22,7 +22,7 @@ from insole_core.progress import Progress
 from insole_core.solids.solid import insole_solid
 from insole_studio.jobs import Jobs
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.insole_surface import InsolePreview
 
 CHANNEL = "counterpart"
 _SOLE_PITCH_MM, _SOLE_TO_MM, _SEEN_MM = 1.0, 30.0, 1.5
@@ -58,7 +58,7 @@ class Built:
     sole: HeightField
 
 
-class Counterpart(QObject):
+class SideBySide(QObject):
     """Keeps built, beside the window, what stands beside the foot at hand."""
 
     changed = Signal()
@@ -110,7 +110,7 @@ class Counterpart(QObject):
         """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
 
-    def heights_under(self, surface: InsoleSurface, xy: FloatArray) -> FloatArray:
+    def heights_under(self, surface: InsolePreview, xy: FloatArray) -> FloatArray:
         """Heights of the counterpart at the top of the shown insole; kept while pads move."""
         assert self.built is not None
         laid = self._laid
@@ -184,7 +184,7 @@ def sole_heights(foot: Foot) -> HeightField:
     return HeightField(*grid.first_mm, grid.pitch_mm, heights)
 
 
-def insole_difference(surface: InsoleSurface, counterpart: Counterpart) -> FloatArray | None:
+def insole_difference(surface: InsolePreview, counterpart: SideBySide) -> FloatArray | None:
     """Height of the shown insole's top over the counterpart's, mm, at the vertices of the top.
 
     Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN where the
@@ -197,7 +197,7 @@ def insole_difference(surface: InsoleSurface, counterpart: Counterpart) -> Float
     return np.asarray(top[:, 2] - counterpart.heights_under(surface, top[:, :2]))
 
 
-def foot_difference(foot: Foot, counterpart: Counterpart) -> FloatArray | None:
+def foot_difference(foot: Foot, counterpart: SideBySide) -> FloatArray | None:
     """Height of the foot's sole over the counterpart's, mm, at its vertices; NaN beside the sole.
 
     None where the same foot stands beside, or nothing.

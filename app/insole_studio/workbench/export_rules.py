@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.solids.rules import Rules, read_rules, write_rules
+from insole_core.solids.rules import ExportRules, read_rules, write_rules
 
 
-class ExportRules:
+class ClinicExportRules:
     """Gives the rules that hold, and remembers changed ones.
 
     Parameters
@@ -19,7 +19,7 @@ class ExportRules:
     def __init__(self, path: Path) -> None:
         self._path = path
 
-    def load(self) -> Rules:
+    def load(self) -> ExportRules:
         """Give the rules.
 
         Raises
@@ -29,7 +29,7 @@ class ExportRules:
         """
         return read_rules(self._path if self._path.exists() else None)
 
-    def save(self, rules: Rules) -> None:
+    def save(self, rules: ExportRules) -> None:
         """Remember the rules.
 
         Raises

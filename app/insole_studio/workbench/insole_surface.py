@@ -35,7 +35,7 @@ KEPT_GROUNDS = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Ground:
+class BaseSolid:
     """What a design stands on while pads come, go and move: the insole without them.
 
     Parameters
@@ -59,7 +59,7 @@ class Ground:
     rim: IntArray
 
     @classmethod
-    def of(cls, key: tuple[Any, ...], base: ContactBase, solid: TriangleMesh) -> Ground:
+    def of(cls, key: tuple[Any, ...], base: ContactBase, solid: TriangleMesh) -> BaseSolid:
         """Take a closed solid whose first half of vertices is the top."""
         count = len(solid.vertices) // 2
         on_top = solid.triangles < count
@@ -103,7 +103,7 @@ class Ground:
         return order, y[order]
 
 
-class InsoleSurface(QObject):
+class InsolePreview(QObject):
     """The surface derived from the shown design.
 
     Dragging a pad changes only the part of a surface that it covers. What lies below is computed
@@ -117,8 +117,8 @@ class InsoleSurface(QObject):
         super().__init__(parent)
         self._case = case
         self._jobs = jobs
-        self._ground: Ground | None = None
-        self._kept: list[Ground] = []
+        self._ground: BaseSolid | None = None
+        self._kept: list[BaseSolid] = []
         self._shown_design: InsoleDesign | None = None
         self._standing: tuple[tuple[object, ...], TriangleMesh] | None = None
         self.contact: HeightField | None = None
@@ -232,20 +232,20 @@ class InsoleSurface(QObject):
     def _has_ground(self, foot: Foot, design: InsoleDesign) -> bool:
         return self._ground is not None and self._ground.key == _ground_key(foot, design)
 
-    def _kept_ground(self, foot: Foot, design: InsoleDesign) -> Ground | None:
+    def _kept_ground(self, foot: Foot, design: InsoleDesign) -> BaseSolid | None:
         """Find what was built lately: the other foot, another variant, a step of undo."""
         key = _ground_key(foot, design)
         return next((ground for ground in self._kept if ground.key == key), None)
 
     def _build_ground(self, foot: Foot, design: InsoleDesign) -> None:
-        def build(progress: Progress) -> Ground:
+        def build(progress: Progress) -> BaseSolid:
             base = contact_base(foot, design, progress.part(0.0, 0.7))
             progress.step(0.7, "Trimming the insole")
             bare = without_added(design)
             solid = insole_solid(Insole(bare, foot, base.surface, base.measured))
-            return Ground.of(_ground_key(foot, design), base, solid)
+            return BaseSolid.of(_ground_key(foot, design), base, solid)
 
-        def take(ground: Ground) -> None:
+        def take(ground: BaseSolid) -> None:
             self._ground = ground
             self._kept.insert(0, ground)
             del self._kept[KEPT_GROUNDS:]
@@ -284,7 +284,7 @@ class InsoleSurface(QObject):
         self.moved = self._move_vertices(ground, change.window)
         self.changed.emit()
 
-    def _move_vertices(self, ground: Ground, window: Window) -> IntArray:
+    def _move_vertices(self, ground: BaseSolid, window: Window) -> IntArray:
         assert self.contact is not None
         assert self.mesh is not None
         assert self.normals is not None

@@ -15,7 +15,7 @@ from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.blobs import find_blobs
 from insole_core.reconstruct.registration import PoseSearch
-from insole_core.reconstruct.sighting import Sightings, locate_blobs
+from insole_core.reconstruct.sighting import Detections, locate_blobs
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
 
@@ -85,7 +85,7 @@ def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, FloatArray]
 
 
 def _on_other_faces(
-    sightings: Sightings, system: ReferenceSystem, view: View, sensor2reference: FloatArray
+    sightings: Detections, system: ReferenceSystem, view: View, sensor2reference: FloatArray
 ) -> dict[str, FloatArray]:
     """Find markers of the faces that the sensor was not put up for, where they were planned."""
     others = [marker for marker in system.markers if marker.face not in view.sensor.faces]

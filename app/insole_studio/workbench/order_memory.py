@@ -16,7 +16,7 @@ log = logging.getLogger(__name__)
 _FORGOTTEN = ("both", "pseudonym", "text", "block")
 
 
-class OrderMemory:
+class LastOrder:
     """Keeps the last order beside the settings; a bad entry costs a warning, never the start.
 
     Parameters

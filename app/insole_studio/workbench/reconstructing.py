@@ -12,8 +12,8 @@ from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import Reconstruction, RegistrationLimits, ViewResult, reconstruct
-from insole_core.reconstruct.agreement import Agreement, view_agreement
-from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.agreement import ViewConsistency, view_consistency
+from insole_core.reconstruct.fusion.reading import DepthView, read_volume
 from insole_core.reconstruct.measured_view import MeasuredView, measure_view, used_result
 from insole_core.reconstruct.result import refused_result
 from insole_core.reconstruct.volume import volume_of_interest
@@ -81,7 +81,7 @@ class MeasuredSession:
             return replace(refused_result(name, error), frames=frames, left_out=left_out)
         return replace(result, used=not edits.off)
 
-    def reading(self, result: ViewResult) -> Reading | None:
+    def reading(self, result: ViewResult) -> DepthView | None:
         """Give the part of a placed view that shows the foot; None where nothing does."""
         if not result.used or result.sensor2reference is None:
             return None
@@ -118,7 +118,7 @@ class MadeFoot:
     edits: HandEdits
     limits: RegistrationLimits
     reconstruction: Reconstruction | None = None
-    agreement: Agreement | None = None
+    agreement: ViewConsistency | None = None
 
 
 def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
@@ -195,4 +195,4 @@ def make_foot(
     progress.step(0.9, "Finding heel and toes")
     made = placed(result.mesh, result.warnings, certain=force)
     readings = [reading for view in result.views if (reading := opened.reading(view)) is not None]
-    return replace(made, reconstruction=result, agreement=view_agreement(result.mesh, readings))
+    return replace(made, reconstruction=result, agreement=view_consistency(result.mesh, readings))

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.section import section_segments
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.insole_surface import InsolePreview
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Profile:
     skin: FloatArray
 
 
-class Section(QObject):
+class SectionModel(QObject):
     """The plane of now, or None; it belongs to the look, not to the case."""
 
     changed = Signal()
@@ -74,7 +74,7 @@ class Section(QObject):
             self.changed.emit()
 
 
-def cut_profile(surface: InsoleSurface, plane: SectionPlane) -> Profile | None:
+def cut_profile(surface: InsolePreview, plane: SectionPlane) -> Profile | None:
     """Cut insole and foot; None where the plane misses the insole."""
     line, skins, standing = section_line(surface, plane), surface.skins, surface.standing_foot
     if line is None or skins is None or standing is None:
@@ -86,7 +86,7 @@ def cut_profile(surface: InsoleSurface, plane: SectionPlane) -> Profile | None:
     return Profile(top, bottom, _in_plane(_cut(standing, plane), plane))
 
 
-def section_line(surface: InsoleSurface, plane: SectionPlane) -> FloatArray | None:
+def section_line(surface: InsolePreview, plane: SectionPlane) -> FloatArray | None:
     """Give the cut through the contact surface, (n, 3) mm; None where there is none."""
     field, skins = surface.contact, surface.skins
     if field is None or skins is None:

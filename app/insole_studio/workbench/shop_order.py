@@ -16,10 +16,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.delivery import Delivery, Places, deliver, outputs
+from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.marking import Relief
-from insole_core.solids.order import Order, Piece, make_piece
-from insole_core.solids.rules import Rules
+from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.rules import ExportRules
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 
@@ -101,8 +101,8 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
 
 
 def make_pieces(
-    record: CaseRecord, choice: OrderChoice, rules: Rules, progress: Progress = SILENT
-) -> tuple[Piece, ...]:
+    record: CaseRecord, choice: OrderChoice, rules: ExportRules, progress: Progress = SILENT
+) -> tuple[Part, ...]:
     """Build, make and check what is ordered.
 
     Raises
@@ -119,7 +119,7 @@ def make_pieces(
     )
 
 
-def _piece(foot: FootRecord, choice: OrderChoice, rules: Rules, progress: Progress) -> Piece:
+def _piece(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: Progress) -> Part:
     insole = build_insole(foot.foot, foot.design, progress.part(0.0, 0.4))
     order = Order(
         kind=choice.kind,
@@ -130,11 +130,11 @@ def _piece(foot: FootRecord, choice: OrderChoice, rules: Rules, progress: Progre
         most_deviation_mm=choice.most_deviation_mm,
         layered=choice.layered and choice.suffix == ".3mf",
     )
-    return make_piece(insole, order, rules, progress.part(0.4, 1.0))
+    return make_part(insole, order, rules, progress.part(0.4, 1.0))
 
 
 def write_order(
-    pieces: Sequence[Piece],
+    pieces: Sequence[Part],
     choice: OrderChoice,
     path: Path,
     *,
@@ -172,7 +172,7 @@ def write_order(
         for group, place, temporary, part in zip(
             groups, places, beside, progress.parts(len(groups)), strict=True
         ):
-            delivery = Delivery(
+            delivery = ExportJob(
                 tuple(group),
                 shop,
                 identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
@@ -182,39 +182,39 @@ def write_order(
                 override=override,
                 ascii_stl=choice.ascii_stl,
             )
-            deliver(delivery, place, temporary, part)
+            run_export_job(delivery, place, temporary, part)
     return tuple(place.solid for place in places)
 
 
 def files_of(
-    pieces: Sequence[Piece], choice: OrderChoice, path: Path, overridden: bool
+    pieces: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
 ) -> tuple[Path, ...]:
     """Name all files that `write_order` would write."""
     places = _all_places(pieces, choice, path, overridden)
     return tuple(file for place in places for file in vars(place).values() if file is not None)
 
 
-def word_of(pieces: Sequence[Piece], choice: OrderChoice) -> str:
+def word_of(pieces: Sequence[Part], choice: OrderChoice) -> str:
     """Say which word stands in the name of the first file: left, right or pair."""
     return _word(_groups(pieces, choice)[0])
 
 
-def _groups(pieces: Sequence[Piece], choice: OrderChoice) -> list[Sequence[Piece]]:
+def _groups(pieces: Sequence[Part], choice: OrderChoice) -> list[Sequence[Part]]:
     """The pieces of each file."""
     return [pieces] if choice.block is not None else [[piece] for piece in pieces]
 
 
 def _all_places(
-    pieces: Sequence[Piece], choice: OrderChoice, path: Path, overridden: bool
-) -> list[Places]:
+    pieces: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
+) -> list[ExportPaths]:
     return [_places(path, _word(group), choice, overridden) for group in _groups(pieces, choice)]
 
 
-def _word(group: Sequence[Piece]) -> str:
+def _word(group: Sequence[Part]) -> str:
     return str(group[0].side) if len(group) == 1 else "pair"
 
 
-def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Places:
+def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> ExportPaths:
     """Name the files; left or right stands in each name."""
     stem = path.stem if path.suffix.lower() == choice.suffix else path.name
     stem = "-".join([*(part for part in stem.split("-") if part not in _SIDE_WORDS), word])
@@ -222,7 +222,7 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Pla
     def named(wanted: bool, ending: str) -> Path | None:
         return path.with_name(stem + ending) if wanted else None
 
-    return Places(
+    return ExportPaths(
         path.with_name(stem + choice.suffix),
         named(choice.checks or overridden, "-checks.json"),
         named(choice.job_sheet, "-job-sheet.pdf"),

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.calibration.board import Board, Sighting
+from insole_core.calibration.board import Board, BoardDetection
 from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
 from insole_core.calibration.board_plan import (
     EACH_WITH_DEPTH,
@@ -104,7 +104,9 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
     return replace(result, advice=advice)
 
 
-def _advice(stereo: StereoCalibration, color: Sequence[Sighting], each: int) -> tuple[str, ...]:
+def _advice(
+    stereo: StereoCalibration, color: Sequence[BoardDetection], each: int
+) -> tuple[str, ...]:
     """Say which positions would help, where the place is not known well enough."""
     known_mm = float(np.linalg.norm(stereo.translation_deviation_mm))
     missing = missing_turns(color, each)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kinect_v1 import modes
-from kinect_v1.camera import Camera, CameraSettings, open_camera
+from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.playback import recorded_kinect
 from kinect_v1.errors import KinectError, NoSensorError, UnsupportedError
@@ -104,7 +104,7 @@ def _info(options: argparse.Namespace, bus: UsbBus) -> None:
         )
 
 
-def _start(camera: Camera, options: argparse.Namespace) -> tuple[Stream, Stream | None]:
+def _start(camera: KinectCamera, options: argparse.Namespace) -> tuple[Stream, Stream | None]:
     mode = VIDEO_MODES[options.color]
     depth = camera.start_depth()
     return depth, camera.start_video(mode) if mode else None
@@ -130,7 +130,7 @@ def _drawing(frames: list[Frame]) -> str:
     return drawings[0] if len(drawings) == 1 else beside(*drawings)
 
 
-def _posture(camera: Camera) -> Posture | None:
+def _posture(camera: KinectCamera) -> Posture | None:
     """Read the accelerometer, where the sensor lets it be read."""
     try:
         return camera.motor.posture()

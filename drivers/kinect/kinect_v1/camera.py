@@ -84,7 +84,7 @@ def open_camera(
     serial: str | None = None,
     settings: CameraSettings = CameraSettings(),
     bus: UsbBus | None = None,
-) -> Camera:
+) -> KinectCamera:
     """Open the sensor with a serial number; None opens the only one.
 
     Parameters
@@ -99,10 +99,10 @@ def open_camera(
     NoSensorError, NoPowerError, NoPermissionError, InUseError, KinectError
     """
     found, number = find_sensor(bus or system_bus(), serial)
-    return Camera(found, number, settings)
+    return KinectCamera(found, number, settings)
 
 
-class Camera:
+class KinectCamera:
     """An open sensor. Use it as a context manager, or close it.
 
     Attributes

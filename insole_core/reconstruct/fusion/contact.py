@@ -9,8 +9,8 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.border_growth import Border
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
-from insole_core.geometry.touches import Touches
-from insole_core.reconstruct.fusion.rim import Beyond, Rim
+from insole_core.geometry.touches import ContourConstraints
+from insole_core.reconstruct.fusion.rim import Beyond, OccludingContour
 from insole_core.reconstruct.views_at_once import for_views
 
 _SHORT_MM = (0.4, 9.0)
@@ -25,7 +25,9 @@ _LEAST_TOWARDS = -0.15
 _TOUCHED_MM, _TOUCHED_FACING = 2.5, 0.2
 
 
-def bend_to(rims: list[Rim], everywhere: bool, border: Border) -> tuple[BoolArray, FloatArray]:
+def bend_to(
+    rims: list[OccludingContour], everywhere: bool, border: Border
+) -> tuple[BoolArray, FloatArray]:
     """Tell where a border ends short of an outline, and by which curvature it gets there.
 
     An arc that leaves the border tangentially touches the plane of the rays when its radius is the
@@ -56,7 +58,7 @@ def bend_to(rims: list[Rim], everywhere: bool, border: Border) -> tuple[BoolArra
     return wanted, curvature
 
 
-def drawn_to(mesh: TriangleMesh, rims: list[Rim]) -> TriangleMesh:
+def drawn_to(mesh: TriangleMesh, rims: list[OccludingContour]) -> TriangleMesh:
     """Move what lies next to the outlines onto them, and its neighbours less and less."""
     mean = laplacian(mesh)
     for _ in range(_ROUNDS):
@@ -70,7 +72,7 @@ def drawn_to(mesh: TriangleMesh, rims: list[Rim]) -> TriangleMesh:
     return mesh
 
 
-def _ways(mesh: TriangleMesh, rims: list[Rim]) -> tuple[BoolArray, FloatArray]:
+def _ways(mesh: TriangleMesh, rims: list[OccludingContour]) -> tuple[BoolArray, FloatArray]:
     """Which vertices (n,) must move, and how (m, 3): what stands out, and what should touch."""
     normals = smoothed_normals(mesh, 2)
     total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
@@ -86,7 +88,7 @@ def _ways(mesh: TriangleMesh, rims: list[Rim]) -> tuple[BoolArray, FloatArray]:
     return held, total[held] / count[held, None]
 
 
-def lies_before(mesh: TriangleMesh, rims: list[Rim], reach_mm: float) -> BoolArray:
+def lies_before(mesh: TriangleMesh, rims: list[OccludingContour], reach_mm: float) -> BoolArray:
     """Tell which vertices (n,) lie so near before a place where an outline is touched."""
     normals = smoothed_normals(mesh, 1)
     proved = np.zeros(len(mesh.vertices), dtype=bool)
@@ -95,7 +97,9 @@ def lies_before(mesh: TriangleMesh, rims: list[Rim], reach_mm: float) -> BoolArr
     return proved
 
 
-def _lies_before(mesh: TriangleMesh, rim: Rim, normals: FloatArray, reach_mm: float) -> BoolArray:
+def _lies_before(
+    mesh: TriangleMesh, rim: OccludingContour, normals: FloatArray, reach_mm: float
+) -> BoolArray:
     beyond = rim.against(mesh.vertices)
     touching = _touching(beyond, normals, _TOUCHING_MM, _TOUCHING_FACING)
     if len(touching) == 0:
@@ -107,7 +111,7 @@ def _lies_before(mesh: TriangleMesh, rim: Rim, normals: FloatArray, reach_mm: fl
     return np.asarray(np.isfinite(away) & (towards > _LEAST_TOWARDS))
 
 
-def touches_of(mesh: TriangleMesh, rims: list[Rim]) -> Touches:
+def touches_of(mesh: TriangleMesh, rims: list[OccludingContour]) -> ContourConstraints:
     """Give the rays that touch a mesh, each with the place where they do."""
     normals = smoothed_normals(mesh, 2)
     points, outwards = [np.zeros((0, 3))], [np.zeros((0, 3))]
@@ -115,7 +119,7 @@ def touches_of(mesh: TriangleMesh, rims: list[Rim]) -> Touches:
         touching = _touching(beyond, normals, _TOUCHED_MM, _TOUCHED_FACING)
         points.append(beyond.on_ray(touching, mesh.vertices))
         outwards.append(beyond.outward[touching])
-    return Touches(np.concatenate(points), np.concatenate(outwards))
+    return ContourConstraints(np.concatenate(points), np.concatenate(outwards))
 
 
 def _touching(beyond: Beyond, normals: FloatArray, within_mm: float, facing: float) -> IntArray:

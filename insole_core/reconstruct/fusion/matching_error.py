@@ -22,7 +22,7 @@ from insole_core.reconstruct.fusion.neighbourhood import (
     neighbourhoods,
     support,
 )
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.shading import find_shading
 from insole_core.resources import resource_path
 
@@ -72,7 +72,7 @@ class Network:
         return np.asarray(both / 2, np.float32)
 
 
-def without_matching_error(reading: Reading) -> Reading:
+def without_matching_error(reading: DepthView) -> DepthView:
     """Take the error of the matching out of a reading, as far as it can be foretold."""
     pixel_mm = reading.sensor.disparity.depth_mm(reading.raw) / reading.sensor.depth_camera.fx
     turns = _quarter_turns(reading)
@@ -140,7 +140,7 @@ def _between(
     return np.asarray(total / np.maximum(weight, 1e-9))
 
 
-def _quarter_turns(reading: Reading) -> int:
+def _quarter_turns(reading: DepthView) -> int:
     """Turns of the picture, counter-clockwise, that bring the toes to its last row.
 
     The direction is that in which the skin runs from the calf over the heel to the toes.

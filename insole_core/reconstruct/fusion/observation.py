@@ -10,7 +10,7 @@ from scipy import sparse
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 
 _NOISE_RAW = 0.21
 """Standard deviation of a mean, corrected reading on a surface that faces the sensor."""
@@ -45,7 +45,7 @@ class Observations:
 
 
 def observe(
-    reading: Reading, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
+    reading: DepthView, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
 ) -> Observations:
     """Compare a reading with the mesh, ray by ray.
 
@@ -80,7 +80,7 @@ def observe(
     return Observations(design, residuals[good], 1 / (SHARED_PX * variance), view_terms)
 
 
-def _view_terms(reading: Reading, pixels: FloatArray) -> FloatArray:
+def _view_terms(reading: DepthView, pixels: FloatArray) -> FloatArray:
     """Offset and tilt over the view: 1, and the pixel's place across the foot, per 100 px."""
     camera = reading.sensor.depth_camera
     place = (pixels - [camera.width / 2, camera.height / 2]) / 100

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from insole_core.reconstruct.fusion.matching_error import without_matching_error
-from insole_core.reconstruct.fusion.reading import Reading
-from insole_core.reconstruct.fusion.rim import Rim, find_rim
+from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.rim import OccludingContour, find_occluding_contour
 from insole_core.reconstruct.fusion.silhouette import Silhouette, find_silhouette, within_outline
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth, smooth_depth
 
@@ -27,13 +27,13 @@ class PreparedView:
         The outline between the pixels; None where it is not certain.
     """
 
-    reading: Reading
+    reading: DepthView
     outline: Silhouette | None
     depth: SmoothDepth
-    rim: Rim | None = None
+    rim: OccludingContour | None = None
 
 
-def prepare(reading: Reading, *, exact: bool = False) -> PreparedView:
+def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
     """Find the outline of the foot in a view; correct and smooth what lies within.
 
     Parameters
@@ -45,5 +45,5 @@ def prepare(reading: Reading, *, exact: bool = False) -> PreparedView:
     outline = find_silhouette(reading)
     within = within_outline(reading, outline)
     corrected = within if exact else without_matching_error(within)
-    rim = None if outline is None else find_rim(corrected, outline)
+    rim = None if outline is None else find_occluding_contour(corrected, outline)
     return PreparedView(corrected, outline, smooth_depth(corrected), rim)

@@ -25,7 +25,7 @@ _LENS_PX = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class DepthView:
     """The part of a view's depth image that may show the foot, in disparity.
 
     Parameters
@@ -129,11 +129,11 @@ class Reading:
         in_sensor = transform(inverse(self.sensor2reference), points)
         return np.asarray(self.sensor.depth_camera.project(in_sensor) - np.array(self.corner))
 
-    def without(self, wrong: BoolArray) -> Reading:
+    def without(self, wrong: BoolArray) -> DepthView:
         """Leave out some pixels (height, width)."""
         return self.with_raw(np.where(wrong, np.nan, self.raw))
 
-    def with_raw(self, raw: FloatArray) -> Reading:
+    def with_raw(self, raw: FloatArray) -> DepthView:
         """Exchange the raw numbers (height, width)."""
         return replace(self, raw=raw)
 
@@ -146,7 +146,7 @@ def read_volume(
     *,
     raw: FloatArray,
     color: ByteArray,
-) -> Reading:
+) -> DepthView:
     """Cut out of a whole depth image what lies in the volume of interest.
 
     Parameters
@@ -161,7 +161,7 @@ def read_volume(
     """
     rows, columns = _window(box, sensor, sensor2reference)
     corner = (columns.start, rows.start)
-    seen = Reading(name, sensor, sensor2reference, corner, raw[rows, columns], color)
+    seen = DepthView(name, sensor, sensor2reference, corner, raw[rows, columns], color)
     inside = is_inside(seen.points(seen.raw), box)
     check_any_inside(inside)
     rows, columns = (_extent(np.any(inside, axis=axis)) for axis in (1, 0))

@@ -14,7 +14,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.view_gaps import view_gaps
 from insole_core.reconstruct.views_at_once import both, for_views
 
@@ -74,7 +74,7 @@ class RefinedSurface:
 
 def refine(
     mesh: TriangleMesh,
-    readings: list[Reading],
+    readings: list[DepthView],
     limits: RefinementLimits = RefinementLimits(),
 ) -> RefinedSurface:
     """Move the vertices along their normals to the posterior's maximum.

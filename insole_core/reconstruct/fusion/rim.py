@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.silhouette import Silhouette
 
 _EVENED_PX = 2.0
@@ -75,7 +75,7 @@ class Beyond:
 
 
 @dataclass(frozen=True, eq=False)
-class Rim:
+class OccludingContour:
     """The rays of a view that touch the foot.
 
     Parameters
@@ -89,7 +89,7 @@ class Rim:
         Unit vectors: along the rays, and away from the foot across the outline.
     """
 
-    reading: Reading
+    reading: DepthView
     pixels: FloatArray
     stretch: IntArray
     rays: FloatArray
@@ -123,7 +123,7 @@ class Rim:
         )  # fmt: skip
 
 
-def find_rim(reading: Reading, silhouette: Silhouette) -> Rim | None:
+def find_occluding_contour(reading: DepthView, silhouette: Silhouette) -> OccludingContour | None:
     """Find where the outline lies between the pixels; None where its colours do not tell.
 
     Where the outline runs over something of nearly the foot's colour, or over what is not even,
@@ -141,7 +141,7 @@ def find_rim(reading: Reading, silhouette: Silhouette) -> Rim | None:
     normals = np.cross(rays, beside)
     normals *= np.sign(np.einsum("kc,kc->k", normals, beyond))[:, None]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    return Rim(reading, pixels, np.flatnonzero(sure) // _STRETCH_PX, rays, normals)
+    return OccludingContour(reading, pixels, np.flatnonzero(sure) // _STRETCH_PX, rays, normals)
 
 
 def _traced(silhouette: Silhouette) -> tuple[FloatArray, FloatArray]:
@@ -188,7 +188,7 @@ def _outermost_crossing(share: FloatArray) -> FloatArray:
     return np.asarray(_ACROSS_PX[inner] + part * _STEP_PX)
 
 
-def _rays(reading: Reading, pixels: FloatArray) -> FloatArray:
+def _rays(reading: DepthView, pixels: FloatArray) -> FloatArray:
     camera = reading.sensor.color_camera
     ahead = np.column_stack([camera.normalised(pixels), np.ones(len(pixels))])
     rays = ahead @ reading.color2reference[:3, :3].T

@@ -12,7 +12,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.fusion.neighbourhood import mean_of_known
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 
 _NEAR_PX, _AROUND_PX = 1.0, 5.0
 _DARK_LEVELS = 8.0
@@ -22,7 +22,7 @@ _BLUR_SHARE = 1 / 1280
 """Of the picture's width, in which it is evened: about as coarse as the readings are."""
 
 
-def find_shading(reading: Reading) -> Float32Array:
+def find_shading(reading: DepthView) -> Float32Array:
     """Look up the shading (height, width) of all readings in their colour image.
 
     0 also where a place lies beside the picture.

@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 
 _CORE_PX = 4
 """Depth fattens the foot by up to half its window; this far inside it is surely foot."""
@@ -54,7 +54,7 @@ class Silhouette:
         return found
 
 
-def find_silhouette(reading: Reading) -> Silhouette | None:
+def find_silhouette(reading: DepthView) -> Silhouette | None:
     """Find the outline of the foot; None when its colours do not differ from the background's.
 
     Histograms of the colours inside, and of those in a ring around, tell for every pixel which
@@ -92,7 +92,7 @@ def find_silhouette(reading: Reading) -> Silhouette | None:
     return Silhouette((int(low[0]), int(low[1])), signed, background)
 
 
-def is_beside(points: FloatArray, reading: Reading, outline: Silhouette) -> BoolArray:
+def is_beside(points: FloatArray, reading: DepthView, outline: Silhouette) -> BoolArray:
     """Tell which places (n, 3), reference frame, the colour image shows to lie beside the foot."""
     in_color = transform(inverse(reading.color2reference), points)
     camera = reading.sensor.color_camera
@@ -100,7 +100,7 @@ def is_beside(points: FloatArray, reading: Reading, outline: Silhouette) -> Bool
     return np.asarray(outside_px * in_color[:, 2] / camera.fx > _TOLERANCE_MM)
 
 
-def within_outline(reading: Reading, outline: Silhouette | None) -> Reading:
+def within_outline(reading: DepthView, outline: Silhouette | None) -> DepthView:
     """Leave out readings that the colour image shows to lie beside the foot.
 
     The sensor compares windows, so that the foot's disparity spreads beyond its edge and closes
@@ -113,7 +113,7 @@ def within_outline(reading: Reading, outline: Silhouette | None) -> Reading:
     return reading.without(beside)
 
 
-def _in_color(reading: Reading, chosen: BoolArray) -> FloatArray:
+def _in_color(reading: DepthView, chosen: BoolArray) -> FloatArray:
     points = reading.points(reading.raw)[chosen]
     in_color = transform(inverse(reading.color2reference), points)
     return reading.sensor.color_camera.project(in_color)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 
 _SIGMA_PX = 1.5
 _REACH_PX = 3
@@ -32,7 +32,7 @@ class SmoothDepth:
     cosine: FloatArray
 
 
-def smooth_depth(reading: Reading) -> SmoothDepth:
+def smooth_depth(reading: DepthView) -> SmoothDepth:
     """Smooth a reading by a Gaussian that stops at jumps; pixels without neighbours are dropped."""
     raw, support = _smooth(reading.raw.astype(np.float32))
     raw = np.where(support > _LEAST_SUPPORT, raw, np.nan)

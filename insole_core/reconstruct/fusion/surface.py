@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, IntArray
-from insole_core.geometry.border_growth import grown
+from insole_core.geometry.border_growth import extend_boundary
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
@@ -16,9 +16,9 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contact import bend_to, drawn_to, lies_before, touches_of
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
-from insole_core.reconstruct.fusion.rim import Rim
+from insole_core.reconstruct.fusion.rim import OccludingContour
 from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices
 from insole_core.reconstruct.result import Surface
@@ -92,15 +92,15 @@ def fuse(
         lambda: touches_of(supported, rims), lambda: _colored(supported, readings)
     )
     deviation_mm = refined.deviation_mm[kept][ends].mean(1)
-    return Surface(fine.dressed(touches=touches), deviation_mm, refined.view_gaps_mm)
+    return Surface(fine.with_attributes(touches=touches), deviation_mm, refined.view_gaps_mm)
 
 
-def _colored(mesh: TriangleMesh, readings: list[Reading]) -> tuple[TriangleMesh, IntArray]:
+def _colored(mesh: TriangleMesh, readings: list[DepthView]) -> tuple[TriangleMesh, IntArray]:
     fine, ends = subdivided(mesh)
-    return fine.dressed(colors=color_vertices(fine, readings, mesh)), ends
+    return fine.with_attributes(colors=color_vertices(fine, readings, mesh)), ends
 
 
-def _rims(views: list[PreparedView]) -> list[Rim]:
+def _rims(views: list[PreparedView]) -> list[OccludingContour]:
     return [view.rim for view in views if view.rim is not None]
 
 
@@ -114,7 +114,7 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
     mesh = mesh.moved(relaxed(mesh, _RELAXING_ROUNDS))
     rims = _rims(views)
     for number in range(limits.rings + (limits.more_rings if rims else 0)):
-        mesh = grown(mesh, limits.ring_mm, partial(bend_to, rims, number < limits.rings))
+        mesh = extend_boundary(mesh, limits.ring_mm, partial(bend_to, rims, number < limits.rings))
         mesh = mesh.moved(relaxed(mesh, _EVENING_ROUNDS))
     return mesh
 

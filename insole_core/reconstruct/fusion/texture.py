@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.views_at_once import for_views
 
 _CLEARANCE_MM = 2.0
@@ -38,7 +38,7 @@ class _Look:
 
 
 def color_vertices(
-    mesh: TriangleMesh, readings: list[Reading], outside: TriangleMesh | None = None
+    mesh: TriangleMesh, readings: list[DepthView], outside: TriangleMesh | None = None
 ) -> ByteArray:
     """Give each vertex (n, 3) the colour of the views that face it, the views balanced.
 
@@ -66,7 +66,7 @@ def color_vertices(
     return np.asarray(np.clip(np.rint(colors), 0, 255), dtype=np.uint8)
 
 
-def _look(mesh: TriangleMesh, caster: RayCaster, reading: Reading) -> _Look:
+def _look(mesh: TriangleMesh, caster: RayCaster, reading: DepthView) -> _Look:
     eye = reading.color2reference[:3, 3]
     way = eye - mesh.vertices
     cosine = np.einsum("nc,nc->n", mesh.vertex_normals, way) / np.linalg.norm(way, axis=1)

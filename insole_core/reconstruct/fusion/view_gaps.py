@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.observation import Observations
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 
 _LEAST_COSINE = 0.5
 """Steeper places are drawn sideways by the sensor's window, in the two views in opposite ways."""
@@ -38,7 +38,7 @@ def view_gaps(
     mesh: TriangleMesh,
     normals: FloatArray,
     displacement: FloatArray,
-    readings: list[Reading],
+    readings: list[DepthView],
     seen: list[Observations],
 ) -> FloatArray:
     """Find the shift from each view's surface to each other's, by what both measured.

@@ -7,12 +7,14 @@ from functools import cache
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import Board, Sighting
+from insole_core.calibration.board import Board, BoardDetection
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
-COLOR_CAMERA = Camera(1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0))
+COLOR_CAMERA = PinholeCamera(
+    1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0)
+)
 
 
 def board_poses(
@@ -67,14 +69,14 @@ def sight(
     name: str,
     board: Board,
     board2camera: FloatArray,
-    camera: Camera,
+    camera: PinholeCamera,
     noise_px: float = 0.0,
     seed: int = 0,
-) -> Sighting:
+) -> BoardDetection:
     """Project all corners, with noise."""
     pixels = camera.project(transform(board2camera, board.points_mm))
     noise = np.random.default_rng(seed).normal(0, noise_px, pixels.shape) if noise_px else 0
-    return Sighting(name, (camera.width, camera.height), board.points_mm, pixels + noise)
+    return BoardDetection(name, (camera.width, camera.height), board.points_mm, pixels + noise)
 
 
 def chequer_print(columns: int, rows: int, square_px: int) -> ByteArray:
@@ -85,14 +87,14 @@ def chequer_print(columns: int, rows: int, square_px: int) -> ByteArray:
 
 
 @cache
-def ray_rows(camera: Camera) -> FloatArray:
+def ray_rows(camera: PinholeCamera) -> FloatArray:
     """(height, width, 3) directions with z = 1; undone distortion takes most of a rendering."""
     rays = camera.pixel_rays()
     return np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
 
 
 def photograph(
-    texture: ByteArray, px_per_mm: float, board2camera: FloatArray, camera: Camera
+    texture: ByteArray, px_per_mm: float, board2camera: FloatArray, camera: PinholeCamera
 ) -> ByteArray:
     """Render a flat print (its first pixel at the board's origin) before a grey wall."""
     rows = ray_rows(camera)

@@ -15,7 +15,7 @@ from insole_core.calibration.board import Chequerboard
 from insole_core.calibration.intrinsics import with_shift
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BOARD = Chequerboard(9, 6, 30.0)
@@ -24,7 +24,7 @@ SENSOR = Sensor(
     model="kinect-v1",
     serial="SIM1",
     depth_camera=CAMERA,
-    color_camera=Camera(640, 480, 525.0, 526.5, 322.0, 243.0, (0.1, -0.2, 0.0, 0.0, 0.0)),
+    color_camera=PinholeCamera(640, 480, 525.0, 526.5, 322.0, 243.0, (0.1, -0.2, 0.0, 0.0, 0.0)),
     depth2color=rigid(rotation_about(np.array([1.0, 2, 0.5]), 0.8), np.array([-25.0, 0.6, -1.5])),
     disparity=DISPARITY,
     faces=("sole",),

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from simulated_board import COLOR_CAMERA, sight, spread_poses
 
-from insole_core.calibration.board import Chequerboard, Sighting
+from insole_core.calibration.board import BoardDetection, Chequerboard
 from insole_core.calibration.board_plan import EACH_WITH_DEPTH, missing_turns, turn_of
 from insole_core.geometry.transforms import rigid, rotation_about
 
 BOARD = Chequerboard(10, 7, 30)
 
 
-def turned(about: tuple[float, float, float], angle_deg: float) -> Sighting:
+def turned(about: tuple[float, float, float], angle_deg: float) -> BoardDetection:
     """A board 800 mm away, turned about an axis of the camera (x right, y down, z forward)."""
     rotation = rotation_about(np.array(about), angle_deg)
     place = np.array([0, 0, 800.0]) - rotation @ BOARD.points_mm.mean(0)

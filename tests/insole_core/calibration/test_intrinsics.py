@@ -9,9 +9,9 @@ import pytest
 from simulated_board import COLOR_CAMERA, board_poses, chequer_print, photograph, sight
 
 from insole_core.calibration.board import (
+    BoardDetection,
     Charuco,
     Chequerboard,
-    Sighting,
     picture_paths,
     read_grey,
 )
@@ -23,14 +23,16 @@ from insole_core.calibration.intrinsics import (
 )
 from insole_core.errors import CalibrationError, InputError, UsageError
 from insole_core.geometry.arrays import ByteArray
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 BOARD = Chequerboard(10, 7, 30)
 CENTER = np.array([135.0, 90, 0])
-SMALL = Camera(640, 480, 525.0, 526.0, 322.0, 250.0, (0.05, -0.1, 0.0, 0.0, 0.0))
+SMALL = PinholeCamera(640, 480, 525.0, 526.0, 322.0, 250.0, (0.05, -0.1, 0.0, 0.0, 0.0))
 
 
-def sightings(camera: Camera = COLOR_CAMERA, count: int = 20, seed: int = 1) -> list[Sighting]:
+def sightings(
+    camera: PinholeCamera = COLOR_CAMERA, count: int = 20, seed: int = 1
+) -> list[BoardDetection]:
     return [
         sight(f"color_{i:03d}.png", BOARD, placed, camera, 0.15, i + 1000 * seed)
         for i, placed in enumerate(board_poses(seed, count, CENTER))

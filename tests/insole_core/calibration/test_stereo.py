@@ -9,7 +9,7 @@ import pytest
 from simulated_board import COLOR_CAMERA, board_poses, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
-from insole_core.calibration.board import Chequerboard, Sighting, shifted
+from insole_core.calibration.board import BoardDetection, Chequerboard, shifted
 from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
 from insole_core.calibration.boards_in_depth import (
     BoardInDepth,
@@ -22,7 +22,7 @@ from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
 
@@ -37,7 +37,7 @@ def pose_error(found: FloatArray) -> tuple[float, float]:
     return float(shift), rotation_angle_deg(difference[:3, :3])
 
 
-def pairs(count: int) -> tuple[list[Sighting], list[Sighting]]:
+def pairs(count: int) -> tuple[list[BoardDetection], list[BoardDetection]]:
     """The board in infrared pixels and in colour."""
     infrared = replace(CAMERA, cx=CAMERA.cx - IR_TO_DEPTH_PX[0], cy=CAMERA.cy - IR_TO_DEPTH_PX[1])
     poses = spread_poses(7, count, BOARD, DEPTH2COLOR)
@@ -110,7 +110,7 @@ def everywhere() -> list[BoardInDepth]:
 
 
 def test_everything_from_colour_and_disparity(everywhere: list[BoardInDepth]) -> None:
-    rough = Camera(640, 480, 580, 580, 319.5, 239.5)
+    rough = PinholeCamera(640, 480, 580, 580, 319.5, 239.5)
     guess = LinearInverseDisparity(DISPARITY.a * 1.02, DISPARITY.b * 1.02)
     color = calibrate_camera([board.color for board in everywhere]).camera
     result = calibrate_board_depth(everywhere, rough, color, guess)

@@ -19,7 +19,7 @@ from insole_core.cases.record import (
     KeyPoint,
     Patient,
     ReferencePlane,
-    Source,
+    ScanSource,
     Variant,
 )
 from insole_core.errors import InputError, OutputError
@@ -43,7 +43,7 @@ def wedge() -> TriangleMesh:
 @pytest.fixture
 def record() -> CaseRecord:
     pose = rigid(rotation_about(np.array([0.0, 0.0, 1.0]), 3.0), np.array([1.0, 2.0, 3.0]))
-    source = Source("session", "/clinic/left_a", "0f" * 32, "2026-11-20T10:00:00Z")
+    source = ScanSource("session", "/clinic/left_a", "0f" * 32, "2026-11-20T10:00:00Z")
     design = InsoleDesign(
         Side.LEFT,
         (Pelott(centre_mm=(12.0, 150.0), sigma_mm=(9.0, 12.0)), Posting(rearfoot_deg=4.0)),

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from insole_core.cases.record import Annotations, CaseRecord, FootRecord, Source, Variant
+from insole_core.cases.record import Annotations, CaseRecord, FootRecord, ScanSource, Variant
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign
 
-SOURCE = Source("mesh", "/clinic/foot.ply", "0" * 64)
+SOURCE = ScanSource("mesh", "/clinic/foot.ply", "0" * 64)
 
 
 def foot_record(side: Side) -> FootRecord:

@@ -16,7 +16,7 @@ from insole_core.evaluation.resolution import evaluate_resolution
 from insole_core.evaluation.wall import NoCorrection, wall_error
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 ROWS = plane_rows(CAMERA)
@@ -154,7 +154,7 @@ def test_resolution_against_theory() -> None:
 
 
 def sensor() -> Sensor:
-    color = Camera(1280, 1024, 1034, 1034, 640, 512)
+    color = PinholeCamera(1280, 1024, 1034, 1034, 640, 512)
     return Sensor("m", "s", CAMERA, color, rigid(np.eye(3), np.array([-25.0, 0, 0])), DISPARITY)
 
 

@@ -37,7 +37,7 @@ from insole_core.evaluation.noise import Noise, WarmUp
 from insole_core.evaluation.report import (
     Number,
     Report,
-    Section,
+    ReportSection,
     Share,
     Table,
     report_json,
@@ -121,7 +121,7 @@ def test_a_short_evaluation_is_one_page(tmp_path: Path) -> None:
 
 
 def test_shares_are_read_in_percent() -> None:
-    (judged,) = with_limits(Section("s", "S", (Share("a", "A", 0.034),)), {"a": 0.02}).numbers
+    (judged,) = with_limits(ReportSection("s", "S", (Share("a", "A", 0.034),)), {"a": 0.02}).numbers
     assert judged.text == "3.4 %"
     assert judged.verdict == "failed (limit 2 %)"
 
@@ -138,14 +138,14 @@ def test_json_holds_the_numbers(report: Report, tmp_path: Path) -> None:
 
 def test_the_unit_of_a_table_is_for_people_alone() -> None:
     table = Table("Offset", ("x",), (("1",),), "px")
-    section = Section("s", "S", tables=(table,))
+    section = ReportSection("s", "S", tables=(table,))
     assert "Offset, px" in section_lines(section)
     tables = report_json(Report("t", "s", "now", (section,)))["sections"]["s"]["tables"]
     assert tables == {"Offset": [{"x": "1"}]}
 
 
 def test_limits_pass_and_fail_by_size_not_sign() -> None:
-    section = Section("s", "S", (Number("a", "A", -2.0, "mm"), Number("b", "B", 1.0, "mm")))
+    section = ReportSection("s", "S", (Number("a", "A", -2.0, "mm"), Number("b", "B", 1.0, "mm")))
     judged = with_limits(section, {"a": 1.5, "b": 1.5})
     assert [number.passed for number in judged.numbers] == [False, True]
     result = Report("t", "s", "now", (judged,))

@@ -11,14 +11,14 @@ import trimesh
 
 from insole_core.export.ply import write_ply
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.touches import ContourConstraints
 
 
 def test_touches_come_back_from_a_file(left_mesh, tmp_path: Path) -> None:
     points = np.array([[1.0, 2.0, 3.0], [-40.5, 20.0, 12.25]])
     normals = np.array([[0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]])
     path = tmp_path / "foot.ply"
-    write_ply(replace(left_mesh, touches=Touches(points, normals)), path)
+    write_ply(replace(left_mesh, touches=ContourConstraints(points, normals)), path)
     read = read_mesh(path).mesh
     assert read.touches is not None
     assert read.touches.points == pytest.approx(points)

@@ -9,25 +9,25 @@ import pytest
 
 from insole_core.foot.border_fit import BorderFit, UsualBorder, fit_border
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.touches import ContourConstraints
 from insole_core.geometry.transforms import rigid, rotation_about
 
 MEDIAL = np.array([1.0, 0.0, 0.0])
 CENTRE_X, HEIGHT, RADIUS = 35.0, 17.0, 14.0
 USUAL = UsualBorder(height_mm=(13.0, 6.0), radius_mm=(10.0, 5.0))
-NOTHING = Touches(np.zeros((0, 3)), np.zeros((0, 3)))
+NOTHING = ContourConstraints(np.zeros((0, 3)), np.zeros((0, 3)))
 
 
-def wall(angles_deg: FloatArray) -> Touches:
+def wall(angles_deg: FloatArray) -> ContourConstraints:
     """Tangents of a wall along y, round in its section, at angles from medial upwards."""
     angle = np.radians(np.tile(angles_deg, 60))
     normals = np.column_stack([np.cos(angle), np.zeros_like(angle), np.sin(angle)])
     y = np.repeat(np.linspace(140, 200, 60), len(angles_deg))
     places = np.column_stack([np.full_like(y, CENTRE_X), y, np.full_like(y, HEIGHT)])
-    return Touches(places + RADIUS * normals, normals)
+    return ContourConstraints(places + RADIUS * normals, normals)
 
 
-def fitted(surface: Touches, outlines: Touches) -> BorderFit:
+def fitted(surface: ContourConstraints, outlines: ContourConstraints) -> BorderFit:
     return fit_border(surface, outlines, MEDIAL, (150.0, 190.0), USUAL)
 
 
@@ -57,14 +57,14 @@ def test_an_outline_from_one_side_is_trusted_less() -> None:
 def test_a_place_far_along_the_ray_does_not_matter() -> None:
     outlines = wall(np.array([-25.0, 25.0]))
     rays = np.cross(outlines.normals, [0.0, 1.0, 0.0])
-    slid = Touches(outlines.points + 6.0 * rays, outlines.normals)
+    slid = ContourConstraints(outlines.points + 6.0 * rays, outlines.normals)
     assert fitted(NOTHING, slid).reach_mm == pytest.approx(fitted(NOTHING, outlines).reach_mm)
 
 
 def test_a_flap_does_not_count() -> None:
     outlines = wall(np.array([-25.0, 25.0]))
     flap = wall(np.array([-30.0, -20.0]))
-    flap = Touches(flap.points + np.array([4.0, 0.0, 0.0]), flap.normals)
+    flap = ContourConstraints(flap.points + np.array([4.0, 0.0, 0.0]), flap.normals)
     assert fitted(flap, outlines).reach_mm == pytest.approx(CENTRE_X + RADIUS, abs=0.7)
 
 

@@ -17,7 +17,7 @@ from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.touches import Touches
+from insole_core.geometry.touches import ContourConstraints
 from insole_core.geometry.transforms import transform
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
@@ -92,7 +92,7 @@ def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
     assert got["achilles_lean_deg"] == pytest.approx(truth["achilles_lean_deg"], abs=0.7)
 
 
-def seen_from(mesh: TriangleMesh, eyes_mm: list[list[float]]) -> Touches:
+def seen_from(mesh: TriangleMesh, eyes_mm: list[list[float]]) -> ContourConstraints:
     """What pictures from some places would tell of the outlines of a surface."""
     points, outwards = [], []
     for eye in eyes_mm:
@@ -103,7 +103,7 @@ def seen_from(mesh: TriangleMesh, eyes_mm: list[list[float]]) -> Touches:
         level = mesh.vertex_normals[rim] - along[rim, None] * rays[rim]
         points.append(mesh.vertices[rim])
         outwards.append(level / np.linalg.norm(level, axis=1, keepdims=True))
-    return Touches(np.concatenate(points), np.concatenate(outwards))
+    return ContourConstraints(np.concatenate(points), np.concatenate(outwards))
 
 
 def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
@@ -125,7 +125,7 @@ def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
 def test_what_outlines_do_not_show_is_named(left_mesh):
     touches = seen_from(left_mesh, [[-330, 0, -700], [330, 0, -700]])
     behind = touches.points[:, 1] < 0
-    halved = Touches(touches.points[behind], touches.normals[behind])
+    halved = ContourConstraints(touches.points[behind], touches.normals[behind])
     foot = place_foot(replace(left_mesh, touches=halved), Side.LEFT, frame="reference")
     doubtful = doubts(find_landmarks(foot))
     assert "ball_width" in doubtful

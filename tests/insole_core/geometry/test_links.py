@@ -27,7 +27,7 @@ def test_edges_with_their_triangles(square: TriangleMesh) -> None:
 
 def test_the_border_runs_as_its_triangles_do(square: TriangleMesh) -> None:
     assert square.links.ends.tolist() == [[0, 1], [1, 2], [2, 3], [3, 0]]
-    assert square.links.is_border.tolist() == [True, True, True, True, False]
+    assert square.links.is_boundary.tolist() == [True, True, True, True, False]
 
 
 def test_the_laplacian_points_to_the_mean_of_the_neighbours(square: TriangleMesh) -> None:
@@ -49,7 +49,7 @@ def test_a_moved_mesh_is_joined_alike_and_has_its_own_normals(square: TriangleMe
 def test_a_dressed_mesh_keeps_what_is_known_of_its_surface(square: TriangleMesh) -> None:
     red = np.tile(np.array([200, 0, 0], np.uint8), (5, 1))
     normals = square.vertex_normals
-    dressed = square.dressed(colors=red)
+    dressed = square.with_attributes(colors=red)
     assert dressed.colors is red
     assert dressed.vertex_normals is normals
     assert square.colors is None

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry import mesh_graph
-from insole_core.geometry.border_growth import grown
+from insole_core.geometry.border_growth import extend_boundary
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.subdivision import subdivided
 from insole_core.geometry.surface_nets import surface_nets
@@ -38,9 +38,9 @@ def test_the_surface_ends_where_the_lattice_is_unknown() -> None:
 
 
 def test_a_ball_has_no_border_and_half_of_it_has_one(ball: TriangleMesh) -> None:
-    assert not mesh_graph.is_border(ball).any()
+    assert not mesh_graph.is_boundary(ball).any()
     half = ball.part(ball.vertices[:, 2] > 0)
-    border = mesh_graph.is_border(half)
+    border = mesh_graph.is_boundary(half)
     assert 0 < half.vertices[border, 2].max() < 2.0
 
 
@@ -65,7 +65,7 @@ def test_relaxing_takes_steps_away_without_shrinking(ball: TriangleMesh) -> None
 def test_a_flat_mesh_grows_in_its_plane_on_all_sides() -> None:
     values = np.broadcast_to(np.arange(8.0) - 3.5, (8, 8, 8)).copy()
     mesh = surface_nets(values, np.ones(values.shape, bool), np.zeros(3), 1.0)
-    larger = grown(mesh, 0.5)
+    larger = extend_boundary(mesh, 0.5)
     np.testing.assert_array_equal(larger.vertices[: len(mesh.vertices)], mesh.vertices)
     np.testing.assert_allclose(larger.vertices[:, 2], 3.5)
     np.testing.assert_allclose(larger.triangle_normals[:, 2], 1.0)
@@ -75,7 +75,7 @@ def test_a_flat_mesh_grows_in_its_plane_on_all_sides() -> None:
 
 
 def test_a_closed_mesh_does_not_grow(ball: TriangleMesh) -> None:
-    assert len(grown(ball, 1.0).triangles) == len(ball.triangles)
+    assert len(extend_boundary(ball, 1.0).triangles) == len(ball.triangles)
 
 
 def test_subdivision_rounds_edges_and_keeps_vertices(ball: TriangleMesh) -> None:
@@ -108,7 +108,7 @@ def test_a_narrow_gap_is_not_grown_over() -> None:
         np.concatenate([left, right]),
         np.concatenate([triangles, triangles + 25]).astype(np.int32),
     )
-    added = grown(both, 1.8).vertices[50:]
+    added = extend_boundary(both, 1.8).vertices[50:]
     within = (added[:, 1] > 0.5) & (added[:, 1] < 7.5)
     assert not (within & (added[:, 0] > 8.5) & (added[:, 0] < 9.5)).any()
     assert (within & (added[:, 0] < -1)).any(), "the free sides are grown"

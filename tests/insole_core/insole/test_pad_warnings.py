@@ -14,8 +14,8 @@ from insole_core.insole.design import InsoleDesign, Pelott
 from insole_core.insole.rules import (
     BESIDE_FOOT,
     OVERLAP,
+    ClinicRules,
     DesignWarning,
-    Rules,
     design_warnings,
     load_rules,
 )
@@ -34,7 +34,9 @@ def foot(request: pytest.FixtureRequest) -> Foot:
     return found
 
 
-def warned(foot: Foot, sentence: str, *pads: Pelott, rules: Rules = RULES) -> list[DesignWarning]:
+def warned(
+    foot: Foot, sentence: str, *pads: Pelott, rules: ClinicRules = RULES
+) -> list[DesignWarning]:
     insole = build_insole(foot, InsoleDesign(foot.side, pads, grid_mm=2.0))
     found = design_warnings(insole, find_landmarks(foot), rules)
     return [warning for warning in found if warning.sentence == sentence]
@@ -56,7 +58,7 @@ def test_two_discs_overlap_by_the_area_of_their_lens(foot: Foot, apart_mm: float
     assert percent(found) == pytest.approx(100 * lens / (np.pi * 20**2), abs=3)
 
 
-def anything_goes(share: float) -> Rules:
+def anything_goes(share: float) -> ClinicRules:
     return replace(RULES, greatest_overlap_share=share, least_on_foot_share=1.0)
 
 

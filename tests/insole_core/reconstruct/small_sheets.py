@@ -6,13 +6,13 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import rigid, transform
-from insole_core.reconstruct.sheet import Sheet, longest_edges, triangulate
-from insole_core.sensing.camera import Camera
+from insole_core.reconstruct.sheet import RangeMesh, longest_edges, triangulate
+from insole_core.sensing.camera import PinholeCamera
 
-CAMERA = Camera(64, 48, 60.0, 60.0, 31.5, 23.5)
+CAMERA = PinholeCamera(64, 48, 60.0, 60.0, 31.5, 23.5)
 
 
-def sheet_of(depth_mm: FloatArray, position_mm: tuple[float, float, float]) -> Sheet:
+def sheet_of(depth_mm: FloatArray, position_mm: tuple[float, float, float]) -> RangeMesh:
     """A sheet of the camera at a place, turned by half a turn about z."""
     sensor2reference = rigid(np.diag([-1.0, -1.0, 1.0]), np.array(position_mm))
     rays = CAMERA.pixel_rays()
@@ -21,7 +21,7 @@ def sheet_of(depth_mm: FloatArray, position_mm: tuple[float, float, float]) -> S
     inside: BoolArray = np.isfinite(depth_mm)
     triangles = triangulate(placed, inside, longest_edges(depth_mm, CAMERA.fx))
     colors = np.full((*depth_mm.shape, 3), 100, dtype=np.uint8)
-    return Sheet(placed, triangles, colors, sensor2reference, CAMERA)
+    return RangeMesh(placed, triangles, colors, sensor2reference, CAMERA)
 
 
 def flat(depth_mm: float) -> FloatArray:

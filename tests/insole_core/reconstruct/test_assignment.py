@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, transform
-from insole_core.reconstruct.assignment import assign
+from insole_core.reconstruct.assignment import match_markers
 
 # The sole side of a reference system of the usual kind, and not symmetric.
 MARKERS = np.array(
@@ -46,7 +46,7 @@ def look(
 @given(st.integers(0, 2**32 - 1), st.integers(0, 4), st.integers(0, 10))
 def test_finds_who_is_who(seed: int, hidden: int, clutter: int) -> None:
     points, truth = look(np.random.default_rng(seed), hidden, clutter)
-    found = assign(points, MARKERS)
+    found = match_markers(points, MARKERS)
     used = found.used
     np.testing.assert_array_equal(truth[found.points[used]], found.markers[used])
     assert used.sum() >= len(MARKERS) - hidden - 1
@@ -54,7 +54,7 @@ def test_finds_who_is_who(seed: int, hidden: int, clutter: int) -> None:
 
 def test_exact_points_are_all_found() -> None:
     points, truth = look(np.random.default_rng(1), hidden=0, clutter=0, noise_mm=0)
-    found = assign(points, MARKERS)
+    found = match_markers(points, MARKERS)
     np.testing.assert_array_equal(found.markers, np.arange(12))
     np.testing.assert_array_equal(truth[found.points], np.arange(12))
     assert found.used.all()
@@ -62,7 +62,7 @@ def test_exact_points_are_all_found() -> None:
 
 def test_the_answer_does_not_depend_on_chance() -> None:
     points, _ = look(np.random.default_rng(2), hidden=3, clutter=8)
-    first, second = assign(points, MARKERS), assign(points, MARKERS)
+    first, second = match_markers(points, MARKERS), match_markers(points, MARKERS)
     np.testing.assert_array_equal(first.points, second.points)
     np.testing.assert_array_equal(first.markers, second.markers)
 
@@ -70,7 +70,7 @@ def test_the_answer_does_not_depend_on_chance() -> None:
 def test_a_badly_measured_marker_is_found_but_not_used() -> None:
     points, truth = look(np.random.default_rng(3), hidden=0, clutter=0, noise_mm=0)
     points[truth == 5] += [0, 0, 11.0]
-    found = assign(points, MARKERS)
+    found = match_markers(points, MARKERS)
     assert found.markers[~found.used].tolist() == [5]
     assert len(found.markers) == 12
 
@@ -80,7 +80,7 @@ def test_a_badly_measured_marker_is_found_but_not_used() -> None:
 def test_a_mirror_image_is_refused(seed: int) -> None:
     points, _ = look(np.random.default_rng(seed), hidden=0, clutter=4)
     with pytest.raises(ReconstructionError, match="mirror"):
-        assign(points * [-1.0, 1, 1], MARKERS)
+        match_markers(points * [-1.0, 1, 1], MARKERS)
 
 
 @settings(max_examples=10, deadline=None)
@@ -89,23 +89,23 @@ def test_other_points_are_refused(seed: int) -> None:
     rng = np.random.default_rng(seed)
     points = rng.uniform(MARKERS.min(0), MARKERS.max(0), (14, 3))
     with pytest.raises(ReconstructionError, match="fit the 12 markers"):
-        assign(points, MARKERS)
+        match_markers(points, MARKERS)
 
 
 def test_a_symmetric_system_is_refused() -> None:
     square = np.array([[x, y, 0.0] for x in (-80, 0, 80) for y in (-80, 80)])
     pose = sensor_pose(np.random.default_rng(4))
     with pytest.raises(ReconstructionError, match="in two ways"):
-        assign(transform(inverse(pose), square), square)
+        match_markers(transform(inverse(pose), square), square)
 
 
 def test_markers_on_one_side_are_refused() -> None:
     narrow = np.array([[0.0, 25 * i, 22 * (i % 2)] for i in (0, 1, 3, 4, 8, 9)])
     pose = sensor_pose(np.random.default_rng(5))
     with pytest.raises(ReconstructionError, match="almost on one line"):
-        assign(transform(inverse(pose), narrow), narrow)
+        match_markers(transform(inverse(pose), narrow), narrow)
 
 
 def test_no_points_at_all_are_refused() -> None:
     with pytest.raises(ReconstructionError, match="only 0 of the 0"):
-        assign(np.empty((0, 3)), MARKERS)
+        match_markers(np.empty((0, 3)), MARKERS)

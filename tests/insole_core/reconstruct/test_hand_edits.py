@@ -10,7 +10,7 @@ import pytest
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import inverse, rotation_angle_deg, transform
-from insole_core.reconstruct import MarkerFix, reconstruct
+from insole_core.reconstruct import MarkerObservation, reconstruct
 from insole_core.reconstruct.marker_fix import Registration
 from insole_core.reconstruct.measured_view import MeasuredView, measure_as_thesis, measure_view
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, HandEdits, NamedSpot, Pixel, ViewEdits
@@ -38,7 +38,7 @@ def place(left: MeasuredView, session: Session):
     return lambda edits=NOTHING: left.register(system, edits=edits)
 
 
-def fix_of(registration: Registration, marker: str) -> MarkerFix:
+def fix_of(registration: Registration, marker: str) -> MarkerObservation:
     return next(fix for fix in registration.fixes if fix.id == marker)
 
 

@@ -19,9 +19,9 @@ from insole_core.geometry.transforms import (
     transform,
 )
 from insole_core.reconstruct.camera_pose import SeenMarkers, SightingNoise, fit_camera_pose
-from insole_core.reconstruct.image_assignment import assign_in_image
+from insole_core.reconstruct.image_assignment import match_in_image
 from insole_core.reconstruct.marker_faces import apparent_centers
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 
 MARKERS = np.array(
     [
@@ -30,7 +30,7 @@ MARKERS = np.array(
         [80, 40, 28.8], [80, 96, -9.6], [-40, 160, 28.8], [48, 160, 19.2],
     ]
 )  # fmt: skip
-CAMERA = Camera(1280, 1024, 1034.0, 1034.0, 640.2, 520.0, (0.14, -0.24, 0.0, 0.0, 0.0))
+CAMERA = PinholeCamera(1280, 1024, 1034.0, 1034.0, 640.2, 520.0, (0.14, -0.24, 0.0, 0.0, 0.0))
 
 
 def camera_pose(rng: np.random.Generator) -> FloatArray:
@@ -61,7 +61,7 @@ def test_every_marker_is_named_rightly_or_the_view_is_refused(
 ) -> None:
     pixels, truth, pose = look(np.random.default_rng(seed), hidden, clutter)
     try:
-        found = assign_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
+        found = match_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
     except ReconstructionError:
         return
     far = truth[found.pairs.points] < 0
@@ -75,7 +75,7 @@ def test_hardly_a_view_is_refused() -> None:
     for seed in range(20):
         pixels, _, _ = look(np.random.default_rng(seed), hidden=4, clutter=8)
         try:
-            assign_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
+            match_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
         except ReconstructionError:
             refused += 1
     assert refused <= 1
@@ -86,7 +86,7 @@ def test_a_marker_that_is_partly_hidden_costs_neither_the_view_nor_the_pose() ->
     pose = camera_pose(rng)
     pixels = CAMERA.project(transform(pose, MARKERS)) + rng.normal(0, 0.05, (len(MARKERS), 2))
     pixels[4] += [1.8, -1.5]
-    found = assign_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
+    found = match_in_image(pixels, np.full(len(pixels), 400.0), MARKERS, CAMERA)
     assert found.rms_px < 0.2
     assert found.pairs.used[found.pairs.markers != 4].all()
     assert not found.pairs.used[found.pairs.markers == 4].any()
@@ -97,27 +97,27 @@ def test_mirrored_pictures_are_refused() -> None:
     pixels, _, _ = look(np.random.default_rng(3), hidden=0, clutter=3)
     flipped = pixels * [-1, 1] + [CAMERA.width - 1, 0]
     with pytest.raises(ReconstructionError, match="mirrored"):
-        assign_in_image(flipped, np.full(len(pixels), 400.0), MARKERS, CAMERA)
+        match_in_image(flipped, np.full(len(pixels), 400.0), MARKERS, CAMERA)
 
 
 def test_a_symmetric_system_is_refused() -> None:
     square = np.array([[x, y, 0.0] for x in (-80, 0, 80) for y in (-120, 0, 120)])
     pose = rigid(np.eye(3), np.array([0.0, 0, 800]))
     with pytest.raises(ReconstructionError, match="in two ways"):
-        assign_in_image(CAMERA.project(transform(pose, square)), np.full(9, 400.0), square, CAMERA)
+        match_in_image(CAMERA.project(transform(pose, square)), np.full(9, 400.0), square, CAMERA)
 
 
 @pytest.mark.parametrize("count", [0, 2, 3, 4, 5])
 def test_fewer_than_six_are_refused(count: int) -> None:
     pixels, _, _ = look(np.random.default_rng(1), hidden=12 - count, clutter=0)
     with pytest.raises(ReconstructionError, match="and 6 are needed"):
-        assign_in_image(pixels, np.full(count, 400.0), MARKERS, CAMERA)
+        match_in_image(pixels, np.full(count, 400.0), MARKERS, CAMERA)
 
 
 def test_a_side_of_three_markers_tells_no_pose() -> None:
     pixels, _, _ = look(np.random.default_rng(1), hidden=4, clutter=0)
     with pytest.raises(ReconstructionError, match="only 0 of the 8 blue spots fit the 3 markers"):
-        assign_in_image(pixels, np.full(8, 400.0), MARKERS[:3], CAMERA)
+        match_in_image(pixels, np.full(8, 400.0), MARKERS[:3], CAMERA)
 
 
 def seen_from(pose: FloatArray, pixels: FloatArray) -> SeenMarkers:

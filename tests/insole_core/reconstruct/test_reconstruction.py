@@ -25,7 +25,7 @@ from insole_core.reconstruct import (
 )
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
@@ -69,7 +69,7 @@ def without_reading(index: int) -> RawArray:
     return np.full((480, 640), 2047, dtype=np.uint16)
 
 
-def turned_camera(camera: Camera, right: int, down: int) -> Camera:
+def turned_camera(camera: PinholeCamera, right: int, down: int) -> PinholeCamera:
     """The camera whose picture is the other's, its columns and rows run through in steps of +-1."""
     return replace(
         camera,

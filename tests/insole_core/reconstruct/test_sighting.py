@@ -6,15 +6,15 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.reconstruct.blobs import Blobs
 from insole_core.reconstruct.sighting import locate_blobs
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 
 SENSOR = Sensor(
     "kinect-v1",
     "A1",
-    Camera(640, 480, 585.0, 585.0, 316.0, 247.0),
-    Camera(1280, 1024, 1034.0, 1034.0, 640.0, 528.0, (0.14, -0.24, 0.0, 0.0, 0.0)),
+    PinholeCamera(640, 480, 585.0, 585.0, 316.0, 247.0),
+    PinholeCamera(1280, 1024, 1034.0, 1034.0, 640.0, 528.0, (0.14, -0.24, 0.0, 0.0, 0.0)),
     rigid(rotation_about(np.array([0.0, 1, 0]), 1.0), np.array([-25.0, 1.0, 2.0])),
     LinearInverseDisparity(3.33, -0.00307),
 )

@@ -20,7 +20,7 @@ from insole_core.recording.session import (
     View,
 )
 from insole_core.recording.writer import write_session
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
@@ -45,8 +45,10 @@ def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:
     return Sensor(
         model="kinect-v1",
         serial=serial,
-        depth_camera=Camera(640, 480, 585.6, 585.5, 316.0, 247.6),
-        color_camera=Camera(640, 480, 517.0, 516.0, 320.0, 264.0, (0.14, -0.24, 0.001, 0, 0), 0.2),
+        depth_camera=PinholeCamera(640, 480, 585.6, 585.5, 316.0, 247.6),
+        color_camera=PinholeCamera(
+            640, 480, 517.0, 516.0, 320.0, 264.0, (0.14, -0.24, 0.001, 0, 0), 0.2
+        ),
         depth2color=rigid(
             rotation_about(np.array([0.0, 1, 0]), 0.5), np.array([-25.0, 0.25, 0.125])
         ),

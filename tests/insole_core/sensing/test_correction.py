@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import (
     CorrectionRecord,
     DisparityCorrection,
@@ -73,7 +73,7 @@ def test_no_reading_stays_no_reading() -> None:
 
 
 def test_a_sensor_uses_the_refined_correction() -> None:
-    camera = Camera(640, 480, 585, 585, 320, 240)
+    camera = PinholeCamera(640, 480, 585, 585, 320, 240)
     disparity = LinearInverseDisparity(3.33, -0.00307)
     sensor = Sensor("m", "s", camera, camera, np.eye(4), disparity, correction=correction())
     raw = np.full((480, 640), 620.0)

@@ -17,7 +17,7 @@ from insole_core.solids.checks import Finding, Override, check_solid, require_ex
 from insole_core.solids.outline import outline_distance
 from insole_core.solids.plan import trim
 from insole_core.solids.prism import Faces, prism
-from insole_core.solids.rules import CHECK_NAMES, Rules, read_rules
+from insole_core.solids.rules import CHECK_NAMES, ExportRules, read_rules
 
 SQUARE = np.array([(-30.0, -60), (30, -60), (30, 60), (-30, 60)])
 
@@ -109,7 +109,7 @@ def test_open_solid_blocks_until_somebody_answers_for_it():
 
 
 def test_check_that_is_off_is_not_made():
-    rules = Rules({"watertight": "off", "shoe_height": "blocking"}, {"shoe_height": 5.0})
+    rules = ExportRules({"watertight": "off", "shoe_height": "blocking"}, {"shoe_height": 5.0})
     found = check_solid(plate(lambda _x, _y: 8.0), rules)
     assert [finding.name for finding in found] == ["shoe_height"]
     assert found[0].blocks

@@ -20,9 +20,9 @@ from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.design import InsoleDesign, Layers, Pelott
 from insole_core.insole.prescription_lines import correction_lines
 from insole_core.solids.checks import Override
-from insole_core.solids.delivery import Delivery, Places, deliver, outputs
-from insole_core.solids.order import Order, Piece, make_piece
-from insole_core.solids.rules import Rules, read_rules, write_rules
+from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.rules import ExportRules, read_rules, write_rules
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
 
@@ -39,8 +39,8 @@ def layered(left_foot) -> Insole:
     return insole_of(left_foot, layers=Layers(cover_mm=2.0, shell_mm=3.0, base_mm=1.0))
 
 
-def piece_of(insole: Insole, rules: Rules | None = None, **order) -> Piece:
-    return make_piece(insole, Order(**order), rules or read_rules().only(("watertight",)))
+def piece_of(insole: Insole, rules: ExportRules | None = None, **order) -> Part:
+    return make_part(insole, Order(**order), rules or read_rules().only(("watertight",)))
 
 
 def test_layers_are_the_insole_cut_in_three(layered):
@@ -62,7 +62,7 @@ def test_layers_are_the_insole_cut_in_three(layered):
     assert 1.7 < volumes[0] / top_area(layered, piece) < 2.0
 
 
-def top_area(insole: Insole, piece: Piece) -> float:
+def top_area(insole: Insole, piece: Part) -> float:
     up = piece.solid.triangle_normals[:, 2] > 0.1
     corners = piece.solid.vertices[piece.solid.triangles[up]]
     cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -75,8 +75,8 @@ def test_insole_without_layers_is_one_base(left_foot):
 
 
 def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
-    delivery = Delivery((piece_of(layered, layered=True),), SHOP)
-    write(delivery, Places(tmp_path / "insole.3mf"))
+    delivery = ExportJob((piece_of(layered, layered=True),), SHOP)
+    write(delivery, ExportPaths(tmp_path / "insole.3mf"))
     model = zipfile.ZipFile(tmp_path / "insole.3mf").read("3D/3dmodel.model").decode()
     assert re.findall(r'<component objectid="(\d+)"', model) == ["2", "3", "4"]
     assert re.findall(r'<item objectid="(\d+)"', model) == ["5"]
@@ -87,7 +87,7 @@ def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
     if shutil.which("prusa-slicer") is None:
         pytest.skip("the program prusa-slicer is not installed")
     piece = piece_of(layered, layered=True)
-    write(Delivery((piece,), SHOP), Places(tmp_path / "insole.3mf"))
+    write(ExportJob((piece,), SHOP), ExportPaths(tmp_path / "insole.3mf"))
     call = ["prusa-slicer", "--info", str(tmp_path / "insole.3mf")]
     said = subprocess.run(call, capture_output=True, text=True, check=True).stdout
     assert re.findall(r"manifold = (\w+)", said) == ["yes"] * 3
@@ -99,15 +99,15 @@ def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
     assert size == pytest.approx(np.ptp(piece.solid.vertices, axis=0), abs=0.01)
 
 
-def write(delivery: Delivery, places: Places) -> None:
+def write(delivery: ExportJob, places: ExportPaths) -> None:
     with outputs(places) as beside:
-        deliver(delivery, places, beside)
+        run_export_job(delivery, places, beside)
 
 
 def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
     pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
-    places = Places(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
-    write(Delivery(pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"}), places)
+    places = ExportPaths(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
+    write(ExportJob(pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"}), places)
     model = zipfile.ZipFile(tmp_path / "pair.3mf").read("3D/3dmodel.model").decode()
     assert re.findall(r'<object id="\d" name="([^"]+)"', model) == ["left insole", "right insole"]
     assert set(json.loads((tmp_path / "c.json").read_text())) == {"left", "right"}
@@ -119,16 +119,16 @@ def test_pair_that_does_not_fit_leaves_nothing(left_foot, right_foot, tmp_path: 
     pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
     small = Block("small", (300.0, 110.0, 30.0))
     with pytest.raises(DesignError, match="The pair needs a block of"):
-        write(Delivery(pieces, SHOP, block=small), Places(tmp_path / "pair.stl"))
+        write(ExportJob(pieces, SHOP, block=small), ExportPaths(tmp_path / "pair.stl"))
     assert list(tmp_path.iterdir()) == []
 
 
 def test_override_is_recorded(layered, tmp_path: Path):
-    strict = Rules({"shoe_height": "blocking"}, {"shoe_height": 5.0})
-    piece, places = piece_of(layered, strict), Places(tmp_path / "i.stl", tmp_path / "c.json")
+    strict = ExportRules({"shoe_height": "blocking"}, {"shoe_height": 5.0})
+    piece, places = piece_of(layered, strict), ExportPaths(tmp_path / "i.stl", tmp_path / "c.json")
     with pytest.raises(DesignError, match="override the rule with a reason"):
-        write(Delivery((piece,), SHOP), places)
-    write(Delivery((piece,), SHOP, override=Override("A. Berg", "high boot", "now")), places)
+        write(ExportJob((piece,), SHOP), places)
+    write(ExportJob((piece,), SHOP, override=Override("A. Berg", "high boot", "now")), places)
     record = json.loads((tmp_path / "c.json").read_text())
     assert record["override"]["reason"] == "high boot"
     assert record["findings"][0]["value"] > 5
@@ -136,11 +136,13 @@ def test_override_is_recorded(layered, tmp_path: Path):
 
 def test_spots_are_where_the_limit_is_broken(layered):
     (finding,) = piece_of(
-        layered, Rules({"shoe_height": "warning"}, {"shoe_height": 15.0})
+        layered, ExportRules({"shoe_height": "warning"}, {"shoe_height": 15.0})
     ).findings
     assert len(finding.spots_mm) > 0
     assert finding.spots_mm[:, 2].min() > 15.0
-    (calm,) = piece_of(layered, Rules({"shoe_height": "warning"}, {"shoe_height": 90.0})).findings
+    (calm,) = piece_of(
+        layered, ExportRules({"shoe_height": "warning"}, {"shoe_height": 90.0})
+    ).findings
     assert len(calm.spots_mm) == 0
 
 
@@ -149,7 +151,7 @@ def test_letters_below_the_bottom_are_no_undercut(left_foot):
     rules = read_rules().only(("undercut",))
     for relief in ("engraved", "raised"):
         order = Order(mark=("7 left",), relief=relief)
-        (finding,) = make_piece(plain, order, rules).findings
+        (finding,) = make_part(plain, order, rules).findings
         assert finding.value == 0
 
 
@@ -211,6 +213,6 @@ def test_shop_that_cannot_be_read(tmp_path: Path, key: str, value: object, sente
 def test_paper_with_a_wrong_suffix(tmp_path: Path):
     with (
         pytest.raises(UsageError, match=r"written as \.pdf"),
-        outputs(Places(tmp_path / "i.stl", prescription=tmp_path / "p.doc")),
+        outputs(ExportPaths(tmp_path / "i.stl", prescription=tmp_path / "p.doc")),
     ):
         pass

@@ -10,7 +10,7 @@ import pytest
 from benchmarks._random_designs import random_solids
 from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trimesh
 from insole_core.export.stl import write_stl
-from insole_core.export.three_mf import Part, write_3mf
+from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -47,7 +47,7 @@ def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
     stl, three_mf = tmp_path / "solid.stl", tmp_path / "solid.3mf"
     for solid in solids[::3]:
         write_stl(solid, stl)
-        write_3mf([Part(solid, "Ünïcode <&> 足")], three_mf)
+        write_3mf([ThreeMfPart(solid, "Ünïcode <&> 足")], three_mf)
         info, packed = by_prusa_info(stl), by_prusa_info(three_mf)
         if info is None or packed is None:
             pytest.skip("the program prusa-slicer is not installed")

@@ -16,13 +16,18 @@ from insole_core.geometry.side import Side
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.capturing import Capturing, Watcher, close_sensors, open_sensors
+from insole_studio.capture.capturing import (
+    CaptureCallbacks,
+    CaptureRunner,
+    close_sensors,
+    open_sensors,
+)
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.errors import SensorError
 from insole_studio.capture.plan import CapturePlan
 from insole_studio.capture.rig import OpenSensor, Rig
 from insole_studio.capture.status import CaptureStatus
-from insole_studio.capture.workplace import DEFAULT_SYSTEM, SensorFiles, Workplace
+from insole_studio.capture.workplace import DEFAULT_SYSTEM, CaptureSetup, SensorFiles
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
@@ -79,7 +84,7 @@ class Bench:
     depth: dict[str, RawFrames]
     emulated: EmulatedBus
     rig: Rig
-    workplace: Workplace
+    workplace: CaptureSetup
     draft: Draft
     told: list[CaptureStatus] = field(default_factory=list)
     sensors: dict[str, OpenSensor] = field(default_factory=dict)
@@ -88,8 +93,8 @@ class Bench:
         """Open the sensors of a plan and carry it out."""
         if not self.sensors:
             self.sensors = open_sensors(self.rig, plan.serials)
-        watcher = Watcher(**{"report": self.told.append, **watching})
-        return Capturing(self.sensors, plan, self.workplace, self.draft, watcher).run()
+        watcher = CaptureCallbacks(**{"report": self.told.append, **watching})
+        return CaptureRunner(self.sensors, plan, self.workplace, self.draft, watcher).run()
 
     def close(self) -> None:
         try:
@@ -121,7 +126,7 @@ def make_bench(
     }
     emulated = EmulatedBus(list(kinects.values()), controllers, SPEED)
     system = load_reference_system(resource_path(DEFAULT_SYSTEM))
-    workplace = Workplace(system, stored)
+    workplace = CaptureSetup(system, stored)
     manifest = Manifest(
         "2026-11-20T10:00:00+00:00",
         Side.LEFT,

@@ -21,7 +21,7 @@ from insole_studio.capture import draft as draft_module
 from insole_studio.capture.capturing import open_sensors
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.errors import BusFullError, NoSensorFoundError, SensorError
-from insole_studio.capture.plan import CapturePlan, Step, make_plan
+from insole_studio.capture.plan import CapturePlan, CaptureStep, make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
 from kinect_v1.emulation.faults import Fault
 from kinect_v1.emulation.playback import make_footage
@@ -125,7 +125,7 @@ def test_a_full_controller_is_noticed_before_the_first_frame(bench: Bench) -> No
 
 
 def test_a_sensor_is_moved_by_hand(bench: Bench) -> None:
-    asked: list[Step] = []
+    asked: list[CaptureStep] = []
     plan = make_plan([("left", "A1"), ("right", "A1")], frames=FRAMES)
     bench.capture(plan, wait_for_hand=asked.append)
     assert asked == [plan.steps[1]]

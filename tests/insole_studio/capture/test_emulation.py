@@ -11,7 +11,7 @@ import pytest
 from insole_core.geometry.transforms import rigid
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import (
     DisparityModel,
     FactoryDisparity,
@@ -20,7 +20,7 @@ from insole_core.sensing.disparity import (
 )
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.emulation import (
-    EmulatedRoom,
+    EmulatedRig,
     emulated_bursts,
     emulated_views,
     factory_calibration,
@@ -32,8 +32,8 @@ from kinect_v1.usb_bus import UsbBus
 
 
 def sensor(disparity: DisparityModel) -> Sensor:
-    depth = Camera(640, 480, 587.3, 587.3, 319.0, 242.0)
-    color = Camera(1280, 1024, 1030.0, 1030.0, 640.0, 512.0)
+    depth = PinholeCamera(640, 480, 587.3, 587.3, 319.0, 242.0)
+    color = PinholeCamera(1280, 1024, 1030.0, 1030.0, 640.0, 512.0)
     return Sensor("kinect-v1", "A1", depth, color, rigid(np.eye(3), np.zeros(3)), disparity)
 
 
@@ -66,7 +66,7 @@ def test_a_smaller_picture_keeps_its_middle() -> None:
 
 def test_every_sensor_of_a_session_is_found(small_session: Path) -> None:
     session = read_session(small_session)
-    rig = Rig(UsbBus(EmulatedRoom(session).bus))
+    rig = Rig(UsbBus(EmulatedRig(session).bus))
     found = rig.require()
     assert [s.serial for s in found] == [view.sensor.serial for view in session.views]
     assert len({s.bus for s in found}) == 3
@@ -95,7 +95,7 @@ def test_bursts_and_places_are_told_apart(small_session: Path) -> None:
 def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> None:
     session = read_session(small_session)
     moved = renamed(session, ("left", "left_2", "right"), ("A", "A", "A"))
-    room = EmulatedRoom(moved, speed=4.0)
+    room = EmulatedRig(moved, speed=4.0)
 
     def seen(sensor: OpenSensor) -> str:
         sensor.start()

@@ -6,19 +6,19 @@ import threading
 import numpy as np
 import pytest
 
-from insole_studio.capture.frame_board import FrameBoard
+from insole_studio.capture.frame_board import SharedFrameBuffer
 
 
 @pytest.fixture
-def board() -> FrameBoard:
-    return FrameBoard(multiprocessing.get_context("spawn"))
+def board() -> SharedFrameBuffer:
+    return SharedFrameBuffer(multiprocessing.get_context("spawn"))
 
 
-def test_nothing_is_there_at_first(board: FrameBoard) -> None:
+def test_nothing_is_there_at_first(board: SharedFrameBuffer) -> None:
     assert board.read(0, "depth") is None
 
 
-def test_the_newest_picture_of_each_kind_and_sensor(board: FrameBoard) -> None:
+def test_the_newest_picture_of_each_kind_and_sensor(board: SharedFrameBuffer) -> None:
     depth = np.arange(480 * 640, dtype=np.uint32).reshape(480, 640).astype(np.uint16)
     color = np.random.default_rng(0).integers(0, 255, (240, 320, 3)).astype(np.uint8)
     board.write(2, np.zeros((480, 640), np.uint16))
@@ -38,7 +38,7 @@ def test_the_newest_picture_of_each_kind_and_sensor(board: FrameBoard) -> None:
     assert board.read(2, "depth", after=found.number) is None
 
 
-def test_a_picture_is_never_half_of_another(board: FrameBoard) -> None:
+def test_a_picture_is_never_half_of_another(board: SharedFrameBuffer) -> None:
     stop = threading.Event()
 
     def write() -> None:

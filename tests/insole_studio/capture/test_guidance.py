@@ -10,7 +10,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session
 from insole_core.sensing.disparity import FactoryDisparity
 from insole_studio.capture.guidance import (
-    Glimpse,
+    FrameSnapshot,
     Guidance,
     Hint,
     HintKind,
@@ -43,7 +43,7 @@ def seen(
     color = np.clip(view.read_color(0) * light, 0, 255).astype(np.uint8)
     system = session.manifest.reference_system
     place = volume or volume_of_interest(session)
-    return guide(view.sensor, system, place, Glimpse(now, before, color))
+    return guide(view.sensor, system, place, FrameSnapshot(now, before, color))
 
 
 def test_a_good_view_has_no_hints(session: Session) -> None:
@@ -73,7 +73,7 @@ def test_markers_that_are_not_there(session: Session) -> None:
     depth = view.read_depth(0)
     grey = np.full((512, 640, 3), 120, np.uint8)
     system = session.manifest.reference_system
-    found = guide(view.sensor, system, Box((0, 0, 0), (1, 1, 1)), Glimpse(depth, depth, grey))
+    found = guide(view.sensor, system, Box((0, 0, 0), (1, 1, 1)), FrameSnapshot(depth, depth, grey))
     assert found.markers_seen == 0
     assert found.hints[0] == Hint(HintKind.NO_MARKERS)
 
@@ -82,7 +82,7 @@ def test_an_empty_view(session: Session) -> None:
     view = session.views[0]
     nothing = np.full((480, 640), 2047, np.uint16)
     volume = volume_of_interest(session)
-    glimpse = Glimpse(nothing, nothing, view.read_color(0))
+    glimpse = FrameSnapshot(nothing, nothing, view.read_color(0))
     found = guide(view.sensor, session.manifest.reference_system, volume, glimpse)
     assert found.valid_share == 0
     assert found.hints[0] == Hint(HintKind.NOTHING_MEASURED)

@@ -12,7 +12,7 @@ from capture_samples import SERIALS, Bench
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
-from insole_studio.capture.emulation import EmulatedRoom
+from insole_studio.capture.emulation import EmulatedRig
 from insole_studio.capture.live import LiveSensors
 from insole_studio.capture.rig import Rig
 from kinect_v1.usb_bus import UsbBus
@@ -72,7 +72,7 @@ def test_a_sensor_whose_controller_is_full_waits(make: Callable[..., Bench]) -> 
 def test_infrared_in_place_of_colour_and_back(small_session: Path) -> None:
     shown: list[RawArray | ByteArray] = []
     live = LiveSensors(
-        Rig(UsbBus(EmulatedRoom(read_session(small_session)).bus)),
+        Rig(UsbBus(EmulatedRig(read_session(small_session)).bus)),
         lambda slot, image: shown.append(image) if slot == 0 else None,
     )
     live.find()

@@ -7,7 +7,7 @@ from capture_samples import ASSIGNMENT
 
 from insole_core.errors import UsageError
 from insole_core.recording.session import Marker, ReferenceSystem
-from insole_studio.capture.plan import Shot, Step, make_plan, parse_assignment, view_faces
+from insole_studio.capture.plan import CaptureStep, Shot, make_plan, parse_assignment, view_faces
 from insole_studio.capture.request import PlanRequest, kept_request
 
 
@@ -36,12 +36,12 @@ def test_a_sensor_named_twice_is_moved_by_hand() -> None:
 def test_bursts_tilt_to_both_sides() -> None:
     plan = make_plan([("left", "A1"), ("right", "B2")], bursts=3)
     assert plan.steps == (
-        Step((Shot("left", "A1", 0.0, "left"),)),
-        Step((Shot("left_2", "A1", 1.0, "left"),)),
-        Step((Shot("left_3", "A1", -1.0, "left"),)),
-        Step((Shot("right", "B2", 0.0, "right"),)),
-        Step((Shot("right_2", "B2", 1.0, "right"),)),
-        Step((Shot("right_3", "B2", -1.0, "right"),)),
+        CaptureStep((Shot("left", "A1", 0.0, "left"),)),
+        CaptureStep((Shot("left_2", "A1", 1.0, "left"),)),
+        CaptureStep((Shot("left_3", "A1", -1.0, "left"),)),
+        CaptureStep((Shot("right", "B2", 0.0, "right"),)),
+        CaptureStep((Shot("right_2", "B2", 1.0, "right"),)),
+        CaptureStep((Shot("right_3", "B2", -1.0, "right"),)),
     )
 
 

@@ -18,13 +18,13 @@ from insole_studio.capture.messages import (
     Command,
     Event,
     Identify,
+    Message,
     Placed,
     Sensors,
     Start,
     Tilt,
-    Told,
 )
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.capture.plan import CapturePlan, make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
 
@@ -34,7 +34,7 @@ PATIENCE_S = 30.0
 class Window:
     """Stands in for the window: keeps the news, and waits for what must come."""
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: SensorSource) -> None:
         self.service = CaptureService(place)
         self.events: list[Event] = []
 
@@ -61,12 +61,12 @@ class Window:
 
     def answer(self, command: Command) -> Event:
         self.service.send(command)
-        return self.wait_for(lambda e: isinstance(e, Told))
+        return self.wait_for(lambda e: isinstance(e, Message))
 
 
 @pytest.fixture
 def window(small_session: Path) -> Iterator[Window]:
-    opened = Window(Place(NothingStored(), small_session))
+    opened = Window(SensorSource(NothingStored(), small_session))
     yield opened
     opened.service.close()
 
@@ -131,8 +131,8 @@ def test_tilt_and_light(window: Window, small_session: Path) -> None:
     for command in (Tilt(serial, 2.0), Tilt(serial, None), Identify(serial, True)):
         window.service.send(command)
     told = window.answer(Tilt("Z9", 1.0))
-    assert told == Told("Sensor Z9 is not in use; look for sensors again.")
-    assert not [e for e in window.events[:-1] if isinstance(e, Told) and "Z9" not in e.sentence]
+    assert told == Message("Sensor Z9 is not in use; look for sensors again.")
+    assert not [e for e in window.events[:-1] if isinstance(e, Message) and "Z9" not in e.sentence]
 
 
 def test_closing_in_mid_capture_keeps_what_is_there(
@@ -150,7 +150,7 @@ def test_closing_in_mid_capture_keeps_what_is_there(
 
 
 def test_a_session_that_cannot_be_read_is_told(tmp_path: Path) -> None:
-    window = Window(Place(NothingStored(), tmp_path))
+    window = Window(SensorSource(NothingStored(), tmp_path))
     event = window.wait_for(lambda e: isinstance(e, Sensors) and e.problem is not None)
     assert isinstance(event, Sensors)
     assert "holds no manifest.json" in str(event.problem)

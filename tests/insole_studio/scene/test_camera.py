@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import (
     MAX_ELEVATION_DEG,
-    Camera,
     Preset,
     Subject,
+    ViewCamera,
     fitted,
     look,
 )
@@ -23,16 +23,16 @@ PIXELS = st.tuples(st.floats(0, 800), st.floats(0, 600))
 @pytest.mark.parametrize("side", list(Side))
 @pytest.mark.parametrize("subject", list(Subject))
 def test_medial_looks_at_the_side_of_the_big_toe(side: Side, subject: Subject) -> None:
-    seen = look(Camera(Preset.MEDIAL), subject, side, SIZE)
+    seen = look(ViewCamera(Preset.MEDIAL), subject, side, SIZE)
     assert seen.back == pytest.approx([side.medial_sign, 0, 0])
     assert seen.up == pytest.approx([0, 0, 1])
-    lateral = look(Camera(Preset.LATERAL), subject, side, SIZE)
+    lateral = look(ViewCamera(Preset.LATERAL), subject, side, SIZE)
     assert lateral.back == pytest.approx([-side.medial_sign, 0, 0])
 
 
 def test_plantar_sees_the_sole_from_below_and_the_insole_from_above_toes_up() -> None:
-    foot = look(Camera(Preset.PLANTAR), Subject.FOOT, Side.LEFT, SIZE)
-    insole = look(Camera(Preset.PLANTAR), Subject.INSOLE, Side.LEFT, SIZE)
+    foot = look(ViewCamera(Preset.PLANTAR), Subject.FOOT, Side.LEFT, SIZE)
+    insole = look(ViewCamera(Preset.PLANTAR), Subject.INSOLE, Side.LEFT, SIZE)
     assert foot.back == pytest.approx([0, 0, -1])
     assert insole.back == pytest.approx([0, 0, 1])
     assert foot.up == pytest.approx([0, 1, 0])
@@ -40,7 +40,7 @@ def test_plantar_sees_the_sole_from_below_and_the_insole_from_above_toes_up() ->
 
 
 def test_posterior_looks_from_the_heel() -> None:
-    assert look(Camera(Preset.POSTERIOR), Subject.FOOT, Side.LEFT, SIZE).back == pytest.approx(
+    assert look(ViewCamera(Preset.POSTERIOR), Subject.FOOT, Side.LEFT, SIZE).back == pytest.approx(
         [0, -1, 0]
     )
 
@@ -49,7 +49,7 @@ def test_posterior_looks_from_the_heel() -> None:
 def test_every_look_is_right_handed(
     preset: Preset, subject: Subject, side: Side, azimuth: float, elevation: float
 ) -> None:
-    seen = look(Camera(preset).orbited(azimuth, elevation), subject, side, SIZE)
+    seen = look(ViewCamera(preset).orbited(azimuth, elevation), subject, side, SIZE)
     pose = np.stack([seen.right, seen.up, seen.back])
     assert pose @ pose.T == pytest.approx(np.eye(3), abs=1e-9)
     assert np.linalg.det(pose) == pytest.approx(1.0)
@@ -57,7 +57,7 @@ def test_every_look_is_right_handed(
 
 @given(ANGLES, ANGLES)
 def test_the_camera_never_tumbles(azimuth: float, elevation: float) -> None:
-    camera = Camera(Preset.MEDIAL).orbited(azimuth, elevation).orbited(0.0, elevation)
+    camera = ViewCamera(Preset.MEDIAL).orbited(azimuth, elevation).orbited(0.0, elevation)
     assert abs(camera.elevation_deg) <= MAX_ELEVATION_DEG
     assert look(camera, Subject.FOOT, Side.LEFT, SIZE).up[2] > 0
 
@@ -66,7 +66,7 @@ def test_the_camera_never_tumbles(azimuth: float, elevation: float) -> None:
 def test_a_point_appears_at_the_pixel_it_was_taken_from(
     pixel: tuple[float, float], preset: Preset, azimuth: float, elevation: float
 ) -> None:
-    seen = look(Camera(preset).orbited(azimuth, elevation), Subject.FOOT, Side.LEFT, SIZE)
+    seen = look(ViewCamera(preset).orbited(azimuth, elevation), Subject.FOOT, Side.LEFT, SIZE)
     origin, direction = seen.ray_at(*pixel)
     point = origin + 123.0 * direction
     assert seen.pixels_of(point)[0] == pytest.approx(pixel, abs=1e-6)
@@ -76,9 +76,9 @@ def test_a_point_appears_at_the_pixel_it_was_taken_from(
 def test_zooming_keeps_the_point_under_the_pointer(
     pixel: tuple[float, float], factor: float
 ) -> None:
-    before = look(Camera(), Subject.FOOT, Side.LEFT, SIZE)
+    before = look(ViewCamera(), Subject.FOOT, Side.LEFT, SIZE)
     point = before.point_at(*pixel)
-    after = look(Camera().zoomed(factor, point), Subject.FOOT, Side.LEFT, SIZE)
+    after = look(ViewCamera().zoomed(factor, point), Subject.FOOT, Side.LEFT, SIZE)
     assert after.pixels_of(point)[0] == pytest.approx(pixel, abs=1e-6)
 
 
@@ -86,7 +86,7 @@ def test_zooming_keeps_the_point_under_the_pointer(
 @pytest.mark.parametrize("size", [(800, 600), (300, 900)])
 def test_fitted_shows_the_whole_box(preset: Preset, size: tuple[int, int]) -> None:
     box = np.array([[-40.0, 0.0, 0.0], [45.0, 260.0, 120.0]])
-    camera = fitted(Camera(preset), box, size)
+    camera = fitted(ViewCamera(preset), box, size)
     corners = np.stack(np.meshgrid(*box.T), axis=-1).reshape(-1, 3)
     pixels = look(camera, Subject.FOOT, Side.LEFT, size).pixels_of(corners)
     assert (pixels >= 0).all()

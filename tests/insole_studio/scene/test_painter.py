@@ -11,7 +11,7 @@ import pyvista as pv
 
 from insole_core.cases.record import ReferencePlane
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import Camera, Preset, Subject, fitted, look
+from insole_studio.scene.camera import Preset, Subject, ViewCamera, fitted, look
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.painter import Painter, direction_words
 from insole_studio.scene.pointer import Handle, MarkedPoint
@@ -33,7 +33,7 @@ def painter(plotter: Any) -> Painter:
 
 def aim(painter: Painter, mesh: Any) -> Any:
     box = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
-    seen = look(fitted(Camera(Preset.PLANTAR), box, SIZE), Subject.FOOT, Side.LEFT, SIZE)
+    seen = look(fitted(ViewCamera(Preset.PLANTAR), box, SIZE), Subject.FOOT, Side.LEFT, SIZE)
     painter.aim(seen)
     return seen
 

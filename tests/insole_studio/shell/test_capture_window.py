@@ -10,7 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.bootstrap import Application, UserPaths, build_application
 from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.stages.capture.stage import CaptureStage
 
@@ -19,14 +19,14 @@ PATIENCE_MS = 60_000
 
 @pytest.fixture
 def emulating(
-    qapp: QApplication, qtbot: QtBot, places: Places, small_session: Path
+    qapp: QApplication, qtbot: QtBot, places: UserPaths, small_session: Path
 ) -> Iterator[Application]:
     built = build_application(qapp, places, small_session)
     built.window.resize(960, 640)
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.rooms.dialogue.dialogs):
+    for dialog in list(built.studio.rooms.messages.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()
@@ -40,7 +40,7 @@ def opened_stage(application: Application) -> CaptureStage:
 
 
 def test_a_captured_foot_comes_onto_the_bench(
-    emulating: Application, qtbot: QtBot, places: Places
+    emulating: Application, qtbot: QtBot, places: UserPaths
 ) -> None:
     stage = opened_stage(emulating)
     presenter = stage.presenter
@@ -93,11 +93,11 @@ def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(qtbot: QtBot) ->
 
 
 def test_a_session_that_cannot_be_emulated_is_told(
-    qapp: QApplication, places: Places, tmp_path: Path
+    qapp: QApplication, places: UserPaths, tmp_path: Path
 ) -> None:
     built = build_application(qapp, places, tmp_path)
     built.studio.run_action("capture", False)
-    (dialog,) = built.studio.rooms.dialogue.dialogs
+    (dialog,) = built.studio.rooms.messages.dialogs
     assert "holds no manifest.json" in dialog.text()
     dialog.done(0)
     built.close()

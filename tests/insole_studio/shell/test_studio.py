@@ -11,7 +11,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import Patient, Source
+from insole_core.cases.record import Patient, ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.design import Pelott
@@ -74,13 +74,13 @@ def test_export_to_nowhere_is_one_sentence_in_a_dialog(
 ) -> None:
     opened.studio.rooms.exporting.export_to(tmp_path / "missing" / "insole.stl")
     settle()
-    (dialog,) = opened.studio.rooms.dialogue.dialogs
+    (dialog,) = opened.studio.rooms.messages.dialogs
     assert "its folder does not exist" in dialog.text()
 
 
 def test_what_is_neither_case_nor_scan_is_refused(app: Application, tmp_path: Path) -> None:
     app.studio.rooms.opening.open_path(tmp_path / "letter.docx")
-    (dialog,) = app.studio.rooms.dialogue.dialogs
+    (dialog,) = app.studio.rooms.messages.dialogs
     assert "neither a case, a session nor a mesh" in dialog.text()
 
 
@@ -92,7 +92,7 @@ def test_a_broken_case_leaves_the_open_one(
     opened.studio.rooms.opening.open_path(tmp_path / "bad.insole")
     settle()
     assert opened.case.record is record
-    assert len(opened.studio.rooms.dialogue.dialogs) == 1
+    assert len(opened.studio.rooms.messages.dialogs) == 1
 
 
 def test_a_mesh_without_a_side_is_asked_for(
@@ -109,8 +109,8 @@ def test_an_unexpected_error_keeps_its_details_for_a_report(app: Application, qa
     try:
         raise KeyError("lost")
     except KeyError as error:
-        app.studio.rooms.dialogue.show_error(error)
-    (dialog,) = app.studio.rooms.dialogue.dialogs
+        app.studio.rooms.messages.show_error(error)
+    (dialog,) = app.studio.rooms.messages.dialogs
     assert "KeyError" in dialog.detailedText()
     dialog.copy_report()
     assert "KeyError" in dialog.report
@@ -192,10 +192,10 @@ def test_a_session_opens_and_shows_its_foot(
 ) -> None:
     app.studio.rooms.opening.open_path(small_session)
     settle()
-    assert app.studio.rooms.dialogue.dialogs == []
+    assert app.studio.rooms.messages.dialogs == []
     assert app.case.side is Side.LEFT
     source = app.case.record.source
-    assert isinstance(source, Source)
+    assert isinstance(source, ScanSource)
     assert source.kind == "session"
     assert app.surface.mesh is not None
 
@@ -205,5 +205,5 @@ def test_a_damaged_session_is_refused(app: Application, settle: Settle, tmp_path
         archive.writestr("manifest.json", "{}")
     app.studio.rooms.opening.open_path(tmp_path / "session.zip")
     settle()
-    assert len(app.studio.rooms.dialogue.dialogs) == 1
+    assert len(app.studio.rooms.messages.dialogs) == 1
     assert app.case.is_empty

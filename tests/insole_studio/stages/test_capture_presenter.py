@@ -16,7 +16,7 @@ from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.draft import Draft, ViewFacts
 from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.left_drafts import LeftDraft, newest_left_draft
+from insole_studio.capture.left_drafts import UnfinishedCapture, newest_unfinished_capture
 from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Tilt
 from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
 from insole_studio.capture.workplace import Calibrated, recorded_workplace
@@ -97,7 +97,7 @@ class NotedService:
 
 class Bench:
     def __init__(
-        self, jobs: Jobs, folder: Path, session: Path, left: LeftDraft | None = None
+        self, jobs: Jobs, folder: Path, session: Path, left: UnfinishedCapture | None = None
     ) -> None:
         self.panel, self.service = NotedPanel(), NotedService()
         self.remembered: list[Sequence[tuple[str, str]]] = []
@@ -331,7 +331,7 @@ def offered(bench: Bench, small_session: Path) -> Bench:
     bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
     bench.presenter.capture()
     write_draft(bench, "right")
-    left = newest_left_draft(bench.folder / "captures")
+    left = newest_unfinished_capture(bench.folder / "captures")
     return Bench(bench.presenter._jobs, bench.folder, small_session, left)
 
 
@@ -363,15 +363,15 @@ def test_a_new_capture_leaves_the_unfinished_one_alone(offered: Bench) -> None:
     offered.presenter.capture()
     assert offered.started().plan.views == ("left", "right")
     assert offered.panel.capture.offer == ""
-    assert newest_left_draft(offered.folder / "captures") is not None
+    assert newest_unfinished_capture(offered.folder / "captures") is not None
 
 
 def test_what_is_no_draft_is_not_offered(tmp_path: Path, small_session: Path) -> None:
-    assert newest_left_draft(tmp_path / "captures") is None
+    assert newest_unfinished_capture(tmp_path / "captures") is None
     (tmp_path / "captures" / "b").mkdir(parents=True)
     write_session(read_session(small_session), tmp_path / "captures" / "a")
     (tmp_path / "captures" / "b" / "manifest.json").write_text("{")
-    assert newest_left_draft(tmp_path / "captures") is None
+    assert newest_unfinished_capture(tmp_path / "captures") is None
 
 
 def test_orders_go_to_the_sensor(bench: Bench) -> None:

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.stages.capture.rows import CaptureOptions
 from insole_studio.stages.capture.sensor_card import MIME, SensorCard
 from insole_studio.stages.capture.stage import CaptureStage, first_options
@@ -33,7 +33,7 @@ def remembered() -> list[object]:
 def stage(
     qtbot: QtBot, tmp_path: Path, small_session: Path, remembered: list[object]
 ) -> Iterator[CaptureStage]:
-    place = Place(SensorStore(tmp_path / "sensors"), small_session)
+    place = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
     opened = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=remembered.append)
     opened.show()
     yield opened
@@ -87,16 +87,16 @@ def test_emulated_sensors_are_captured_as_they_were_recorded(
     manifest = replace(recorded.manifest, side=Side.RIGHT, views=("left", "left_2", "right"))
     write_session(replace(recorded, manifest=manifest, views=views), tmp_path / "moved")
     store = SensorStore(tmp_path / "sensors")
-    assert first_options(Place(store, tmp_path / "moved")) == CaptureOptions(
+    assert first_options(SensorSource(store, tmp_path / "moved")) == CaptureOptions(
         Side.RIGHT, mode="moved", views=("left", "right")
     )
-    assert first_options(Place(store)) == CaptureOptions()
+    assert first_options(SensorSource(store)) == CaptureOptions()
 
 
 def test_a_second_window_is_not_offered_what_the_first_has_begun(
     stage: CaptureStage, tmp_path: Path, small_session: Path
 ) -> None:
-    place = Place(SensorStore(tmp_path / "sensors"), small_session)
+    place = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
     second = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=print)
     assert stage._lock.isLocked()
     assert not second._lock.isLocked()

@@ -16,7 +16,7 @@ from insole_core.cases.record import (
     KeyPoint,
     Patient,
     ReferencePlane,
-    Source,
+    ScanSource,
     Variant,
 )
 from insole_core.geometry.side import Side
@@ -30,13 +30,13 @@ from insole_studio.stages.design.patient_presenter import PatientPresenter
 from insole_studio.stages.design.rows import FieldGroup
 from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.stages.design.warnings_presenter import WarningsPresenter
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Counterpart
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.counterpart import SideBySide
+from insole_studio.workbench.insole_surface import InsolePreview
 from insole_studio.workbench.pad_library import load_pads
-from insole_studio.workbench.section import Section, SectionPlane
+from insole_studio.workbench.section import SectionModel, SectionPlane
 
 
 class MockView:
@@ -95,25 +95,25 @@ def case() -> Case:
 
 
 @pytest.fixture
-def hand(case: Case, section: Section) -> Hand:
-    return Hand(case, make_tools(section))
+def tool_controller(case: Case, section: SectionModel) -> ToolController:
+    return ToolController(case, make_tools(section))
 
 
 @pytest.fixture
-def section(qapp: QApplication) -> Section:
-    return Section()
+def section(qapp: QApplication) -> SectionModel:
+    return SectionModel()
 
 
 @pytest.fixture
-def surface(case: Case, qapp: QApplication) -> Iterator[InsoleSurface]:
+def surface(case: Case, qapp: QApplication) -> Iterator[InsolePreview]:
     jobs = Jobs()
-    yield InsoleSurface(case, jobs)
+    yield InsolePreview(case, jobs)
     jobs.close()
 
 
 @pytest.fixture
 def facts(
-    case: Case, surface: InsoleSurface, section: Section, hand: Hand
+    case: Case, surface: InsolePreview, section: SectionModel, tool_controller: ToolController
 ) -> Iterator[dict[str, Any]]:
     """What the two 3-D panels follow."""
     jobs = Jobs()
@@ -121,8 +121,8 @@ def facts(
         "case": case,
         "surface": surface,
         "section": section,
-        "hand": hand,
-        "counterpart": Counterpart(case, jobs),
+        "hand": tool_controller,
+        "counterpart": SideBySide(case, jobs),
     }
     jobs.close()
 
@@ -130,7 +130,7 @@ def facts(
 @pytest.fixture
 def open_foot(case: Case, make_foot: Any) -> Callable[[], None]:
     def open_it(side: Side = Side.LEFT) -> None:
-        case.open_foot(make_foot(side), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+        case.open_foot(make_foot(side), ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
 
     return open_it
 
@@ -183,7 +183,9 @@ class TestPatient:
         self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
     ) -> None:
         open_foot()
-        right = FootRecord.begun(make_foot(Side.RIGHT), Source("mesh", "/nowhere.ply", "0" * 64))
+        right = FootRecord.begun(
+            make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere.ply", "0" * 64)
+        )
         case.apply(right, "Add")
         assert view.shown["show_feet"] == (Side.RIGHT, [Side.LEFT, Side.RIGHT])
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
@@ -235,8 +237,10 @@ class TestPatient:
 
 class TestParameters:
     @pytest.fixture
-    def presenter(self, view: Any, case: Case, hand: Hand) -> ParametersPresenter:
-        return ParametersPresenter(view, case, hand, load_pads(), load_rules())
+    def presenter(
+        self, view: Any, case: Case, tool_controller: ToolController
+    ) -> ParametersPresenter:
+        return ParametersPresenter(view, case, tool_controller, load_pads(), load_rules())
 
     def test_numbers_of_the_selected_pelott(
         self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
@@ -275,21 +279,34 @@ class TestParameters:
         assert (pad.length_mm, pad.width_mm, pad.height_mm) == (70, 50, 8)
 
     def test_the_pelott_tool_shows_and_takes_the_next_size(
-        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+        self,
+        view: Any,
+        case: Case,
+        tool_controller: ToolController,
+        presenter: ParametersPresenter,
+        open_foot: Any,
     ) -> None:
         open_foot()
-        hand.take("pelott")
+        tool_controller.take("pelott")
         view.offer_chosen.emit("size.2")
         view.field_edited.emit("template.height_mm", 5.0)
-        assert isinstance(hand.tool, PelottTool)
-        assert (hand.tool.template.width_mm, hand.tool.template.height_mm) == (60, 5)
+        assert isinstance(tool_controller.tool, PelottTool)
+        assert (
+            tool_controller.tool.template.width_mm,
+            tool_controller.tool.template.height_mm,
+        ) == (60, 5)
         assert len(case.history) == 0
 
     def test_posting_by_numbers(
-        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+        self,
+        view: Any,
+        case: Case,
+        tool_controller: ToolController,
+        presenter: ParametersPresenter,
+        open_foot: Any,
     ) -> None:
         open_foot()
-        hand.take("posting")
+        tool_controller.take("posting")
         view.field_edited.emit("posting.rearfoot_deg", 4.0)
         view.field_edited.emit("posting.forefoot_deg", -2.0)
         (group,) = [g for title, g in groups(view).items() if "Pronation" in title]
@@ -307,11 +324,16 @@ class TestParameters:
         assert groups(view)["Insole"].fields[0].value == 5.0
 
     def test_the_plane_by_numbers_and_gone(
-        self, view: Any, case: Case, hand: Hand, presenter: ParametersPresenter, open_foot: Any
+        self,
+        view: Any,
+        case: Case,
+        tool_controller: ToolController,
+        presenter: ParametersPresenter,
+        open_foot: Any,
     ) -> None:
         open_foot()
         case.apply(Annotations(plane=ReferencePlane((1.0, 2.0, 3.0))), "Place")
-        hand.take("plane")
+        tool_controller.take("plane")
         view.field_edited.emit("plane.z", 9.0)
         view.field_edited.emit("plane.roll_deg", -5.0)
         assert case.record.annotations.plane == ReferencePlane((1.0, 2.0, 9.0), roll_deg=-5.0)
@@ -331,7 +353,7 @@ class TestModels:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
+        surface: InsolePreview,
         facts: dict[str, Any],
         open_foot: Any,
         side: Side,
@@ -348,7 +370,7 @@ class TestModels:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
+        surface: InsolePreview,
         facts: dict[str, Any],
         open_foot: Any,
         qtbot: QtBot,
@@ -370,17 +392,17 @@ class TestModels:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
+        surface: InsolePreview,
         facts: dict[str, Any],
-        hand: Hand,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        ParametersPresenter(view, case, hand, (), load_rules())
+        ParametersPresenter(view, case, tool_controller, (), load_rules())
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         flat = surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0)
-        hand.take("posting")
+        tool_controller.take("posting")
         view.field_edited.emit("posting.rearfoot_deg", 4.0)
         qtbot.waitUntil(lambda: surface.is_current, timeout=20_000)
         # A left foot's medial side is +x; a varus post raises it.
@@ -393,8 +415,8 @@ class TestSection:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
-        section: Section,
+        surface: InsolePreview,
+        section: SectionModel,
         open_foot: Any,
         qtbot: QtBot,
         side: Side,
@@ -416,8 +438,8 @@ class TestSection:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
-        section: Section,
+        surface: InsolePreview,
+        section: SectionModel,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
@@ -444,8 +466,8 @@ class TestWarnings:
         self,
         view: Any,
         case: Case,
-        surface: InsoleSurface,
-        hand: Hand,
+        surface: InsolePreview,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
@@ -455,7 +477,7 @@ class TestWarnings:
             view,
             case=case,
             surface=surface,
-            hand=hand,
+            tool_controller=tool_controller,
             rules=load_rules(),
             look_at=looked.append,
         )

@@ -262,7 +262,7 @@ def test_a_damaged_session_closes_the_stage(
     app.studio.rooms.opening.open_path(tmp_path / "session")
     settle()
     assert app.studio.rooms.foot.stage is None
-    (dialog,) = app.studio.rooms.dialogue.dialogs
+    (dialog,) = app.studio.rooms.messages.dialogs
     assert "holds no manifest.json" in dialog.text()
 
 

@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from insole_core.cases.record import Annotations, KeyPoint, ReferencePlane, Source
+from insole_core.cases.record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott, Posting
 from insole_studio.bootstrap import make_tools
-from insole_studio.scene.camera import Camera, Preset, Subject, look
+from insole_studio.scene.camera import Preset, Subject, ViewCamera, look
 from insole_studio.scene.pointer import Phase, PointerEvent
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.key_point import confidence, distances, shown_points
 from insole_studio.tools.posting import posting_of
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.section import Section, SectionPlane
+from insole_studio.workbench.section import SectionModel, SectionPlane
 
-CAMERA = Camera(height_mm=400.0)
+CAMERA = ViewCamera(height_mm=400.0)
 SIZE = (400, 400)
 
 
@@ -54,7 +54,7 @@ def at(
 def case(make_foot: Any) -> Case:
     """A foot whose metatarsal heads are set so far ahead that no pad snaps to them."""
     case = Case()
-    case.open_foot(make_foot(Side.LEFT), Source("mesh", "/nowhere/foot.ply", "0" * 64))
+    case.open_foot(make_foot(Side.LEFT), ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
     current = case.record.current
     assert current is not None
     heads = tuple(KeyPoint(name, (20.0 - 8.0 * i, 235.0, 0.0)) for i, name in enumerate(HEADS))
@@ -64,20 +64,22 @@ def case(make_foot: Any) -> Case:
 
 
 @pytest.fixture
-def hand(case: Case, section: Section) -> Hand:
-    return Hand(case, make_tools(section))
+def tool_controller(case: Case, section: SectionModel) -> ToolController:
+    return ToolController(case, make_tools(section))
 
 
 @pytest.fixture
-def section() -> Section:
-    return Section()
+def section() -> SectionModel:
+    return SectionModel()
 
 
-def drag(hand: Hand, *places: tuple[float, float], handle: str | None = None) -> None:
-    hand.press(at(Phase.PRESS, *places[0], handle=handle), GROUND)
+def drag(
+    tool_controller: ToolController, *places: tuple[float, float], handle: str | None = None
+) -> None:
+    tool_controller.press(at(Phase.PRESS, *places[0], handle=handle), GROUND)
     for place in places[1:]:
-        hand.drag(at(Phase.MOVE, *place))
-    hand.drag(at(Phase.RELEASE, *places[-1]))
+        tool_controller.drag(at(Phase.MOVE, *place))
+    tool_controller.drag(at(Phase.RELEASE, *places[-1]))
 
 
 def design(case: Case) -> InsoleDesign:
@@ -91,29 +93,29 @@ def only_pelott(case: Case) -> Pelott:
     return pad
 
 
-def test_a_click_places_a_pelott_there(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (3.0, 150.0))
+def test_a_click_places_a_pelott_there(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (3.0, 150.0))
     assert only_pelott(case).centre_mm == (3.0, 150.0)
     assert case.selection == only_pelott(case).id
     assert len(case.history) == 1
 
 
-def test_dragging_a_pelott_is_one_undo(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    drag(hand, (2.0, 152.0), (5.0, 160.0), (12.0, 162.0))
+def test_dragging_a_pelott_is_one_undo(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    drag(tool_controller, (2.0, 152.0), (5.0, 160.0), (12.0, 162.0))
     assert only_pelott(case).centre_mm == (10.0, 160.0)
     assert len(case.history) == 2
     case.undo()
     assert only_pelott(case).centre_mm == (0.0, 150.0)
 
 
-def test_the_picture_follows_the_hand(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
-    hand.drag(at(Phase.MOVE, 4.0, 150.0))
+def test_the_picture_follows_the_hand(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    tool_controller.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    tool_controller.drag(at(Phase.MOVE, 4.0, 150.0))
     assert case.shown.design is not None
     (shown,) = case.shown.design.corrections
     assert isinstance(shown, Pelott)
@@ -122,16 +124,16 @@ def test_the_picture_follows_the_hand(case: Case, hand: Hand) -> None:
 
 
 @pytest.mark.parametrize("tool", ["pelott", "key_point", "posting", "plane"])
-def test_escape_restores(case: Case, hand: Hand, tool: str) -> None:
-    hand.take(tool)
+def test_escape_restores(case: Case, tool_controller: ToolController, tool: str) -> None:
+    tool_controller.take(tool)
     record = case.record
-    assert hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
-    hand.drag(at(Phase.MOVE, 8.0, 180.0))
-    assert hand.cancel()
+    assert tool_controller.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    tool_controller.drag(at(Phase.MOVE, 8.0, 180.0))
+    assert tool_controller.cancel()
     assert case.shown is case.record is record
     assert len(case.history) == 0
     assert case.selection is None
-    assert not hand.cancel()
+    assert not tool_controller.cancel()
 
 
 @pytest.mark.parametrize(
@@ -144,74 +146,86 @@ def test_escape_restores(case: Case, hand: Hand, tool: str) -> None:
     ],
 )
 def test_handles_reshape_the_pelott(
-    case: Case, hand: Hand, handle: str, start: Any, end: Any, name: str, value: Any
+    case: Case,
+    tool_controller: ToolController,
+    handle: str,
+    start: Any,
+    end: Any,
+    name: str,
+    value: Any,
 ) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    drag(hand, start, end, handle=handle)
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    drag(tool_controller, start, end, handle=handle)
     assert getattr(only_pelott(case), name) == pytest.approx(value)
     assert len(case.history) == 2
 
 
-def test_the_length_handle_keeps_to_the_tip(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    handles = {h.name: h for h in hand.tool.handles(case, GROUND)}
+def test_the_length_handle_keeps_to_the_tip(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    handles = {h.name: h for h in tool_controller.tool.handles(case, GROUND)}
     tip = handles["length"].position_mm[1]
-    drag(hand, (0.0, tip), (0.0, 150.0 + 1.5 * (tip - 150.0)), handle="length")
+    drag(tool_controller, (0.0, tip), (0.0, 150.0 + 1.5 * (tip - 150.0)), handle="length")
     assert only_pelott(case).length_mm == pytest.approx(90.0)
-    moved = {h.name: h for h in hand.tool.handles(case, GROUND)}["length"].position_mm[1]
+    moved = {h.name: h for h in tool_controller.tool.handles(case, GROUND)}["length"].position_mm[1]
     assert moved == pytest.approx(150.0 + 1.5 * (tip - 150.0), abs=0.3)
 
 
-def test_sizes_stay_in_their_range(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    drag(hand, (20.0, 150.0), (-30.0, 150.0), handle="width")
+def test_sizes_stay_in_their_range(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    drag(tool_controller, (20.0, 150.0), (-30.0, 150.0), handle="width")
     assert only_pelott(case).width_mm == 5.0
 
 
-def test_the_wheel_raises_by_half_a_millimetre_in_one_undo(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
+def test_the_wheel_raises_by_half_a_millimetre_in_one_undo(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
     for _ in range(3):
-        assert hand.wheel(at(Phase.MOVE, 1.0, 150.0), 1.0)
+        assert tool_controller.wheel(at(Phase.MOVE, 1.0, 150.0), 1.0)
     assert only_pelott(case).height_mm == 7.5
     assert len(case.history) == 2
-    assert not hand.wheel(at(Phase.MOVE, 35.0, 30.0), 1.0)
+    assert not tool_controller.wheel(at(Phase.MOVE, 35.0, 30.0), 1.0)
 
 
-def test_arrows_nudge_as_one_sees(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
+def test_arrows_nudge_as_one_sees(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
     # From below, the right of the picture is -x.
-    assert hand.nudge(at(Phase.MOVE, 0.0, 0.0), 1, 0)
+    assert tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0), 1, 0)
     assert only_pelott(case).centre_mm == (-0.5, 150.0)
-    hand.nudge(at(Phase.MOVE, 0.0, 0.0, coarse=True), 0, 1)
-    hand.nudge(at(Phase.MOVE, 0.0, 0.0, fine=True), 0, 1)
+    tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0, coarse=True), 0, 1)
+    tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0, fine=True), 0, 1)
     assert only_pelott(case).centre_mm == (-0.5, 155.05)
 
 
-def test_no_pelott_beside_the_insole_or_on_the_back_of_the_foot(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    assert not hand.press(at(Phase.PRESS, 0.0, 300.0), GROUND)
-    seen = look(Camera(Preset.DORSAL), Subject.FOOT, Side.LEFT, SIZE)
+def test_no_pelott_beside_the_insole_or_on_the_back_of_the_foot(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("pelott")
+    assert not tool_controller.press(at(Phase.PRESS, 0.0, 300.0), GROUND)
+    seen = look(ViewCamera(Preset.DORSAL), Subject.FOOT, Side.LEFT, SIZE)
     above = PointerEvent(Phase.PRESS, Subject.FOOT, seen, (9, 9), np.array([0.0, 150.0, 60.0]))
-    assert not hand.press(above, GROUND)
+    assert not tool_controller.press(above, GROUND)
     assert design(case).corrections == ()
 
 
-def test_a_press_on_a_pelott_selects_the_topmost(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    drag(hand, (0.0, 60.0))
+def test_a_press_on_a_pelott_selects_the_topmost(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    drag(tool_controller, (0.0, 60.0))
     first, second = design(case).corrections
-    hand.take("orbit")
-    assert not hand.press(at(Phase.PRESS, 5.0, 150.0), GROUND)
+    tool_controller.take("orbit")
+    assert not tool_controller.press(at(Phase.PRESS, 5.0, 150.0), GROUND)
     assert case.selection == first.id
-    hand.press(at(Phase.PRESS, 5.0, 60.0), GROUND)
+    tool_controller.press(at(Phase.PRESS, 5.0, 60.0), GROUND)
     assert case.selection == second.id
-    hand.press(at(Phase.PRESS, 35.0, 220.0), GROUND)
+    tool_controller.press(at(Phase.PRESS, 35.0, 220.0), GROUND)
     assert case.selection is None
 
 
@@ -219,47 +233,57 @@ def test_a_press_on_a_pelott_selects_the_topmost(case: Case, hand: Hand) -> None
     ("start", "rearfoot", "forefoot"), [((0.0, 40.0), 4.0, 0.0), ((0.0, 200.0), 0.0, 4.0)]
 )
 def test_dragging_up_raises_the_medial_edge(
-    case: Case, hand: Hand, start: tuple[float, float], rearfoot: float, forefoot: float
+    case: Case,
+    tool_controller: ToolController,
+    start: tuple[float, float],
+    rearfoot: float,
+    forefoot: float,
 ) -> None:
-    hand.take("posting")
-    drag(hand, start, (start[0], start[1] + 20.0))
+    tool_controller.take("posting")
+    drag(tool_controller, start, (start[0], start[1] + 20.0))
     posting = posting_of(design(case))
     assert isinstance(posting, Posting)
     assert (posting.rearfoot_deg, posting.forefoot_deg) == (rearfoot, forefoot)
     assert len(case.history) == 1
 
 
-def test_a_posting_stays_one_and_in_its_range(case: Case, hand: Hand) -> None:
-    hand.take("posting")
-    drag(hand, (0.0, 40.0), (0.0, 50.0))
-    drag(hand, (0.0, 40.0), (0.0, 240.0))
+def test_a_posting_stays_one_and_in_its_range(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("posting")
+    drag(tool_controller, (0.0, 40.0), (0.0, 50.0))
+    drag(tool_controller, (0.0, 40.0), (0.0, 240.0))
     assert len(design(case).corrections) == 1
     posting = posting_of(design(case))
     assert posting is not None
     assert posting.rearfoot_deg == 15.0
 
 
-def test_a_click_without_a_drag_makes_no_posting(case: Case, hand: Hand) -> None:
-    hand.take("posting")
-    drag(hand, (0.0, 40.0))
+def test_a_click_without_a_drag_makes_no_posting(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("posting")
+    drag(tool_controller, (0.0, 40.0))
     assert design(case).corrections == ()
     assert len(case.history) == 0
 
 
-def test_clicks_on_the_skin_mark_further_points(case: Case, hand: Hand) -> None:
-    hand.take("key_point")
-    drag(hand, (0.0, 0.0))
-    drag(hand, (30.0, 40.0))
+def test_clicks_on_the_skin_mark_further_points(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("key_point")
+    drag(tool_controller, (0.0, 0.0))
+    drag(tool_controller, (30.0, 40.0))
     points = case.record.annotations.key_points
     assert [point.name for point in points[len(HEADS) :]] == ["Point 1", "Point 2"]
     assert distances(case.record.annotations) == [("Point 1", "Point 2", pytest.approx(50.0))]
 
 
-def test_a_landmark_dragged_is_sure_from_then_on(case: Case, hand: Hand) -> None:
-    hand.take("key_point")
+def test_a_landmark_dragged_is_sure_from_then_on(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("key_point")
     name = "heel_centre"
     assert confidence(case, name) < 1.0
-    drag(hand, shown_points(case)[name][:2], (5.0, 180.0), handle=f"point:{name}")
+    drag(tool_controller, shown_points(case)[name][:2], (5.0, 180.0), handle=f"point:{name}")
     assert shown_points(case)[name] == pytest.approx((5.0, 180.0, 0.0))
     assert confidence(case, name) == 1.0
     assert distances(case.record.annotations) == []
@@ -267,69 +291,79 @@ def test_a_landmark_dragged_is_sure_from_then_on(case: Case, hand: Hand) -> None
     assert confidence(case, name) < 1.0
 
 
-def test_the_plane_is_put_raised_and_turned(case: Case, hand: Hand) -> None:
-    hand.take("plane")
-    drag(hand, (10.0, 100.0))
+def test_the_plane_is_put_raised_and_turned(case: Case, tool_controller: ToolController) -> None:
+    tool_controller.take("plane")
+    drag(tool_controller, (10.0, 100.0))
     assert case.record.annotations.plane == ReferencePlane((10.0, 100.0, 0.0))
-    drag(hand, (10.0, 100.0), (10.0, 106.0), handle="plane-raise")
-    drag(hand, (10.0, 170.0), (10.0, 180.0), handle="plane-pitch")
+    drag(tool_controller, (10.0, 100.0), (10.0, 106.0), handle="plane-raise")
+    drag(tool_controller, (10.0, 170.0), (10.0, 180.0), handle="plane-pitch")
     assert case.record.annotations.plane == ReferencePlane((10.0, 100.0, 6.0), pitch_deg=5.0)
     assert len(case.history) == 3
 
 
-def test_turning_the_plane_lifts_the_end_that_was_grabbed(case: Case, hand: Hand) -> None:
-    hand.take("plane")
-    drag(hand, (0.0, 100.0))
+def test_turning_the_plane_lifts_the_end_that_was_grabbed(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("plane")
+    drag(tool_controller, (0.0, 100.0))
     for name, axis in (("plane-pitch", 1), ("plane-roll", 0)):
-        before = {h.name: h.position_mm for h in hand.tool.handles(case, GROUND)}[name]
-        drag(hand, before[:2], (before[0], before[1] + 10.0), handle=name)
-        after = {h.name: h.position_mm for h in hand.tool.handles(case, GROUND)}[name]
+        before = {h.name: h.position_mm for h in tool_controller.tool.handles(case, GROUND)}[name]
+        drag(tool_controller, before[:2], (before[0], before[1] + 10.0), handle=name)
+        after = {h.name: h.position_mm for h in tool_controller.tool.handles(case, GROUND)}[name]
         assert after[2] > before[2] + 1.0, (name, axis)
 
 
-def test_undo_in_the_middle_of_a_drag_is_not_lost(case: Case, hand: Hand) -> None:
-    hand.take("pelott")
-    drag(hand, (0.0, 150.0))
-    hand.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
-    hand.take("orbit")
-    assert not hand.is_busy
+def test_undo_in_the_middle_of_a_drag_is_not_lost(
+    case: Case, tool_controller: ToolController
+) -> None:
+    tool_controller.take("pelott")
+    drag(tool_controller, (0.0, 150.0))
+    tool_controller.press(at(Phase.PRESS, 0.0, 150.0), GROUND)
+    tool_controller.take("orbit")
+    assert not tool_controller.is_busy
     assert only_pelott(case).centre_mm == (0.0, 150.0)
 
 
 @pytest.mark.parametrize("tool", ["orbit", "pelott", "key_point", "posting", "plane"])
-def test_every_tool_says_what_one_can_do(case: Case, hand: Hand, tool: str) -> None:
-    hand.take(tool)
-    assert 10 < len(hand.tool.hint(case)) < 90
+def test_every_tool_says_what_one_can_do(
+    case: Case, tool_controller: ToolController, tool: str
+) -> None:
+    tool_controller.take(tool)
+    assert 10 < len(tool_controller.tool.hint(case)) < 90
 
 
 class TestSection:
     def test_a_click_cuts_there_and_a_drag_moves_the_cut(
-        self, hand: Hand, section: Section
+        self, tool_controller: ToolController, section: SectionModel
     ) -> None:
-        hand.take("section")
-        drag(hand, (10.0, 60.0), (10.0, 60.0))
+        tool_controller.take("section")
+        drag(tool_controller, (10.0, 60.0), (10.0, 60.0))
         assert section.plane == SectionPlane((10.0, 60.0))
-        drag(hand, (10.0, 60.0), (0.0, 90.0), handle="section-move")
+        drag(tool_controller, (10.0, 60.0), (0.0, 90.0), handle="section-move")
         assert section.plane == SectionPlane((0.0, 90.0))
 
-    def test_its_end_turns_it(self, hand: Hand, section: Section) -> None:
-        hand.take("section")
+    def test_its_end_turns_it(self, tool_controller: ToolController, section: SectionModel) -> None:
+        tool_controller.take("section")
         section.show(SectionPlane((10.0, 60.0)))
-        drag(hand, (55.0, 60.0), (10.0, 110.0), handle="section-turn")
+        drag(tool_controller, (55.0, 60.0), (10.0, 110.0), handle="section-turn")
         assert section.plane == SectionPlane((10.0, 60.0), 90.0)
 
-    def test_escape_puts_it_back(self, hand: Hand, section: Section) -> None:
-        hand.take("section")
+    def test_escape_puts_it_back(
+        self, tool_controller: ToolController, section: SectionModel
+    ) -> None:
+        tool_controller.take("section")
         section.show(SectionPlane((10.0, 60.0)))
-        hand.press(at(Phase.PRESS, 30.0, 80.0), GROUND)
-        hand.drag(at(Phase.MOVE, 35.0, 85.0))
+        tool_controller.press(at(Phase.PRESS, 30.0, 80.0), GROUND)
+        tool_controller.drag(at(Phase.MOVE, 35.0, 85.0))
         assert section.plane != SectionPlane((10.0, 60.0))
-        hand.cancel()
+        tool_controller.cancel()
         assert section.plane == SectionPlane((10.0, 60.0))
 
-    def test_it_is_no_step_of_undo(self, hand: Hand, case: Case, section: Section) -> None:
-        hand.take("section")
-        drag(hand, (10.0, 60.0), (20.0, 60.0))
+    def test_it_is_no_step_of_undo(
+        self, tool_controller: ToolController, case: Case, section: SectionModel
+    ) -> None:
+        tool_controller.take("section")
+        drag(tool_controller, (10.0, 60.0), (20.0, 60.0))
         assert len(case.history) == 0
-        assert hand.nudge(at(Phase.MOVE, 0.0, 0.0), 0, 1)
+        assert tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0), 0, 1)
         assert section.plane == SectionPlane((20.0, 60.5))

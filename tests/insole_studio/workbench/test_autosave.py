@@ -11,9 +11,9 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import Patient, Source
+from insole_core.cases.record import Patient, ScanSource
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Application, Places, build_application
+from insole_studio.bootstrap import Application, UserPaths, build_application
 from insole_studio.jobs import Jobs
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
@@ -101,9 +101,9 @@ def test_a_damaged_copy_is_not_offered(tmp_path: Path) -> None:
 
 
 def test_the_next_start_opens_the_recovered_case(
-    app: Application, make_foot: Any, places: Places, qapp: QApplication
+    app: Application, make_foot: Any, places: UserPaths, qapp: QApplication
 ) -> None:
-    app.case.open_foot(make_foot(Side.RIGHT), Source("mesh", "/x.ply", "0" * 64))
+    app.case.open_foot(make_foot(Side.RIGHT), ScanSource("mesh", "/x.ply", "0" * 64))
     app.autosave.write_now()
     copy = next(places.autosave_folder.glob("*.insole"))
     left = places.autosave_folder / "left-by-the-dead.insole"

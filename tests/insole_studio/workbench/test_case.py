@@ -4,12 +4,19 @@ from typing import Any
 
 import pytest
 
-from insole_core.cases.record import Annotations, CaseRecord, FootRecord, KeyPoint, Patient, Source
+from insole_core.cases.record import (
+    Annotations,
+    CaseRecord,
+    FootRecord,
+    KeyPoint,
+    Patient,
+    ScanSource,
+)
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign, Pelott
 from insole_studio.workbench.case import Case
 
-SOURCE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
+SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
 @pytest.fixture

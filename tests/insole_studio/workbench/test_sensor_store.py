@@ -8,7 +8,7 @@ import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
@@ -17,8 +17,8 @@ from insole_studio.workbench.sensor_store import SensorStore
 SENSOR = Sensor(
     model="kinect-v1",
     serial="A00362A00127049A",
-    depth_camera=Camera(640, 480, 585.6, 586.1, 316.0, 247.6),
-    color_camera=Camera(1280, 1024, 1034.4, 1034.3, 640.2, 528.0, (0.14, -0.24, 0, 0, 0)),
+    depth_camera=PinholeCamera(640, 480, 585.6, 586.1, 316.0, 247.6),
+    color_camera=PinholeCamera(1280, 1024, 1034.4, 1034.3, 640.2, 528.0, (0.14, -0.24, 0, 0, 0)),
     depth2color=rigid(rotation_about(np.array([1.0, 2, 3]), 1.5), np.array([-25.0, 0.4, -1.2])),
     disparity=LinearInverseDisparity(3.33, -0.00307),
     correction=DisparityCorrection(

@@ -14,7 +14,7 @@ from insole_studio.commands.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
     from insole_core.calibration.captures import WallCapture
-    from insole_core.evaluation.report import Section
+    from insole_core.evaluation.report import ReportSection
     from insole_core.evaluation.wall import Correction
     from insole_core.sensing.sensor import Sensor
 
@@ -48,7 +48,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     conclude(section, sensor.serial, arguments)
 
 
-def _leave_one_out(captures: list[WallCapture], sensor: Sensor, progress: Progress) -> Section:
+def _leave_one_out(
+    captures: list[WallCapture], sensor: Sensor, progress: Progress
+) -> ReportSection:
     from insole_core.evaluation.evaluation_sections import wall_section
     from insole_core.evaluation.leave_one_out import leave_one_out
 
@@ -56,7 +58,9 @@ def _leave_one_out(captures: list[WallCapture], sensor: Sensor, progress: Progre
     return replace(section, title="Error of a flat wall, each corrected from the others")
 
 
-def _before_and_after(captures: list[WallCapture], sensor: Sensor, progress: Progress) -> Section:
+def _before_and_after(
+    captures: list[WallCapture], sensor: Sensor, progress: Progress
+) -> ReportSection:
     from insole_core.evaluation.evaluation_sections import wall_section
     from insole_core.evaluation.wall import NoCorrection, wall_errors
     from insole_core.evaluation.wall_pictures import wall_pictures

@@ -29,10 +29,10 @@ from insole_studio.capture.messages import (
     Command,
     Event,
     Infrared,
+    Message,
     Sensors,
     SensorState,
     Start,
-    Told,
 )
 from insole_studio.capture.plan import make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
@@ -66,7 +66,7 @@ class Service(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Glance:
+class LiveInspection:
     """What the newest picture shows.
 
     Parameters
@@ -148,7 +148,7 @@ class LivePictures:
             if isinstance(event, Sensors):
                 self.states = event.states
                 self.problem = event.problem or ""
-            elif isinstance(event, Told):
+            elif isinstance(event, Message):
                 self.problem = event.sentence
             elif isinstance(event, CaptureStatus) and event.phase.is_end and self._draft:
                 if event.phase is Phase.DONE:
@@ -166,7 +166,7 @@ class LivePictures:
 
     def glance_task(
         self, kind: LiveKind, sensor: Sensor, board: Board, known: Readiness | None
-    ) -> Callable[[Progress], Glance] | None:
+    ) -> Callable[[Progress], LiveInspection] | None:
         """Give the work of looking at the newest picture, now and then."""
         now = time.monotonic()
         newest = self._newest.get(_SHOWN[kind])
@@ -181,7 +181,7 @@ class LivePictures:
             return lambda _progress: glance_at_board(np.asarray(gray), board, known)
         return lambda _progress: glance_at_wall(image, sensor, known)
 
-    def is_worth_taking(self, glance: Glance) -> bool:
+    def is_worth_taking(self, glance: LiveInspection) -> bool:
         """Whether what is seen stands still, and stands where nothing was taken yet."""
         place, before = glance.place, self._before
         self._before = place
@@ -268,17 +268,17 @@ class LivePictures:
             self._numbers[kind], self._newest[kind] = found.number, found
 
 
-def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> Glance:
+def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> LiveInspection:
     """Look for the board in a colour picture, and draw which parts no board has reached."""
     grey = np.asarray(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY))
     look, sighting = look_at_board(tr("The live picture"), grey, board, color)
     sightings = [sighting] if sighting is not None else []
     cells = count_corners(sightings) + (known.cells if known is not None else 0)
     place = sighting.pixels.ravel() / color.shape[1] if sighting is not None else None
-    return Glance(draw_missing_cells(look.picture, cells), look.sentence, place)
+    return LiveInspection(draw_missing_cells(look.picture, cells), look.sentence, place)
 
 
-def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Glance:
+def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> LiveInspection:
     """Look for the wall in a raw image, and draw the distances that no wall has."""
     distances = known.distances_mm if known is not None else ()
     name = tr("The live picture")
@@ -286,15 +286,15 @@ def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Gl
     try:
         look, wall = look_at_wall(capture_from_frames(name, [raw]), sensor)
     except CalibrationError as error:
-        return Glance(draw_distances(colored, distances, None), str(error))
+        return LiveInspection(draw_distances(colored, distances, None), str(error))
     if wall is None:
-        return Glance(draw_distances(colored, distances, None), look.sentence)
+        return LiveInspection(draw_distances(colored, distances, None), look.sentence)
     now_mm = wall_distance_mm(wall)
     picture = draw_distances(look.picture, distances, now_mm)
     if known is not None:
         upper = draw_missing_cells(look.picture, known.cells)
         picture = draw_distances(upper, distances, now_mm)
-    return Glance(picture, look.sentence, np.array([now_mm]))
+    return LiveInspection(picture, look.sentence, np.array([now_mm]))
 
 
 def _apart(a: FloatArray, b: FloatArray) -> float:

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.jobs import Jobs
-from insole_studio.stages.calibrate.live import Glance, LivePictures
+from insole_studio.stages.calibrate.live import LiveInspection, LivePictures
 from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.rows import LiveRow
 from insole_studio.texts import tr
@@ -135,7 +135,7 @@ class LivePresenter:
         if task is not None:
             self._jobs.start(_GLANCE, task, self._show_glance, self._fail)
 
-    def _show_glance(self, glance: Glance) -> None:
+    def _show_glance(self, glance: LiveInspection) -> None:
         if not self._live.running:
             return
         self._panel.show_picture(glance.picture)

@@ -10,7 +10,7 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QVBoxLayout
 
 from insole_studio.capture.client import CaptureService
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.jobs import Jobs
 from insole_studio.stages.calibrate.live import LivePictures
 from insole_studio.stages.calibrate.live_presenter import LivePresenter
@@ -44,7 +44,7 @@ class CalibrateStage(StageFrame):
     def __init__(
         self,
         store: SensorStore,
-        place: Place,
+        place: SensorSource,
         folder: Path,
         ask_folder: Callable[[], Path | None] | None = None,
     ) -> None:

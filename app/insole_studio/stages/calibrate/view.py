@@ -22,10 +22,10 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LiveRow, LookRow, StepRow
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
-from insole_studio.widgets.sentences import Sentences, WorkBar
+from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _KEY = Qt.ItemDataRole.UserRole
 _LEFT_PX, _MIDDLE_PX = 240, 360
@@ -59,7 +59,7 @@ class CalibrateView(QWidget):
         self.steps.currentItemChanged.connect(self._step_chosen)
         self._title, self._instruction, self._next = QLabel(), QLabel(), QLabel()
         self._title.setObjectName("heading")
-        self._error = Sentences("warning")
+        self._error = MessageLabel("warning")
         for label in (self._instruction, self._next):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -85,7 +85,7 @@ class CalibrateView(QWidget):
         self.take = _button(tr("Take picture"), self.take_requested)
         self._live_sentence = QLabel()
         self._live_sentence.setWordWrap(True)
-        self._progress = WorkBar()
+        self._progress = ProgressBar()
         self._layout()
 
     def show_serials(self, serials: Sequence[str]) -> None:
@@ -126,7 +126,7 @@ class CalibrateView(QWidget):
         with QSignalBlocker(self.looks):
             self.looks.clear()
             for row in rows:
-                said = spoken(row.sentence)
+                said = translate_core_message(row.sentence)
                 item = QListWidgetItem(f"{'✓' if row.usable else '✗'}  {row.name}: {said}")
                 item.setToolTip(said)
                 self.looks.addItem(item)
@@ -152,11 +152,13 @@ class CalibrateView(QWidget):
         self.automatic.setVisible(row.running)
         self.take.setVisible(row.running)
         self.take.setEnabled(row.can_take)
-        self._live_sentence.setText(spoken(row.sentence))
+        self._live_sentence.setText(translate_core_message(row.sentence))
 
     def show_next(self, sentences: Sequence[str]) -> None:
         """Show what comes next, or what was found."""
-        self._next.setText("\n".join(f"• {spoken(sentence)}" for sentence in sentences))
+        self._next.setText(
+            "\n".join(f"• {translate_core_message(sentence)}" for sentence in sentences)
+        )
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence hides it."""

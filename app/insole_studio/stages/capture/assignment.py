@@ -11,7 +11,7 @@ from insole_studio.stages.capture.rows import USUAL_VIEWS, CaptureOptions
 _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))
 
 
-class Assignment:
+class ViewAssignment:
     """View by serial number; sensors that are not plugged in keep theirs.
 
     Parameters

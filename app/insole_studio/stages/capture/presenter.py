@@ -15,26 +15,26 @@ from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.capture.draft import Draft
 from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.left_drafts import LeftDraft
+from insole_studio.capture.left_drafts import UnfinishedCapture
 from insole_studio.capture.messages import (
     Cancel,
     Command,
     Event,
     Find,
     Identify,
+    Message,
     Placed,
     Sensors,
     SensorState,
     Start,
     Tilt,
-    Told,
 )
 from insole_studio.capture.plan import CapturePlan
 from insole_studio.capture.request import PlanRequest
 from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import Workplace
+from insole_studio.capture.workplace import CaptureSetup
 from insole_studio.jobs import Jobs
-from insole_studio.stages.capture.assignment import Assignment, options_of
+from insole_studio.stages.capture.assignment import ViewAssignment, options_of
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.stages.capture.view_names import views_text
 from insole_studio.stages.capture.watch import SensorWatch
@@ -112,12 +112,12 @@ class CapturePresenter:
         *,
         panel: CapturePanel,
         service: Service,
-        workplace: Workplace,
+        workplace: CaptureSetup,
         jobs: Jobs,
         assignment: Sequence[tuple[str, str]],
         folder: Path,
         options: CaptureOptions,
-        left: LeftDraft | None,
+        left: UnfinishedCapture | None,
         remember: Callable[[Sequence[tuple[str, str]]], None],
         kept: Callable[[Path], None],
         finished: Callable[[], object],
@@ -126,7 +126,7 @@ class CapturePresenter:
         self._service = service
         self._workplace = workplace
         self._jobs = jobs
-        self._assignment = Assignment(assignment)
+        self._assignment = ViewAssignment(assignment)
         self._folder = folder
         self._remember = remember
         self._kept = kept
@@ -260,7 +260,7 @@ class CapturePresenter:
             self._finished = tuple(dict.fromkeys((*self._finished, *done)))
             if event.phase is Phase.FAILED:
                 self._panel.show_sentence(event.sentence)
-        elif isinstance(event, Told):
+        elif isinstance(event, Message):
             self._panel.show_sentence(event.sentence)
 
     def _welcome(self) -> None:
@@ -432,7 +432,7 @@ class CapturePresenter:
         return bool(self._finished) and set(self._order) <= set(self._finished)
 
 
-def _offer(left: LeftDraft) -> str:
+def _offer(left: UnfinishedCapture) -> str:
     """Say what an unfinished capture has left."""
     begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
     return tr(

@@ -26,7 +26,7 @@ from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.capture.rows import SensorRow
 from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.picture_view import PictureView
 
 MIME = "application/x-insole-studio-sensor"
@@ -54,7 +54,7 @@ class SensorCard(QFrame):
         self._facts, self._hints = QLabel(), QLabel()
         self._facts.setObjectName("quiet")
         self._hints.setWordWrap(True)
-        self._view = Choice([(view, view_text(view)) for view in VIEWS])
+        self._view = ComboBox([(view, view_text(view)) for view in VIEWS])
         self._view.setAccessibleName(tr("View of sensor {serial}").format(serial=serial))
         self._view.edited.connect(self._choose_view)
         self._retake = QToolButton()

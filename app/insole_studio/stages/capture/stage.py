@@ -10,8 +10,8 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
 from insole_studio.capture.client import CaptureService
-from insole_studio.capture.left_drafts import newest_left_draft
-from insole_studio.capture.place import Place
+from insole_studio.capture.left_drafts import newest_unfinished_capture
+from insole_studio.capture.place import SensorSource
 from insole_studio.capture.request import PlanRequest
 from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.assignment import options_of
@@ -52,7 +52,7 @@ class CaptureStage(StageFrame):
     def __init__(
         self,
         *,
-        place: Place,
+        place: SensorSource,
         assignment: Sequence[tuple[str, str]],
         folder: Path,
         remember: Callable[[Sequence[tuple[str, str]]], None],
@@ -76,7 +76,7 @@ class CaptureStage(StageFrame):
             assignment=assignment or place.usual_views(),
             folder=folder,
             options=first_options(place),
-            left=newest_left_draft(folder / "captures") if self._lock.isLocked() else None,
+            left=newest_unfinished_capture(folder / "captures") if self._lock.isLocked() else None,
             remember=remember,
             kept=self.kept.emit,
             finished=self.close,
@@ -100,7 +100,7 @@ class CaptureStage(StageFrame):
         self.closed.emit()
 
 
-def first_options(place: Place) -> CaptureOptions:
+def first_options(place: SensorSource) -> CaptureOptions:
     """Give what is chosen at first: emulated sensors are captured as they were recorded."""
     if place.session is None:
         return CaptureOptions()

@@ -25,7 +25,7 @@ from insole_core.geometry.side import Side
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow, depth_coloring
 from insole_studio.stages.capture.sensor_card import SensorCard
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.number_field import NumberField
@@ -162,9 +162,9 @@ class CaptureView(QWidget):
 
     def _make_options(self) -> None:
         self._badge = SideBadge()
-        self._side = Choice([(Side.LEFT.value, tr("left")), (Side.RIGHT.value, tr("right"))])
+        self._side = ComboBox([(Side.LEFT.value, tr("left")), (Side.RIGHT.value, tr("right"))])
         self._side.edited.connect(lambda word: self._edit(side=Side(word)))
-        self._weight = Choice(
+        self._weight = ComboBox(
             [
                 ("none", tr("Not weight-bearing")),
                 ("semi", tr("Semi weight-bearing")),
@@ -178,7 +178,7 @@ class CaptureView(QWidget):
         self._notes = QLineEdit()
         self._notes.setPlaceholderText(tr("Notes"))
         self._notes.editingFinished.connect(lambda: self._edit(notes=self._notes.text()))
-        self._mode = Choice(
+        self._mode = ComboBox(
             [
                 ("turns", tr("One after the other")),
                 ("together", tr("All at once")),

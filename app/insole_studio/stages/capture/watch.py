@@ -11,11 +11,17 @@ from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_studio.capture.factory import usual_sensor
 from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.guidance import Glimpse, Guidance, centre_depth_mm, depth_colors, guide
+from insole_studio.capture.guidance import (
+    FrameSnapshot,
+    Guidance,
+    centre_depth_mm,
+    depth_colors,
+    guide,
+)
 from insole_studio.capture.messages import WARM_UP_S, SensorState
 from insole_studio.capture.plan import view_faces
 from insole_studio.capture.status import Phase
-from insole_studio.capture.workplace import Workplace
+from insole_studio.capture.workplace import CaptureSetup
 from insole_studio.stages.capture.hints import hint_text
 from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr
@@ -42,7 +48,7 @@ class SensorWatch:
         Tells which markers it should see.
     """
 
-    def __init__(self, workplace: Workplace, serial: str, view: str) -> None:
+    def __init__(self, workplace: CaptureSetup, serial: str, view: str) -> None:
         self.view = view
         faces = view_faces(view, workplace.system)
         known = workplace.known(serial, view)
@@ -84,7 +90,7 @@ class SensorWatch:
         self.guided_at_s = time.monotonic()
         if depth is None or before is None or color is None or before is depth:
             return None
-        glimpse = Glimpse(depth, before, color)
+        glimpse = FrameSnapshot(depth, before, color)
         sensor, system, volume = self._sensor, self._system, self._volume
         return lambda _progress: guide(sensor, system, volume, glimpse)
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.scene.view import Offered
+from insole_studio.scene.view import OfferedItem
 
 _STILL_PX = 4.0
 
@@ -54,7 +54,7 @@ class PointPicker:
         """Leave it to the camera."""
         return False
 
-    def offers(self, event: PointerEvent) -> Sequence[Offered]:
+    def offers(self, event: PointerEvent) -> Sequence[OfferedItem]:
         """Offer nothing."""
         return ()
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.compare.comparison import Alignment
 from insole_core.compare.seen_surface import facing
-from insole_core.compare.sources import Source
+from insole_core.compare.sources import ComparisonSource
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -95,7 +95,7 @@ class ComparePresenter:
         self._ask_source, self._ask_report = ask_source, ask_report
         self._words: dict[str, str] = {}
         self._paths: list[Path] = []
-        self._sources: dict[str, Source] = {}
+        self._sources: dict[str, ComparisonSource] = {}
         self._points: dict[str, list[FloatArray]] = {"a": [], "b": []}
         self._alignment = "best"
         self._median = 1
@@ -228,10 +228,10 @@ class ComparePresenter:
             return
         wanted = _wanted(word)
 
-        def read(progress: Progress) -> Source:
+        def read(progress: Progress) -> ComparisonSource:
             return surface_of(record, wanted, progress)
 
-        def take(source: Source) -> None:
+        def take(source: ComparisonSource) -> None:
             self._sources[which] = source
             self._panel.show_source(which, source.mesh, _from_above(source.mesh))
             self._panel.show_notes([note for s in self._sources.values() for note in s.notes])

@@ -25,11 +25,11 @@ from insole_studio.stages.compare.point_picker import PointPicker
 from insole_studio.stages.compare.rows import Buttons, FigureRow
 from insole_studio.stages.design.model_view import ModelView
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
-from insole_studio.widgets.sentences import Sentences, WorkBar
+from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _LEFT_PX, _RIGHT_PX = 300, 300
 
@@ -47,7 +47,7 @@ class CompareView(QWidget):
 
     def __init__(self, dark: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.sources = {which: Choice([]) for which in "ab"}
+        self.sources = {which: ComboBox([]) for which in "ab"}
         self.models = {
             which: ModelView(Subject.INSOLE, name, dark)
             for which, name in (("a", tr("First, A")), ("b", tr("Second, B")))
@@ -64,7 +64,7 @@ class CompareView(QWidget):
         for model in (*self.models.values(), self.result):
             model.preset_requested.connect(model.look_from)
         self.map_picture = PictureView()
-        self.alignment = Choice(
+        self.alignment = ComboBox(
             [
                 ("best", tr("Best fit")), ("picked", tr("Picked points")),
                 ("dots", tr("Four black dots")), ("none", tr("As they lie")),
@@ -76,11 +76,11 @@ class CompareView(QWidget):
         self._hint = QLabel()
         self._hint.setObjectName("quiet")
         self._hint.setWordWrap(True)
-        self._notes, self._error = Sentences("quiet"), Sentences("warning")
+        self._notes, self._error = MessageLabel("quiet"), MessageLabel("warning")
         self._figures = QGridLayout()
         self._figures.setColumnStretch(0, 1)
         self._figures.setHorizontalSpacing(12)
-        self._progress = WorkBar()
+        self._progress = ProgressBar()
         self.take_back = _button(tr("Take the last point back"), self.take_back_requested.emit)
         self.cancel = _button(tr("Cancel"), self.cancel_requested.emit)
         self.save = _button(tr("Save report…"), self.save_requested.emit)

@@ -10,10 +10,10 @@ from insole_core.cases.record import FootRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.companion import Name
+from insole_studio.scene.companion import NameLabel
 from insole_studio.texts import tr
 from insole_studio.widgets.side_badge import COLORS
-from insole_studio.workbench.counterpart import Beside, Counterpart
+from insole_studio.workbench.counterpart import Beside, SideBySide
 
 GAP_MM = 64.0
 """Between the two: the words of their inner sides stand there."""
@@ -23,7 +23,7 @@ NAME_ROOM_MM = NAME_OVER_MM + 4.0
 AT_HAND, OTHER = "#1668b8", "#5f666d"
 
 
-def is_right(foot: FootRecord, counterpart: Counterpart) -> bool:
+def is_right(foot: FootRecord, counterpart: SideBySide) -> bool:
     """Whether the subject stands to the right (+x) of its counterpart: as feet do, or by name."""
     if counterpart.kind is Beside.VARIANT:
         names = [variant.name for variant in foot.variants]
@@ -40,18 +40,18 @@ def placed_beside(mesh: TriangleMesh, other: TriangleMesh, is_right: bool) -> Tr
 
 
 def names_over(
-    foot: FootRecord, counterpart: Counterpart, mesh: TriangleMesh, other: TriangleMesh
-) -> tuple[Name, Name]:
+    foot: FootRecord, counterpart: SideBySide, mesh: TriangleMesh, other: TriangleMesh
+) -> tuple[NameLabel, NameLabel]:
     """Give both their names, over the toes; sides in their colours."""
     colors = COLORS[foot.side], COLORS[foot.side.other]
     if counterpart.kind is Beside.VARIANT:
         colors = AT_HAND, OTHER
     y = max(mesh.bounds_mm[1, 1], other.bounds_mm[1, 1]) + NAME_OVER_MM
     own, its = _words(foot, counterpart)
-    return Name(own, _over(mesh, y), colors[0]), Name(its, _over(other, y), colors[1])
+    return NameLabel(own, _over(mesh, y), colors[0]), NameLabel(its, _over(other, y), colors[1])
 
 
-def pair_text(foot: FootRecord, counterpart: Counterpart) -> str:
+def pair_text(foot: FootRecord, counterpart: SideBySide) -> str:
     """Say what is compared with what."""
     own, its = _words(foot, counterpart)
     if counterpart.is_mirrored:
@@ -59,7 +59,7 @@ def pair_text(foot: FootRecord, counterpart: Counterpart) -> str:
     return f"{own} − {its}"
 
 
-def _words(foot: FootRecord, counterpart: Counterpart) -> tuple[str, str]:
+def _words(foot: FootRecord, counterpart: SideBySide) -> tuple[str, str]:
     if counterpart.kind is Beside.VARIANT:
         return foot.chosen, counterpart.variant
     words = {Side.LEFT: tr("LEFT"), Side.RIGHT: tr("RIGHT")}

@@ -13,9 +13,9 @@ from insole_core.insole.corrections import CorrectionBase
 from insole_core.insole.design import Pelott, Posting
 from insole_core.insole.limits import Range
 from insole_core.insole.pronation import proposed_post_deg
-from insole_core.insole.rules import Rules
-from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
-from insole_studio.texts import spoken, tr
+from insole_core.insole.rules import ClinicRules
+from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.key_point import point_text
 from insole_studio.tools.posting import posting_of, with_posting
@@ -27,10 +27,10 @@ from insole_studio.workbench.pen_marks import PenMark, PenMarks
 _ANGLE = Range(-45, 45, "degrees")
 
 
-class FootOffers:
+class FootProposals:
     """The groups of the landmark and pronation tools, and what their buttons do."""
 
-    def __init__(self, case: Case, rules: Rules) -> None:
+    def __init__(self, case: Case, rules: ClinicRules) -> None:
         self._case = case
         self._rules = rules
         self._marks = PenMarks()
@@ -56,7 +56,7 @@ class FootOffers:
             angle=f"{abs(lean):.1f}", kind=kind
         )
 
-    def posting_offers(self) -> tuple[Offer, ...]:
+    def posting_offers(self) -> tuple[Proposal, ...]:
         """Offer the posting that the clinic's rule suggests, unless it is there."""
         proposed, design = self._proposed_deg(), self._case.record.design
         posting = None if design is None else posting_of(design)
@@ -64,7 +64,7 @@ class FootOffers:
             return ()
         text = tr("Propose {angle}° medial").format(angle=f"{proposed:g}")
         tip = tr("Post the rearfoot as the rule of the clinic suggests for this axis")
-        return (Offer("propose.post", text, tip),)
+        return (Proposal("propose.post", text, tip),)
 
     def choose(self, kind: str, name: str) -> bool:
         """Do what a button offers; False when it is another's."""
@@ -119,23 +119,23 @@ class FootOffers:
         try:
             angles = pose_angles(record.foot, landmarks_of(record))
         except InputError as error:
-            return FieldGroup(title, note=spoken(str(error)))
+            return FieldGroup(title, note=translate_core_message(str(error)))
         fields = (
             _field("pose.roll_deg", tr("Medial edge up"), angles.roll_deg),
             _field("pose.pitch_deg", tr("Toe end up"), angles.pitch_deg),
             _field("pose.yaw_deg", tr("Toes medially"), angles.yaw_deg),
         )
         tip = tr("Level the sole and lay the foot axis along the insole by the landmarks")
-        return FieldGroup(title, fields, (Offer("align.", tr("Align"), tip),))
+        return FieldGroup(title, fields, (Proposal("align.", tr("Align"), tip),))
 
     def _mark_group(self, number: int, found: PenMark) -> FieldGroup:
         x, y, _ = found.mark.point
         title = tr("Pen mark at x {x} mm, y {y} mm").format(x=f"{x:.0f}", y=f"{y:.0f}")
         uses = [
-            Offer(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
+            Proposal(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
             for name in found.meanings
         ]
-        return FieldGroup(title, offers=(*uses, Offer(f"mark_pad.{number}", tr("Pelott here"))))
+        return FieldGroup(title, offers=(*uses, Proposal(f"mark_pad.{number}", tr("Pelott here"))))
 
     def _eversion_deg(self) -> float | None:
         record = self._case.record
@@ -156,9 +156,9 @@ def _field(key: str, label: str, value: float) -> FieldSpec:
     return FieldSpec(key, label, "°", round(value, 1) + 0.0, _ANGLE.least, _ANGLE.greatest, 0.5)
 
 
-_ACTS: dict[str, Callable[[FootOffers, str], None]] = {
-    "align": FootOffers._align,
-    "propose": FootOffers._propose,
-    "mark": FootOffers._use_mark,
-    "mark_pad": FootOffers._pad_at_mark,
+_ACTS: dict[str, Callable[[FootProposals, str], None]] = {
+    "align": FootProposals._align,
+    "propose": FootProposals._propose,
+    "mark": FootProposals._use_mark,
+    "mark_pad": FootProposals._pad_at_mark,
 }

@@ -11,8 +11,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
-from insole_studio.workbench.counterpart import Counterpart, foot_difference, insole_difference
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.counterpart import SideBySide, foot_difference, insole_difference
+from insole_studio.workbench.insole_surface import InsolePreview
 
 LEAST_SPAN_MM = 1.0
 
@@ -27,7 +27,7 @@ class MapKind(StrEnum):
     DIFFERENCE = "difference"
 
 
-def color_by(kind: MapKind, surface: InsoleSurface, counterpart: Counterpart) -> Coloring | None:
+def color_by(kind: MapKind, surface: InsolePreview, counterpart: SideBySide) -> Coloring | None:
     """Give the colours of the shown insole; None where there is nothing to tell."""
     if surface.mesh is None or surface.contact is None or surface.base is None:
         return None
@@ -37,13 +37,13 @@ def color_by(kind: MapKind, surface: InsoleSurface, counterpart: Counterpart) ->
     return None if maker is None else maker(surface)
 
 
-def _height(surface: InsoleSurface) -> Coloring:
+def _height(surface: InsolePreview) -> Coloring:
     assert surface.mesh is not None
     z = surface.mesh.vertices[:, 2]
     return Coloring(z, (0.0, max(float(z.max()), LEAST_SPAN_MM)), tr("Height"))
 
 
-def _thickness(surface: InsoleSurface) -> Coloring:
+def _thickness(surface: InsolePreview) -> Coloring:
     assert surface.mesh is not None
     bottom = surface.bottom_heights_mm
     assert bottom is not None
@@ -53,7 +53,7 @@ def _thickness(surface: InsoleSurface) -> Coloring:
     return Coloring(everywhere, limits, tr("Thickness"))
 
 
-def _fit(surface: InsoleSurface) -> Coloring:
+def _fit(surface: InsolePreview) -> Coloring:
     """How far the insole stands over the sole of the foot as it was scanned, before pads."""
     assert surface.mesh is not None
     assert surface.base is not None
@@ -65,7 +65,7 @@ def _fit(surface: InsoleSurface) -> Coloring:
     return Coloring(everywhere, _symmetric(over), tr("Insole over foot"), signed=True)
 
 
-def _difference(surface: InsoleSurface, counterpart: Counterpart) -> Coloring | None:
+def _difference(surface: InsolePreview, counterpart: SideBySide) -> Coloring | None:
     over = insole_difference(surface, counterpart)
     if over is None:
         return None
@@ -73,7 +73,7 @@ def _difference(surface: InsoleSurface, counterpart: Counterpart) -> Coloring | 
     return Coloring(everywhere, difference_limits(over), tr("Difference"), signed=True)
 
 
-def color_foot(foot: Foot, counterpart: Counterpart) -> Coloring | None:
+def color_foot(foot: Foot, counterpart: SideBySide) -> Coloring | None:
     """Colour the sole by its difference to the other foot; None where there is none."""
     over = foot_difference(foot, counterpart)
     if over is None or not np.isfinite(over).any():
@@ -105,7 +105,7 @@ def _symmetric(values: FloatArray) -> tuple[float, float]:
     return -span, span
 
 
-_MAKERS: dict[MapKind, Callable[[InsoleSurface], Coloring]] = {
+_MAKERS: dict[MapKind, Callable[[InsolePreview], Coloring]] = {
     MapKind.HEIGHT: _height,
     MapKind.THICKNESS: _thickness,
     MapKind.FIT: _fit,

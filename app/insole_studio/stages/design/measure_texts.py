@@ -9,7 +9,7 @@ from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.side import Side
 from insole_studio.stages.design.rows import Measure
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.tools.key_point import distances
 from insole_studio.workbench.landmarks import landmarks_of
 
@@ -76,7 +76,7 @@ def _measure(row: MeasureRow, both: bool, doubtful: Mapping[Side, Mapping[str, s
     values: tuple[str, ...] = (left or right,)
     if both:
         values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
-    said = map(spoken, (DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
+    said = map(translate_core_message, (DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
     tip = "\n".join(said)
     return Measure(name, values, unit, tip, row.key)
 

@@ -10,7 +10,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.companion import Name
+from insole_studio.scene.companion import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.stages.design.rear_lines import RearLines
 
@@ -51,5 +51,5 @@ class ModelPanel(Protocol):
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
     def show_warning(self, text: str) -> None: ...  # noqa: D102
     def show_companion(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
-    def show_names(self, names: Sequence[Name]) -> None: ...  # noqa: D102
+    def show_names(self, names: Sequence[NameLabel]) -> None: ...  # noqa: D102
     def show_numbers(self, text: str) -> None: ...  # noqa: D102

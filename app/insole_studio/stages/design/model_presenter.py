@@ -30,16 +30,16 @@ from insole_studio.stages.design.maps import MapKind, color_by, color_foot, numb
 from insole_studio.stages.design.model_panel import ModelPanel
 from insole_studio.stages.design.rear_lines import axes_of
 from insole_studio.texts import tr
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.key_point import confidence, point_text, shown_points
 from insole_studio.tools.metatarsal import NEAR_MM, clearance
 from insole_studio.tools.outline import curve_of
 from insole_studio.tools.pelott import selected_pelott
-from insole_studio.tools.tool import MenuOffer
+from insole_studio.tools.tool import ContextMenuItem
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, Counterpart
-from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.section import Section, section_line
+from insole_studio.workbench.counterpart import Beside, SideBySide
+from insole_studio.workbench.insole_surface import InsolePreview
+from insole_studio.workbench.section import SectionModel, section_line
 from insole_studio.workbench.variants import choose_variant
 
 OUTLINE_POINTS = 96
@@ -58,27 +58,27 @@ class ModelPresenter:
         panel: ModelPanel,
         *,
         case: Case,
-        surface: InsoleSurface,
-        section: Section,
-        hand: Hand,
-        counterpart: Counterpart,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
     ) -> None:
         self.panel = panel
         self._counterpart = counterpart
         self._case = case
         self._surface = surface
         self._section = section
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._marked: tuple[object, ...] = _NOTHING
         """What the marks were drawn for: several facts may change at once."""
         case.foot_changed.connect(self.show_all)
         case.changed.connect(self.show_marks)
         case.preview_changed.connect(self.show_marks)
         case.selection_changed.connect(self.show_marks)
-        hand.tool_changed.connect(self.show_marks)
+        tool_controller.tool_changed.connect(self.show_marks)
         surface.changed.connect(self.show_surface)
         section.changed.connect(self.show_marks)
-        hand.gesture_ended.connect(self.rest)
+        tool_controller.gesture_ended.connect(self.rest)
         counterpart.changed.connect(self.show_counterpart)
 
     @property
@@ -141,7 +141,9 @@ class ModelPresenter:
     def start(self) -> tuple[float, float, float] | None:
         """Begin the pointer of the keys where the tool asks, or at what is selected."""
         pad = selected_pelott(self._case)
-        place = self._hand.tool.start(self._case) or (None if pad is None else pad.centre_mm)
+        place = self._tool_controller.tool.start(self._case) or (
+            None if pad is None else pad.centre_mm
+        )
         return None if place is None else self.place(*place)
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
@@ -167,7 +169,7 @@ class ModelPresenter:
         if self.mesh is None:
             return
         record = self._case.shown
-        tool, plane = self._hand.tool, self._section.plane
+        tool, plane = self._tool_controller.tool, self._section.plane
         turn = tool.foot_step
         state = (
             record,
@@ -182,7 +184,7 @@ class ModelPresenter:
             return
         self._marked = state
         self.panel.show_outlines(*self._outlines())
-        self.panel.show_handles(self._hand.tool.handles(self._case, self))
+        self.panel.show_handles(self._tool_controller.tool.handles(self._case, self))
         is_foot = self.subject is Subject.FOOT
         self.panel.show_key_points(self._points() if is_foot else ())
         self._show_guide()
@@ -194,23 +196,23 @@ class ModelPresenter:
 
     def press(self, event: PointerEvent) -> bool:
         """Begin a gesture of the tool."""
-        return self._hand.press(event, self)
+        return self._tool_controller.press(event, self)
 
     def move(self, event: PointerEvent) -> None:
         """Continue it."""
-        self._hand.drag(event)
+        self._tool_controller.drag(event)
 
     def release(self, event: PointerEvent) -> None:
         """End it."""
-        self._hand.drag(event)
+        self._tool_controller.drag(event)
 
     def cancel(self) -> bool:
         """Give it up."""
-        return self._hand.cancel()
+        return self._tool_controller.cancel()
 
     def double_click(self, event: PointerEvent) -> bool:
         """Let the tool act on a double click; on what stands beside, take that to hand."""
-        if self._hand.double_click(event, self):
+        if self._tool_controller.double_click(event, self):
             return True
         companion = self.companion
         if event.surface_mm is not None or companion is None:
@@ -220,17 +222,17 @@ class ModelPresenter:
         self._take_companion()
         return True
 
-    def offers(self, event: PointerEvent) -> Sequence[MenuOffer]:
+    def offers(self, event: PointerEvent) -> Sequence[ContextMenuItem]:
         """Give what can be done where the pointer is."""
-        return self._hand.offers(event, self)
+        return self._tool_controller.offers(event, self)
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
         """Let the tool act on the wheel."""
-        return self._hand.wheel(event, steps)
+        return self._tool_controller.wheel(event, steps)
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
         """Let the tool act on an arrow key."""
-        return self._hand.nudge(event, right, up)
+        return self._tool_controller.nudge(event, right, up)
 
     def _show_plane(self, plane: ReferencePlane | None) -> None:
         size = 0.0
@@ -241,7 +243,7 @@ class ModelPresenter:
     def _points(self) -> list[MarkedPoint]:
         """Further points always, landmarks while they are at hand."""
         wanted = shown_points(self._case)
-        if self._hand.tool.key != "key_point":
+        if self._tool_controller.tool.key != "key_point":
             wanted = {name: place for name, place in wanted.items() if name not in NAMES}
         return [
             MarkedPoint(point_text(name), place, confidence(self._case, name))
@@ -276,7 +278,7 @@ class ModelPresenter:
         for pad in pads:
             if pad.enabled:
                 lines[pad.id == self._case.selection].append(self._outline(pad))
-        if self._hand.tool.key == "outline":
+        if self._tool_controller.tool.key == "outline":
             lines[True] = [self._insole_outline()]
         return lines[False], lines[True]
 
@@ -376,7 +378,7 @@ class FootPresenter(ModelPresenter):
         insole = self._surface.mesh
         if not self._ghost or insole is None:
             self.panel.show_ghost(None)
-        elif not self._hand.is_busy:
+        elif not self._tool_controller.is_busy:
             lifted = insole.vertices + np.array([0.0, 0.0, self._lift_mm])
             self.panel.show_ghost(replace(insole, vertices=lifted))
 
@@ -391,17 +393,17 @@ class InsolePresenter(ModelPresenter):
         panel: ModelPanel,
         *,
         case: Case,
-        surface: InsoleSurface,
-        section: Section,
-        hand: Hand,
-        counterpart: Counterpart,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
     ) -> None:
         super().__init__(
             panel,
             case=case,
             surface=surface,
             section=section,
-            hand=hand,
+            tool_controller=tool_controller,
             counterpart=counterpart,
         )
         self._map = MapKind.NONE
@@ -483,7 +485,7 @@ class InsolePresenter(ModelPresenter):
 
     def _show_contours(self) -> None:
         """Draw the lines, unless the hand is moving the surface."""
-        wanted = self._contours and not self._hand.is_busy
+        wanted = self._contours and not self._tool_controller.is_busy
         if self._contoured == (self._surface.mesh, wanted):
             return  # they take longer than all else, and several facts change at once
         self._contoured = self._surface.mesh, wanted

@@ -21,11 +21,11 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Preset, Subject
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.companion import Name
+from insole_studio.scene.companion import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view import SceneView
 from insole_studio.stages.design.rear_lines import RearLines
-from insole_studio.texts import spoken, tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
@@ -205,7 +205,7 @@ class ModelView(QWidget):
         self.scene.companion.show(mesh)
         self.scene.request_render()
 
-    def show_names(self, names: Sequence[Name]) -> None:
+    def show_names(self, names: Sequence[NameLabel]) -> None:
         """Tell the subject and what stands beside it apart."""
         self.scene.companion.show_names(names)
         self.scene.request_render()
@@ -222,7 +222,7 @@ class ModelView(QWidget):
 
     def show_warning(self, text: str) -> None:
         """Say what is wrong, above the view; empty hides it."""
-        said = spoken(text)
+        said = translate_core_message(text)
         self._warning.setText(said[:1].upper() + said[1:])
         self._warning.setVisible(bool(text))
 

@@ -14,14 +14,14 @@ from insole_core.insole.design import (
     Posting,
 )
 from insole_core.insole.limits import Range
-from insole_core.insole.rules import Rules
+from insole_core.insole.rules import ClinicRules
 from insole_studio.stages.design.correction_fields import field_specs, with_value
-from insole_studio.stages.design.foot_offers import FootOffers
-from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Offer
+from insole_studio.stages.design.foot_offers import FootProposals
+from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.texts import tr
 from insole_studio.tools.brush import BrushTool
 from insole_studio.tools.correction_names import name_of, pad_text
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.outline import with_source
 from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
@@ -50,22 +50,22 @@ class ParametersPresenter:
         self,
         panel: ParametersPanel,
         case: Case,
-        hand: Hand,
+        tool_controller: ToolController,
         pads: Sequence[LibraryPad],
-        rules: Rules,
+        rules: ClinicRules,
     ) -> None:
         self._panel = panel
         self._case = case
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._pads = pads
-        self._foot_offers = FootOffers(case, rules)
+        self._foot_offers = FootProposals(case, rules)
         panel.field_edited.connect(self.edit)
         panel.offer_chosen.connect(self.choose)
         case.opened.connect(self.show)
         case.changed.connect(self.show)
         case.preview_changed.connect(self.show)
         case.selection_changed.connect(self.show)
-        hand.tool_changed.connect(self.show)
+        tool_controller.tool_changed.connect(self.show)
         self.show()
 
     def show(self) -> None:
@@ -76,7 +76,7 @@ class ParametersPresenter:
             self._panel.show_groups([FieldGroup("", note=note)])
             return
         make = _make_groups(design)
-        if self._hand.tool.key == "outline":
+        if self._tool_controller.tool.key == "outline":
             make = [make[-1], *make[:-1]]
         self._panel.show_groups([*self._groups(design), *make])
 
@@ -97,7 +97,7 @@ class ParametersPresenter:
             self._remove(name)
 
     def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
-        tool, selected = self._hand.tool, self._selected(design)
+        tool, selected = self._tool_controller.tool, self._selected(design)
         own = _TOOL_GROUPS.get(tool.key)
         if own is not None:
             return own(self)
@@ -140,12 +140,12 @@ class ParametersPresenter:
         offers = self._size_offers(template)
         return FieldGroup(title, fields, offers, caption=_size_caption(offers))
 
-    def _size_offers(self, correction: Correction) -> tuple[Offer, ...]:
+    def _size_offers(self, correction: Correction) -> tuple[Proposal, ...]:
         """Give the sizes that the library has of the same shape."""
         if not isinstance(correction, Pelott):
             return ()
         return tuple(
-            Offer(f"size.{number}", pad.size, pad_text(pad))
+            Proposal(f"size.{number}", pad.size, pad_text(pad))
             for number, pad in enumerate(self._pads)
             if pad.template.shape == correction.shape
         )
@@ -155,8 +155,8 @@ class ParametersPresenter:
         if pad is not None and design is not None:
             changed = design.with_changed(_sized(pad, size))
             self._case.apply(changed, tr("Take a size of the library"))
-        elif isinstance(self._hand.tool, PelottTool):
-            self._hand.tool.template = _sized(self._hand.tool.template, size)
+        elif isinstance(self._tool_controller.tool, PelottTool):
+            self._tool_controller.tool.template = _sized(self._tool_controller.tool.template, size)
             self.show()
 
     def _remove(self, name: str) -> None:
@@ -175,7 +175,7 @@ class ParametersPresenter:
         self._case.apply(changed, sentence, f"{selected.id}:{name}")
 
     def _edit_template(self, name: str, value: Any) -> None:
-        tool = self._hand.tool
+        tool = self._tool_controller.tool
         if isinstance(tool, PelottTool | BrushTool):
             tool.template = with_value(tool.template, name, value)
 
@@ -225,7 +225,7 @@ class ParametersPresenter:
         self._case.apply(changed, tr("Turn the reference plane"), f"plane:{name}")
 
 
-def _size_caption(offers: tuple[Offer, ...]) -> str:
+def _size_caption(offers: tuple[Proposal, ...]) -> str:
     return tr("Size") if offers else ""
 
 
@@ -241,7 +241,7 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
         _field("plane.pitch_deg", tr("Toe end up"), plane.pitch_deg, ANGLE),
         _field("plane.roll_deg", tr("Sideways"), plane.roll_deg, ANGLE),
     )
-    return FieldGroup(tr("Reference plane"), fields, (Offer("remove.plane", tr("Remove")),))
+    return FieldGroup(tr("Reference plane"), fields, (Proposal("remove.plane", tr("Remove")),))
 
 
 def _make_groups(design: InsoleDesign) -> list[FieldGroup]:

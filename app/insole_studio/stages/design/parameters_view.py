@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Offer
-from insole_studio.widgets.choice import Choice
+from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
@@ -40,7 +40,7 @@ class ParametersView(QScrollArea):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shape: tuple[object, ...] = ()
-        self._fields: dict[str, NumberField | Choice] = {}
+        self._fields: dict[str, NumberField | ComboBox] = {}
         self._rows = ROWS
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -130,7 +130,7 @@ class ParametersView(QScrollArea):
             grid.addWidget(cell, number % self._rows, number // self._rows)
         return (len(cells) + self._rows - 1) // self._rows
 
-    def _button(self, offer: Offer) -> QPushButton:
+    def _button(self, offer: Proposal) -> QPushButton:
         button = QPushButton(offer.text)
         button.setToolTip(offer.tip)
         button.setAccessibleName(offer.tip or offer.text)
@@ -170,9 +170,9 @@ def _row(widgets: Sequence[QWidget]) -> QWidget:
     return whole
 
 
-def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | Choice:
+def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | ComboBox:
     if isinstance(spec, ChoiceSpec):
-        return Choice(spec.options)
+        return ComboBox(spec.options)
     return NumberField(
         spec.unit,
         least=spec.least,

@@ -28,12 +28,12 @@ from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
-from insole_studio.widgets.upright_scroll import UprightScroll
+from insole_studio.widgets.upright_scroll import VerticalScroll
 
 LEAST_PX = 216
 
 
-class PatientView(UprightScroll):
+class PatientView(VerticalScroll):
     """Lays out the patient panel."""
 
     field_edited = Signal(str, str)

@@ -67,7 +67,7 @@ class ChoiceSpec:
 
 
 @dataclass(frozen=True)
-class Offer:
+class Proposal:
     """A button: what it does by key, its text, and what it says when the pointer rests on it."""
 
     key: str
@@ -84,7 +84,7 @@ class FieldGroup:
 
     title: str
     fields: tuple[FieldSpec | ChoiceSpec, ...] = ()
-    offers: tuple[Offer, ...] = ()
+    offers: tuple[Proposal, ...] = ()
     note: str = ""
     caption: str = ""
 

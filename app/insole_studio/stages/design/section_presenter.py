@@ -8,8 +8,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsoleSurface
-from insole_studio.workbench.section import Section, SectionPlane, cut_profile
+from insole_studio.workbench.insole_surface import InsolePreview
+from insole_studio.workbench.section import SectionModel, SectionPlane, cut_profile
 
 
 class SectionPanel(Protocol):
@@ -25,7 +25,7 @@ class SectionPresenter:
     """Cuts anew whenever the insole or the plane is another."""
 
     def __init__(
-        self, panel: SectionPanel, case: Case, surface: InsoleSurface, section: Section
+        self, panel: SectionPanel, case: Case, surface: InsolePreview, section: SectionModel
     ) -> None:
         self._panel = panel
         self._case = case

@@ -8,8 +8,8 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from insole_core.insole.rules import Rules
-from insole_studio.scene.camera import Camera, Preset, Subject
+from insole_core.insole.rules import ClinicRules
+from insole_studio.scene.camera import Preset, Subject, ViewCamera
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.stages.design.measure_places import place_of
@@ -26,15 +26,15 @@ from insole_studio.stages.design.patient_view import PatientView
 from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.texts import tr
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, Counterpart
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.counterpart import Beside, SideBySide
+from insole_studio.workbench.insole_surface import InsolePreview
 from insole_studio.workbench.pad_library import LibraryPad
-from insole_studio.workbench.section import Section
+from insole_studio.workbench.section import SectionModel
 
 
 class DesignStage(QObject):
@@ -50,18 +50,18 @@ class DesignStage(QObject):
         self,
         *,
         case: Case,
-        surface: InsoleSurface,
-        section: Section,
-        counterpart: Counterpart,
-        hand: Hand,
+        surface: InsolePreview,
+        section: SectionModel,
+        counterpart: SideBySide,
+        tool_controller: ToolController,
         pads: Sequence[LibraryPad],
-        rules: Rules,
+        rules: ClinicRules,
         dark: bool,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._case = case
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._cut = section
         self.linked = True
         self.steps = StepStrip()
@@ -78,7 +78,7 @@ class DesignStage(QObject):
             case=case,
             surface=surface,
             section=section,
-            hand=hand,
+            tool_controller=tool_controller,
             counterpart=counterpart,
         )
         self.insole_presenter = InsolePresenter(
@@ -86,7 +86,7 @@ class DesignStage(QObject):
             case=case,
             surface=surface,
             section=section,
-            hand=hand,
+            tool_controller=tool_controller,
             counterpart=counterpart,
         )
         self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
@@ -98,16 +98,18 @@ class DesignStage(QObject):
             self.patient,
             case=case,
             surface=surface,
-            hand=hand,
+            tool_controller=tool_controller,
             rules=rules,
             look_at=self.look_at,
         )
-        self._parameters_presenter = ParametersPresenter(self.parameters, case, hand, pads, rules)
+        self._parameters_presenter = ParametersPresenter(
+            self.parameters, case, tool_controller, pads, rules
+        )
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False
-        self._fitted: Camera | None = None
+        self._fitted: ViewCamera | None = None
         """What `look` has chosen, until the hand moves it: it follows the size of the views."""
         self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
@@ -118,13 +120,13 @@ class DesignStage(QObject):
         case.selection_changed.connect(self._show_hint)
         case.changed.connect(self._show_hint)
         case.preview_changed.connect(self._show_hint)
-        hand.tool_changed.connect(self._show_hint)
-        hand.tool_changed.connect(self._forget_highlight)
+        tool_controller.tool_changed.connect(self._show_hint)
+        tool_controller.tool_changed.connect(self._forget_highlight)
         case.changed.connect(self._forget_highlight)
         case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
         section.changed.connect(self._ask_for_section)
-        hand.tool_changed.connect(self._ask_for_section)
+        tool_controller.tool_changed.connect(self._ask_for_section)
         case.opened.connect(self._forget_section)
 
     @property
@@ -214,7 +216,7 @@ class DesignStage(QObject):
     def _connect(self, view: ModelView, presenter: ModelPresenter) -> None:
         view.scene.sink = presenter
         view.scene.start = presenter.start
-        self._hand.tool_changed.connect(view.scene.keys.forget)
+        self._tool_controller.tool_changed.connect(view.scene.keys.forget)
         view.scene.camera_changed.connect(self._follow)
         view.scene.hovered.connect(self._point)
         view.scene.left.connect(self._point_nowhere)
@@ -222,7 +224,7 @@ class DesignStage(QObject):
         view.offer_chosen.connect(self.offer_chosen)
         presenter.show_all()
 
-    def _follow(self, camera: Camera) -> None:
+    def _follow(self, camera: ViewCamera) -> None:
         if camera == self._fitted:  # the view has another size, nobody has turned it
             self.fit()
             return
@@ -267,21 +269,21 @@ class DesignStage(QObject):
             view.show_scale()
 
     def _ask_for_section(self) -> None:
-        wanted = self._cut.plane is not None or self._hand.tool.key == "section"
+        wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
         self.section_wanted.emit(wanted)
 
     def _forget_section(self) -> None:
         self._cut.show(None)
 
     def _show_hint(self) -> None:
-        hint = self._hand.tool.hint(self._case) if self._case.foot is not None else ""
+        hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""
         self.hint_changed.emit(hint)
 
     def _point(self, event: PointerEvent) -> None:
         self.pointed.emit(_describe(event))
         view, _ = self._presenters[event.subject]
         grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
-        if grabbed is not None and not self._hand.is_busy:
+        if grabbed is not None and not self._tool_controller.is_busy:
             self.hint_changed.emit(grabbed.hint)
         else:
             self._show_hint()

@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from insole_core.insole.build import Insole
-from insole_core.insole.rules import DesignWarning, Rules, design_warnings
+from insole_core.insole.rules import ClinicRules, DesignWarning, design_warnings
 from insole_studio.stages.design.rows import WarningRow
 from insole_studio.texts import translated
 from insole_studio.tools.correction_names import PAD_NAMES
-from insole_studio.tools.hand import Hand
+from insole_studio.tools.hand import ToolController
 from insole_studio.tools.key_point import point_text
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsoleSurface
+from insole_studio.workbench.insole_surface import InsolePreview
 from insole_studio.workbench.landmarks import landmarks_of
 
 
@@ -33,26 +33,26 @@ class WarningsPresenter:
         panel: WarningsPanel,
         *,
         case: Case,
-        surface: InsoleSurface,
-        hand: Hand,
-        rules: Rules,
+        surface: InsolePreview,
+        tool_controller: ToolController,
+        rules: ClinicRules,
         look_at: Callable[[tuple[float, float]], None],
     ) -> None:
         self._panel = panel
         self._case = case
         self._surface = surface
-        self._hand = hand
+        self._tool_controller = tool_controller
         self._rules = rules
         self._look_at = look_at
         self._warnings: tuple[DesignWarning, ...] = ()
         panel.warning_chosen.connect(self.lead_to)
         surface.changed.connect(self.show)
         case.changed.connect(self.show)
-        hand.gesture_ended.connect(self.show)
+        tool_controller.gesture_ended.connect(self.show)
 
     def show(self) -> None:
         """Show what is unusual now."""
-        if self._hand.is_busy:
+        if self._tool_controller.is_busy:
             return
         self._warnings = self._found()
         self._panel.show_warnings(

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from insole_studio.stages.export.rows import CheckRow, CheckState
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 LIMIT_PX = 96
@@ -64,7 +64,7 @@ class _Row(QWidget):
         self.sentence.setObjectName("row")
         self.sentence.clicked.connect(self._choose)
         self.limit: NumberField | None = None
-        self.policy = Choice(
+        self.policy = ComboBox(
             [("blocking", tr("blocks")), ("warning", tr("warns")), ("off", tr("off"))]
         )
         self.policy.setAccessibleName(row.title)

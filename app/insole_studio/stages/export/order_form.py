@@ -22,7 +22,7 @@ from insole_core.solids.marking import Relief
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import Choice
+from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.workbench.shop_order import OrderChoice
@@ -47,7 +47,7 @@ class OrderForm(QWidget):
     def __init__(self, stock: Stock, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._blocks = {block.name: block for block in stock.blocks}
-        self.kind = Choice(
+        self.kind = ComboBox(
             [
                 ("insole", tr("Insole, trimmed")),
                 ("block", tr("Contact surface in a block")),
@@ -55,7 +55,7 @@ class OrderForm(QWidget):
             ]
         )
         self.both = QCheckBox(tr("Both feet"))
-        self.block = Choice(
+        self.block = ComboBox(
             [("", tr("None")), *((name, _text(block)) for name, block in self._blocks.items())]
         )
         self.draft = NumberField("°", least=-15, greatest=30, step=0.5)
@@ -64,7 +64,7 @@ class OrderForm(QWidget):
         self.material = QComboBox()
         self.material.setEditable(True)
         self.material.addItems(["", *stock.materials])
-        self.format = Choice(
+        self.format = ComboBox(
             [
                 (".stl", "STL"), (_TEXT, tr("STL as text")), (".3mf", "3MF"), (".obj", "OBJ"),
                 (".ply", "PLY"),
@@ -74,7 +74,7 @@ class OrderForm(QWidget):
         self.limited = QCheckBox(tr("Fewer triangles"))
         self.triangles = NumberField("", least=2000, greatest=2_000_000, step=5000, decimals=0)
         self.deviation = NumberField("mm", least=0.005, greatest=2, step=0.01, decimals=3)
-        self.relief = Choice(
+        self.relief = ComboBox(
             [("", tr("Nothing")), ("engraved", tr("Engraved")), ("raised", tr("Raised"))]
         )
         self.pseudonym = QLineEdit()

@@ -18,8 +18,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override
-from insole_core.solids.order import Piece, nest_pieces
-from insole_core.solids.rules import CheckName, Policy, Rules, read_rules
+from insole_core.solids.order import Part, nest_parts
+from insole_core.solids.rules import CheckName, ExportRules, Policy, read_rules
 from insole_core.solids.shop import Block, Shop
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.export.rows import (
@@ -35,8 +35,8 @@ from insole_studio.stages.export.rows import (
 )
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.export_rules import ExportRules
-from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.export_rules import ClinicExportRules
+from insole_studio.workbench.order_memory import LastOrder
 from insole_studio.workbench.shop_order import (
     OrderChoice,
     block_edges,
@@ -112,11 +112,11 @@ class ExportPresenter:
         *,
         case: Case,
         jobs: Jobs,
-        rules: ExportRules,
+        rules: ClinicExportRules,
         shop: Shop,
         ask_path: Callable[[str, str], Path | None],
         may_replace: Callable[[Sequence[Path]], bool],
-        memory: OrderMemory,
+        memory: LastOrder,
         exported: Callable[[CaseRecord, Sequence[Path]], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
@@ -126,7 +126,7 @@ class ExportPresenter:
         self._choice = replace(memory.load(), both=both_prescribed(case.record))
         self._rules = read_rules()
         self._record = CaseRecord()
-        self.pieces: tuple[Piece, ...] = ()
+        self.pieces: tuple[Part, ...] = ()
         """What was made last."""
         self._shown = ""
         self._framed = ("", "")
@@ -193,7 +193,7 @@ class ExportPresenter:
             return
         record, choice, rules = self._record, self._choice, self._rules
 
-        def make(progress: Progress) -> tuple[Piece, ...]:
+        def make(progress: Progress) -> tuple[Part, ...]:
             return make_pieces(record, choice, rules, progress)
 
         self._panel.show_error(self._complaint)
@@ -278,7 +278,7 @@ class ExportPresenter:
         return len(self._record.feet) == 2
 
     @property
-    def _piece(self) -> Piece | None:
+    def _piece(self) -> Part | None:
         """The piece that is looked at; in the block, the first."""
         named = (piece for piece in self.pieces if str(piece.side) == self._shown)
         return next(named, self.pieces[0] if self.pieces else None)
@@ -293,7 +293,7 @@ class ExportPresenter:
         except InsoleError as error:
             self._complaint = str(error)
 
-    def _keep_rules(self, rules: Rules) -> None:
+    def _keep_rules(self, rules: ExportRules) -> None:
         if rules == self._rules:
             return
         self._rules, self._complaint = rules, ""
@@ -303,7 +303,7 @@ class ExportPresenter:
             self._complaint = str(error)
         self.remake()
 
-    def _take(self, pieces: tuple[Piece, ...]) -> None:
+    def _take(self, pieces: tuple[Part, ...]) -> None:
         self.pieces = pieces
         names = {str(piece.side): side_text(piece) for piece in pieces}
         if len(pieces) == 2 and self._choice.block is not None:
@@ -317,7 +317,7 @@ class ExportPresenter:
     def _show_nest(self, block: Block, again: bool) -> None:
         left, right = self.pieces
         try:
-            parts = nest_pieces(left, right, block.size_mm, self._shop)
+            parts = nest_parts(left, right, block.size_mm, self._shop)
         except InsoleError as error:
             self._panel.show_error(str(error))
             self._panel.show_piece(None, None, None, again)

@@ -10,8 +10,8 @@ from insole_core.cases.record import Patient
 from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
 from insole_core.solids.checks import Finding
-from insole_core.solids.order import CHECKS_OF, Piece
-from insole_core.solids.rules import CheckName, Policy, Rules
+from insole_core.solids.order import CHECKS_OF, Part
+from insole_core.solids.rules import CheckName, ExportRules, Policy
 from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
 
@@ -97,7 +97,7 @@ def sentence_of(finding: Finding) -> str:
 
 def check_row(
     name: CheckName,
-    rules: Rules,
+    rules: ExportRules,
     kind: Kind,
     finding: Finding | None,
     *,
@@ -129,7 +129,7 @@ def check_row(
     return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, leads and placed)
 
 
-def summary_of(piece: Piece) -> str:
+def summary_of(piece: Part) -> str:
     """Say how large a piece is, and how its triangles deviate."""
     width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
     said = tr(
@@ -144,14 +144,14 @@ def summary_of(piece: Piece) -> str:
     return f"{said}. {deviation.format(deviation=piece.deviation_mm)}"
 
 
-def notes_of(piece: Piece) -> list[str]:
+def notes_of(piece: Part) -> list[str]:
     """Say which letters its identification lacks."""
     missing = missing_letters("".join(piece.order.mark))
     text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
     return [text.format(letters=missing)] if missing else []
 
 
-def side_text(piece: Piece) -> str:
+def side_text(piece: Part) -> str:
     """Name a side, with a sign where a check was not passed."""
     text = tr("Left") if piece.side is Side.LEFT else tr("Right")
     if any(finding.blocks for finding in piece.findings):

@@ -17,8 +17,8 @@ from insole_studio.stages.export.view import ExportView
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.export_rules import ExportRules
-from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.export_rules import ClinicExportRules
+from insole_studio.workbench.order_memory import LastOrder
 
 _SIZE = (1280, 700)
 
@@ -50,11 +50,11 @@ class ExportStage(StageFrame):
         self,
         *,
         case: Case,
-        rules: ExportRules,
+        rules: ClinicExportRules,
         shop: Shop,
         ask_path: Callable[[str, str], Path | None],
         may_replace: Callable[[Sequence[Path]], bool],
-        memory: OrderMemory,
+        memory: LastOrder,
         dark: bool,
     ) -> None:
         super().__init__()

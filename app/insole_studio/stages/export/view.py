@@ -27,8 +27,8 @@ from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
 from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
-from insole_studio.widgets.sentences import Sentences, WorkBar
-from insole_studio.widgets.upright_scroll import UprightScroll
+from insole_studio.widgets.sentences import MessageLabel, ProgressBar
+from insole_studio.widgets.upright_scroll import VerticalScroll
 from insole_studio.workbench.shop_order import OrderChoice
 
 _FORM_PX, _CHECKS_PX = 320, 376
@@ -62,13 +62,13 @@ class ExportView(QWidget):
         self._piece_row = QHBoxLayout()
         self._patient = QLabel()
         self._patient.setObjectName("numbers")
-        self._summary = Sentences()
-        self._error, self._notes = Sentences("warning"), Sentences("warning")
+        self._summary = MessageLabel()
+        self._error, self._notes = MessageLabel("warning"), MessageLabel("warning")
         self._reason_label = QLabel(tr("Export all the same, because"))
         self.reason = QLineEdit()
         self.reason.setPlaceholderText(tr("Reason, for the record"))
         self.reason.textEdited.connect(self.reason_edited)
-        self._progress = WorkBar()
+        self._progress = ProgressBar()
         self.cancel = QPushButton(tr("Cancel"))
         self.cancel.clicked.connect(self.cancel_requested)
         self.export = QPushButton(tr("Export…"))
@@ -76,7 +76,7 @@ class ExportView(QWidget):
         self.export.setShortcut(QKeySequence("Ctrl+Return"))
         self.export.setToolTip(tr("Write the files for the shop") + " (Ctrl+Enter)")
         self.export.clicked.connect(self.export_requested)
-        self._form_area, self._checks_area = UprightScroll(), UprightScroll()
+        self._form_area, self._checks_area = VerticalScroll(), VerticalScroll()
         self._form_area.setWidget(self.form)
         self._checks_area.setWidget(self.check_list)
         self._bounds: FloatArray | None = None

@@ -11,7 +11,7 @@ from insole_core.recording.hand_edits import NamedSpot, Pixel, Region, ViewEdits
 from insole_studio.stages.reconstruct.marks import marks_of
 from insole_studio.stages.reconstruct.rows import Mark
 from insole_studio.texts import tr
-from insole_studio.workbench.correcting import Correcting
+from insole_studio.workbench.correcting import SessionEditor
 
 _SPOT_SHARE = 14 / 1280
 """Half the width of what is ignored round a blue spot that is no marker."""
@@ -41,7 +41,7 @@ class MarkerPresenter:
 
     def __init__(self, panel: ImagePanel) -> None:
         self._panel = panel
-        self._work: Correcting | None = None
+        self._work: SessionEditor | None = None
         self.selected = ""
         """The view that is shown."""
         panel.marker_toggled.connect(self.toggle_marker)
@@ -54,7 +54,7 @@ class MarkerPresenter:
         panel.region_searched.connect(self.search_region)
         panel.regions_cleared.connect(self.clear_regions)
 
-    def take(self, work: Correcting | None) -> None:
+    def take(self, work: SessionEditor | None) -> None:
         """Correct another session; the first view that needs it is shown."""
         self._work, self.selected = work, ""
         if work is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_core.reconstruct import MarkerFix, ViewResult
+from insole_core.reconstruct import MarkerObservation, ViewResult
 from insole_core.reconstruct.measured_view import MeasuredView
 from insole_core.recording.hand_edits import ViewEdits
 from insole_studio.stages.reconstruct.rows import Mark, MarkState
@@ -44,7 +44,7 @@ def marks_of(measured: MeasuredView, result: ViewResult, edits: ViewEdits) -> tu
     return (*marks, *spots)
 
 
-def _state(fix: MarkerFix) -> MarkState:
+def _state(fix: MarkerObservation) -> MarkState:
     if fix.excluded:
         return "excluded"
     return "used" if fix.used else "unused"

@@ -33,7 +33,7 @@ from insole_studio.stages.reconstruct.rows import (
     view_row,
 )
 from insole_studio.texts import tr
-from insole_studio.workbench.correcting import Correcting
+from insole_studio.workbench.correcting import SessionEditor
 from insole_studio.workbench.reconstructing import (
     MadeFoot,
     make_foot,
@@ -116,7 +116,7 @@ class ReconstructPresenter:
         self._finished = finished
         self._needed_again = needed_again
         self._unreadable = unreadable
-        self._work: Correcting | None = None
+        self._work: SessionEditor | None = None
         self._markers = MarkerPresenter(panel)
         self._meshes: dict[str, TriangleMesh] = {}
         self._mesh_box: Box | None = None
@@ -140,9 +140,9 @@ class ReconstructPresenter:
         self._hands_over, self._leaves = hand_over, False
         self._trouble = ""
 
-        def read(progress: Progress) -> Correcting:
+        def read(progress: Progress) -> SessionEditor:
             opened = measure_session(path, progress.part(0.0, 0.8))
-            return Correcting(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
+            return SessionEditor(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
 
         self._panel.show_nothing(tr("The session is being read."))
         self._jobs.start(READING, read, self._take_session, self._unreadable)
@@ -267,7 +267,7 @@ class ReconstructPresenter:
         panel.cancel_requested.connect(self.cancel)
         panel.go_on_requested.connect(self.go_on)
 
-    def _take_session(self, work: Correcting) -> None:
+    def _take_session(self, work: SessionEditor) -> None:
         self._work = work
         session = work.opened.session
         self._panel.show_session(work.opened.path.stem, session.manifest.side)
@@ -293,7 +293,7 @@ class ReconstructPresenter:
         self._show_sentences()
         self._show_buttons()
 
-    def _take_preview(self, work: Correcting, made: MadeFoot) -> None:
+    def _take_preview(self, work: SessionEditor, made: MadeFoot) -> None:
         still = work is self._work and made.edits == self.edits
         if still and self._jobs.is_running(MAKING):
             self._made = made

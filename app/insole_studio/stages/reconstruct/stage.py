@@ -14,7 +14,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.stages.reconstruct.presenter import ReconstructPresenter
 from insole_studio.stages.reconstruct.view import ReconstructView
 from insole_studio.texts import tr
-from insole_studio.tools.box import BoxHand
+from insole_studio.tools.box import BoxDragger
 from insole_studio.widgets.tab_order import StageFrame
 
 _SIZE = (1280, 720)
@@ -74,7 +74,7 @@ class ReconstructStage(StageFrame):
             needed_again=self._come_back,
             unreadable=self._give_up,
         )
-        box = BoxHand(lambda: self.presenter.box, self.view.show_box, self.presenter.edit_box)
+        box = BoxDragger(lambda: self.presenter.box, self.view.show_box, self.presenter.edit_box)
         self.view.foot.scene.sink = box
         jobs.progressed.connect(self.presenter.progressed)
         self._is_open = True

@@ -37,7 +37,7 @@ from insole_studio.tools.box import box_edges, box_handles
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.sentences import Sentences, WorkBar
+from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _SIDE_PX = 300
 _LIMIT_PX = 96
@@ -89,8 +89,8 @@ class ReconstructView(QWidget):
         self.go_on.setToolTip(tr("Work on this foot") + " (Ctrl+Enter)")
         self._name = QLabel()
         self._name.setObjectName("heading")
-        self._sentences = Sentences("warning")
-        self._progress = WorkBar()
+        self._sentences = MessageLabel("warning")
+        self._progress = ProgressBar()
         self._work = QLabel()
         self._work.setObjectName("quiet")
         self._fitted = False

@@ -17,12 +17,12 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.reconstruct.fusion.observation import observe
 from insole_core.reconstruct.fusion.prepared_view import prepare
-from insole_core.reconstruct.fusion.reading import Reading, read_volume
+from insole_core.reconstruct.fusion.reading import DepthView, read_volume
 from insole_core.reconstruct.fusion.refinement import refine
 from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.result import Surface
 from insole_core.recording.session import Box
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.frames import average_raw
 from insole_core.sensing.sensor import Sensor
@@ -34,8 +34,8 @@ DISTANCE_MM = 700.0
 SENSOR = Sensor(
     "kinect-v1",
     "0",
-    Camera(640, 480, 580.0, 580.0, 320.0, 240.0),
-    Camera(1280, 1024, 1035.0, 1035.0, 640.0, 512.0),
+    PinholeCamera(640, 480, 580.0, 580.0, 320.0, 240.0),
+    PinholeCamera(1280, 1024, 1035.0, 1035.0, 640.0, 512.0),
     np.eye(4),
     LinearInverseDisparity(a=1090 / 348, b=-1 / 348),
 )
@@ -66,10 +66,10 @@ def sheet(height_mm: Height, step_mm: float = 0.5, half_mm: float = 55.0) -> Tri
     return TriangleMesh(places, triangles[known[triangles].all(1)].astype(np.int32))
 
 
-def look(surface: TriangleMesh, tilt_deg: float, color: ByteArray = GREY) -> Reading:
+def look(surface: TriangleMesh, tilt_deg: float, color: ByteArray = GREY) -> DepthView:
     """What a sensor without any error reads of a surface."""
     sensor2reference = pose(tilt_deg)
-    whole = Reading("view", SENSOR, sensor2reference, (0, 0), np.zeros((480, 640)), color)
+    whole = DepthView("view", SENSOR, sensor2reference, (0, 0), np.zeros((480, 640)), color)
     rays = whole.rays.reshape(-1, 3)
     hits = RayCaster(surface).cast(whole.origin_mm, rays)
     corners = surface.vertices[surface.triangles[hits.triangle]]
@@ -80,7 +80,7 @@ def look(surface: TriangleMesh, tilt_deg: float, color: ByteArray = GREY) -> Rea
 
 
 @cache
-def looks_at_ball(radius_mm: float, tilts_deg: tuple[float, ...]) -> list[Reading]:
+def looks_at_ball(radius_mm: float, tilts_deg: tuple[float, ...]) -> list[DepthView]:
     """What sensors with a matching window read of the lower end of a ball.
 
     The mean of several patterns of dots, so that hardly more than the window's error is left.
@@ -99,7 +99,7 @@ def looks_at_ball(radius_mm: float, tilts_deg: tuple[float, ...]) -> list[Readin
     return readings
 
 
-def fused(*readings: Reading) -> Surface:
+def fused(*readings: DepthView) -> Surface:
     return fuse([prepare(reading) for reading in readings])
 
 

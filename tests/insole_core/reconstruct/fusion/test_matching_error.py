@@ -17,8 +17,8 @@ from insole_core.reconstruct.fusion.matching_error import (
     without_matching_error,
 )
 from insole_core.reconstruct.fusion.neighbourhood import FEATURES, mirrored, neighbourhoods
-from insole_core.reconstruct.fusion.reading import Reading
-from insole_core.sensing.camera import Camera
+from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import record_matched_depth
@@ -31,8 +31,8 @@ from insole_core.simulate.ray_caster import SceneCaster
 SENSOR = Sensor(
     "kinect-v1",
     "0",
-    Camera(640, 480, 580.0, 580.0, 320.0, 240.0),
-    Camera(640, 480, 520.0, 520.0, 320.0, 240.0),
+    PinholeCamera(640, 480, 580.0, 580.0, 320.0, 240.0),
+    PinholeCamera(640, 480, 520.0, 520.0, 320.0, 240.0),
     np.eye(4),
     LinearInverseDisparity(a=1090 / 348, b=-1 / 348),
 )
@@ -127,7 +127,7 @@ def test_nothing_known_nothing_said(network: Network) -> None:
 def test_a_sensor_turned_about_its_axis_is_corrected_alike(turns: int) -> None:
     """The picture is brought upright by the pose, whichever way the sensor lies."""
     pose = rigid(np.eye(3), np.array([0.0, 0.0, -780.0]))
-    upright = Reading("view", SENSOR, pose, (280, 200), _bumps(4), BLACK)
+    upright = DepthView("view", SENSOR, pose, (280, 200), _bumps(4), BLACK)
     # np.rot90 turns the picture counter-clockwise, as a sensor does that is turned clockwise.
     turn = rotation_about(np.array([0.0, 0.0, 1.0]), 90.0 * turns)
     rolled = replace(
@@ -151,7 +151,7 @@ def test_the_toes_of_a_simulated_foot_come_nearer_to_the_truth() -> None:
     recording = record_matched_depth(caster, device, pose, rng, things=front)
     frames = np.stack([recording.frame(rng) for _ in range(5)]).astype(float)
     raw = device.sensor.corrected(np.where(frames < 2047, frames, np.nan).mean(axis=0))
-    reading = Reading("view", device.sensor, pose, (0, 0), raw, BLACK)
+    reading = DepthView("view", device.sensor, pose, (0, 0), raw, BLACK)
     rays = reading.directions(reading.pixels).reshape(-1, 3)
     hits = caster.cast(reading.origin_mm, rays)
     true = np.full(raw.shape, np.nan)

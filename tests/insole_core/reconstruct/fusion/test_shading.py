@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.reconstruct.fusion.reading import Reading
+from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.shading import find_shading, shading_of
-from insole_core.sensing.camera import Camera
+from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 
@@ -52,12 +52,12 @@ def test_the_picture_is_looked_up_where_the_colour_camera_sees_the_place(
 ) -> None:
     """A dark spot is painted where a reading projects to: there, and nowhere else, it is dark."""
     width, height = size
-    color = Camera(width, height, 0.82 * width, 0.82 * width, width / 2, height / 2)
+    color = PinholeCamera(width, height, 0.82 * width, 0.82 * width, width / 2, height / 2)
     turn = rotation_about(np.array([0.0, 1.0, 0.0]), 1.5)
     sensor = Sensor(
         "kinect-v1",
         "0",
-        Camera(640, 480, 580.0, 580.0, 320.0, 240.0),
+        PinholeCamera(640, 480, 580.0, 580.0, 320.0, 240.0),
         color,
         rigid(turn, np.array([-25.0, 1.0, 2.0])),
         DISPARITY,
@@ -65,7 +65,7 @@ def test_the_picture_is_looked_up_where_the_colour_camera_sees_the_place(
     raw = np.full((61, 51), float(DISPARITY.raw(np.array(DEPTH_MM))))
     picture = np.full((height, width, 3), 160, np.uint8)
     pose = rigid(rotation_about(np.array([1.0, 0.0, 0.0]), 160.0), np.array([5.0, 9.0, 700.0]))
-    reading = Reading("view", sensor, pose, (300, 200), raw, picture)
+    reading = DepthView("view", sensor, pose, (300, 200), raw, picture)
     ahead = np.add(spot, np.subtract(reading.corner, (320, 240))) / 580
     place = DEPTH_MM * np.array([*ahead, 1.0])
     u, v = color.project((sensor.depth2color[:3, :3] @ place + sensor.depth2color[:3, 3])[None])[0]
@@ -86,12 +86,12 @@ def test_the_picture_is_looked_up_where_the_colour_camera_sees_the_place(
 
 def test_what_lies_beside_the_picture_is_not_dark() -> None:
     """The picture ends across the foot, and its grey is even up to there."""
-    camera = Camera(640, 480, 580.0, 580.0, 320.0, 240.0)
-    cut = Camera(320, 480, 580.0, 580.0, 320.0, 240.0)
+    camera = PinholeCamera(640, 480, 580.0, 580.0, 320.0, 240.0)
+    cut = PinholeCamera(320, 480, 580.0, 580.0, 320.0, 240.0)
     raw = np.full((61, 51), float(DISPARITY.raw(np.array(DEPTH_MM))))
     picture = np.full((480, 320, 3), 160, np.uint8)
     sensor = Sensor("kinect-v1", "0", camera, cut, np.eye(4), DISPARITY)
 
-    shading = find_shading(Reading("view", sensor, np.eye(4), (295, 200), raw, picture))
+    shading = find_shading(DepthView("view", sensor, np.eye(4), (295, 200), raw, picture))
 
     assert np.abs(shading).max() < 0.01

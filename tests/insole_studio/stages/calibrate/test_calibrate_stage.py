@@ -13,7 +13,7 @@ from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
 from insole_studio.bootstrap import Application
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
 from insole_studio.workbench.sensor_store import SensorStore
@@ -50,7 +50,7 @@ def stage(
     qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen
 ) -> Iterator[CalibrateStage]:
     store = SensorStore(tmp_path / "sensors")
-    built = CalibrateStage(store, Place(store), tmp_path / "pictures", chosen)
+    built = CalibrateStage(store, SensorSource(store), tmp_path / "pictures", chosen)
     built.show()
     yield built
     built.close()

@@ -18,7 +18,7 @@ from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
-from insole_studio.capture.place import Place
+from insole_studio.capture.place import SensorSource
 from insole_studio.capture.workplace import DEFAULT_SYSTEM
 from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
@@ -52,7 +52,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def stage(qtbot: QtBot, tmp_path: Path, recording: Path) -> Iterator[CalibrateStage]:
     store = SensorStore(tmp_path / "sensors")
-    built = CalibrateStage(store, Place(store, recording), tmp_path / "pictures")
+    built = CalibrateStage(store, SensorSource(store, recording), tmp_path / "pictures")
     built.show()
     built.view.show_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
     built.presenter.edit_board(built.view.board())

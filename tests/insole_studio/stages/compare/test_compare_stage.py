@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import CaseRecord, FootRecord, Source
+from insole_core.cases.record import CaseRecord, FootRecord, ScanSource
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,13 +20,13 @@ from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
-from insole_studio.scene.camera import Camera, Subject, look
+from insole_studio.scene.camera import Subject, ViewCamera, look
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.stages.compare.point_picker import PointPicker
 from insole_studio.stages.compare.stage import CompareStage
 from insole_studio.workbench.case import Case
 
-NOWHERE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 B2A = rigid(rotation_about(np.array([0.0, 0, 1]), 3.0), np.array([6.0, -4.0, 1.25]))
 
 
@@ -187,7 +187,7 @@ def test_median_filter_compares_anew(stage: CompareStage, settle: Callable[[], N
 def test_only_a_click_picks() -> None:
     picked: list[np.ndarray] = []
     picker = PointPicker(picked.append)
-    shown = look(Camera(), Subject.INSOLE, Side.LEFT, (400, 400))
+    shown = look(ViewCamera(), Subject.INSOLE, Side.LEFT, (400, 400))
 
     def at(phase: Phase, x: float, place: np.ndarray | None) -> PointerEvent:
         return PointerEvent(phase, Subject.INSOLE, shown, (x, 100.0), place)

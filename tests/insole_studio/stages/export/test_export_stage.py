@@ -12,7 +12,7 @@ import trimesh
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import CaseRecord, FootRecord, Patient, Source
+from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.design import InsoleDesign
@@ -20,13 +20,13 @@ from insole_core.solids.shop import read_shop
 from insole_studio.stages.export.rows import CheckState
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.export_rules import ExportRules
-from insole_studio.workbench.order_memory import OrderMemory
+from insole_studio.workbench.export_rules import ClinicExportRules
+from insole_studio.workbench.order_memory import LastOrder
 from insole_studio.workbench.shop_order import OrderChoice
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
-NOWHERE = Source("mesh", "/nowhere/foot.ply", "0" * 64)
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
 @pytest.fixture
@@ -72,14 +72,14 @@ def stage(
     tmp_path: Path,
     chosen: Chosen,
 ) -> Iterator[ExportStage]:
-    rules = ExportRules(tmp_path / "config" / "export.json")
+    rules = ClinicExportRules(tmp_path / "config" / "export.json")
     built = ExportStage(
         case=case,
         rules=rules,
         shop=SHOP,
         ask_path=chosen,
         may_replace=chosen.may_replace,
-        memory=OrderMemory(tmp_path / "config" / "order.json", SHOP),
+        memory=LastOrder(tmp_path / "config" / "order.json", SHOP),
         dark=False,
     )
     built.show()
@@ -184,7 +184,7 @@ def test_order_is_remembered_without_the_patient(
     stage.view.export.click()
     settle()
     file = tmp_path / "config" / "order.json"
-    loaded = OrderMemory(file, SHOP).load()
+    loaded = LastOrder(file, SHOP).load()
     assert (loaded.suffix, loaded.block, loaded.most_triangles) == (".obj", PAIR, 30_000)
     assert "P-7" not in file.read_text()
 
@@ -192,7 +192,7 @@ def test_order_is_remembered_without_the_patient(
 @pytest.mark.parametrize("text", ["{", "[]", '{"suffix": 3, "draft_deg": "x", "block": "none"}'])
 def test_memory_that_cannot_be_read_costs_nothing(tmp_path: Path, text: str) -> None:
     (tmp_path / "order.json").write_text(text)
-    assert OrderMemory(tmp_path / "order.json", SHOP).load() == OrderChoice()
+    assert LastOrder(tmp_path / "order.json", SHOP).load() == OrderChoice()
 
 
 def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
@@ -219,7 +219,7 @@ def test_rules_are_remembered(
     stage.view.rule_edited.emit("step", "off", 9.0)
     stage.view.cutter_edited.emit(16.0)
     settle()
-    rules = ExportRules(tmp_path / "config" / "export.json").load()
+    rules = ClinicExportRules(tmp_path / "config" / "export.json").load()
     assert (rules.policies["step"], rules.limits["step"]) == ("off", 9.0)
     assert rules.cutter_diameter_mm == 16.0
     assert sign_of(stage, "step") is CheckState.OFF
