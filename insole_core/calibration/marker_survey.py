@@ -21,8 +21,8 @@ from insole_core.calibration.marker_bundle import (
 )
 from insole_core.calibration.reference_file import BumpCheck, check_for_bump, positions
 from insole_core.errors import CalibrationError
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import transform
 from insole_core.recording.session import Marker, ReferenceSystem
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray, IntArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import rotation_angle_deg, transform
 from insole_core.json_object import JsonObject
 from insole_core.recording.session import Marker, ReferenceSystem

@@ -18,9 +18,9 @@ from insole_core.cases.record import CaseRecord
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.touches import ContourConstraints
 from insole_core.json_object import JsonObject
 
 CASE_NAME = "case.json"

@@ -12,8 +12,8 @@ from scipy.sparse.csgraph import connected_components
 
 from insole_core.compare.registration import Fit
 from insole_core.errors import InputError, ReconstructionError
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import adjacency
 from insole_core.geometry.transforms import transform

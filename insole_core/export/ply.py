@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import Float32Array
+from insole_core.geometry.contour_constraints import PLY_ELEMENT
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.touches import PLY_ELEMENT
 
 _VERTEX = [("position", "<f4", 3)]
 _COLOR = [("color", "u1", 3)]

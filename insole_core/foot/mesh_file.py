@@ -12,8 +12,8 @@ import trimesh
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
+from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.touches import PLY_ELEMENT, ContourConstraints
 
 Unit = Literal["mm", "m", "inch"]
 

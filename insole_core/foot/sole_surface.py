@@ -15,9 +15,9 @@ from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
+from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import is_boundary, smoothed_normals
-from insole_core.geometry.touches import ContourConstraints
 from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end

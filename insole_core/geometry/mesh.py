@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
-from insole_core.geometry.links import MeshTopology
-from insole_core.geometry.touches import ContourConstraints
+from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh_topology import MeshTopology
 from insole_core.geometry.transforms import transform
 
 

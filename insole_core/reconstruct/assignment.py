@@ -8,8 +8,8 @@ from itertools import combinations
 import numpy as np
 
 from insole_core.errors import ReconstructionError
+from insole_core.geometry.absolute_orientation import rotation_from_covariance
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.horn import rotation_from_covariance
 
 _REFINEMENTS = 3
 _CHUNK = 2000

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.errors import ReconstructionError
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.assignment import MarkerMatch, match_markers
 from insole_core.reconstruct.blobs import Blobs

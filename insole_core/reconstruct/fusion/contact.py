@@ -6,10 +6,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.border_growth import Border
+from insole_core.geometry.boundary_extension import Border
+from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
-from insole_core.geometry.touches import ContourConstraints
 from insole_core.reconstruct.fusion.rim import Beyond, OccludingContour
 from insole_core.reconstruct.views_at_once import for_views
 

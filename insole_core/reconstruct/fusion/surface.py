@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, IntArray
-from insole_core.geometry.border_growth import extend_boundary
+from insole_core.geometry.boundary_extension import extend_boundary
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided

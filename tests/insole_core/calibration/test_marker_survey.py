@@ -18,8 +18,8 @@ from insole_core.calibration.marker_survey import (
 )
 from insole_core.calibration.reference_file import load_reference_system, positions
 from insole_core.errors import CalibrationError
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.recording.session import ReferenceSystem
 from insole_core.resources import resource_path

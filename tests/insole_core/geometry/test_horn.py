@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from insole_core.errors import ReconstructionError
+from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.transforms import is_rotation, rotation_about
 
 CORNERS = np.array([[0.0, 0, 0], [90, 0, 0], [0, 60, 0], [10, 20, 40]])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.section import section_segments
+from insole_core.geometry.plane_section import section_segments
 
 TETRAHEDRON = TriangleMesh(
     np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 6.0, 0.0], [0.0, 0.0, 8.0]]),
