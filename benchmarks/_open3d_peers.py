@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import inverse
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 
 Peer = Callable[[list[DepthView]], TriangleMesh]

@@ -20,9 +20,9 @@ import numpy as np
 from benchmarks._measure import print_table
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.reconstruct.blobs import find_blobs, sharpened
-from insole_core.reconstruct.marker_fix import Registration
-from insole_core.reconstruct.registration import PoseSearch
+from insole_core.reconstruct.markers.blobs import find_blobs, sharpened
+from insole_core.reconstruct.markers.marker_observation import Registration
+from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity

@@ -26,10 +26,10 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import reconstruct
+from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
+from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
-from insole_core.reconstruct.fusion.reading import DepthView, read_volume
-from insole_core.reconstruct.fusion.surface import fuse
-from insole_core.reconstruct.measured_view import measure_view
+from insole_core.reconstruct.views.measured_view import measure_view
 from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from insole_core.export.atomic import replacing_file
-from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS
+from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
 

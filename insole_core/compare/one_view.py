@@ -17,9 +17,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import adjacency
 from insole_core.geometry.transforms import inverse, rigid
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.coloring import color_points
-from insole_core.reconstruct.measured_view import measure_view
-from insole_core.reconstruct.sheet import (
+from insole_core.reconstruct.views.coloring import color_points
+from insole_core.reconstruct.views.measured_view import measure_view
+from insole_core.reconstruct.views.range_mesh import (
     RangeMesh,
     join,
     longest_edges,

@@ -11,9 +11,9 @@ import numpy as np
 from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.evaluation.color_points import points_at_color
 from insole_core.geometry.arrays import ByteArray, FloatArray
-from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import PoseSearch
-from insole_core.reconstruct.sighting import locate_blobs
+from insole_core.reconstruct.markers.blobs import find_blobs
+from insole_core.reconstruct.markers.detections import locate_blobs
+from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
 

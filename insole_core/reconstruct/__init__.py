@@ -1,7 +1,7 @@
 """From a recorded session to one coloured foot in the reference frame."""
 
-from insole_core.reconstruct.marker_fix import MarkerObservation
-from insole_core.reconstruct.pose_quality import RegistrationLimits
+from insole_core.reconstruct.markers.marker_observation import MarkerObservation
+from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_core.reconstruct.reconstruction import reconstruct
 from insole_core.reconstruct.result import (
     Method,

@@ -12,21 +12,12 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.coloring import color_points
-from insole_core.reconstruct.coverage import coverage_of
+from insole_core.reconstruct.fusion.depth_view import read_volume
+from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
-from insole_core.reconstruct.fusion.reading import read_volume
-from insole_core.reconstruct.fusion.surface import fuse
-from insole_core.reconstruct.measured_view import (
-    MeasuredView,
-    measure_as_thesis,
-    measure_view,
-    used_result,
-)
-from insole_core.reconstruct.midline import cut_at_midline
-from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits
+from insole_core.reconstruct.parallel import VIEWS_AT_ONCE, both
+from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS, RegistrationLimits
 from insole_core.reconstruct.preview import coarse_foot
-from insole_core.reconstruct.remarks import misfits, warnings_of
 from insole_core.reconstruct.result import (
     Method,
     Reconstruction,
@@ -34,16 +25,25 @@ from insole_core.reconstruct.result import (
     ViewResult,
     refused_result,
 )
-from insole_core.reconstruct.sheet import (
+from insole_core.reconstruct.stopwatch import Stopwatch
+from insole_core.reconstruct.views.coloring import color_points
+from insole_core.reconstruct.views.foot_coverage import coverage_of
+from insole_core.reconstruct.views.measured_view import (
+    MeasuredView,
+    measure_as_thesis,
+    measure_view,
+    used_result,
+)
+from insole_core.reconstruct.views.midline import cut_at_midline
+from insole_core.reconstruct.views.range_mesh import (
     RangeMesh,
     join,
     longest_edges,
     triangulate,
     without_small_pieces,
 )
-from insole_core.reconstruct.stopwatch import Stopwatch
-from insole_core.reconstruct.views_at_once import VIEWS_AT_ONCE, both
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
+from insole_core.reconstruct.warnings import misfits, warnings_of
 from insole_core.recording.session import Box, Session, View
 
 _Part = TypeVar("_Part")

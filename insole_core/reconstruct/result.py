@@ -10,8 +10,8 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
-from insole_core.reconstruct.pose_quality import PoseRefusedError
+from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
+from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
 
 Method = Literal["fused", "thesis"]
 

@@ -11,9 +11,9 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
-from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import PoseSearch
-from insole_core.reconstruct.sighting import locate_blobs
+from insole_core.reconstruct.markers.blobs import find_blobs
+from insole_core.reconstruct.markers.detections import locate_blobs
+from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.session import Box, ReferenceSystem
 from insole_core.sensing.disparity import NO_READING, DisparityModel

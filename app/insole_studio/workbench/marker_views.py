@@ -13,9 +13,9 @@ from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.blobs import find_blobs
-from insole_core.reconstruct.registration import PoseSearch
-from insole_core.reconstruct.sighting import Detections, locate_blobs
+from insole_core.reconstruct.markers.blobs import find_blobs
+from insole_core.reconstruct.markers.detections import Detections, locate_blobs
+from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
 

@@ -12,10 +12,10 @@ from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import Reconstruction, RegistrationLimits, ViewResult, reconstruct
-from insole_core.reconstruct.agreement import ViewConsistency, view_consistency
-from insole_core.reconstruct.fusion.reading import DepthView, read_volume
-from insole_core.reconstruct.measured_view import MeasuredView, measure_view, used_result
+from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
 from insole_core.reconstruct.result import refused_result
+from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view, used_result
+from insole_core.reconstruct.views.view_consistency import ViewConsistency, view_consistency
 from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.hand_edits import HandEdits
 from insole_core.recording.reader import read_session

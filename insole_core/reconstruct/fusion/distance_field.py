@@ -12,7 +12,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth
-from insole_core.reconstruct.views_at_once import for_views
+from insole_core.reconstruct.parallel import for_views
 
 _BLOCK_CELLS = 2
 _LEAST_COSINE = 0.1

@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.neighbourhood import (
     FEATURES,
     level,
@@ -22,7 +23,6 @@ from insole_core.reconstruct.fusion.neighbourhood import (
     neighbourhoods,
     support,
 )
-from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.shading import find_shading
 from insole_core.resources import resource_path
 

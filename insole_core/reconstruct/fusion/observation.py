@@ -10,7 +10,7 @@ from scipy import sparse
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 
 _NOISE_RAW = 0.21
 """Standard deviation of a mean, corrected reading on a surface that faces the sensor."""

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.matching_error import without_matching_error
-from insole_core.reconstruct.fusion.reading import DepthView
-from insole_core.reconstruct.fusion.rim import OccludingContour, find_occluding_contour
+from insole_core.reconstruct.fusion.occluding_contour import (
+    OccludingContour,
+    find_occluding_contour,
+)
 from insole_core.reconstruct.fusion.silhouette import Silhouette, find_silhouette, within_outline
 from insole_core.reconstruct.fusion.smoothing import SmoothDepth, smooth_depth
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.neighbourhood import mean_of_known
-from insole_core.reconstruct.fusion.reading import DepthView
 
 _NEAR_PX, _AROUND_PX = 1.0, 5.0
 _DARK_LEVELS = 8.0

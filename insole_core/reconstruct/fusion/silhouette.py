@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 
 _CORE_PX = 4
 """Depth fattens the foot by up to half its window; this far inside it is surely foot."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 
 _SIGMA_PX = 1.5
 _REACH_PX = 3

@@ -11,8 +11,8 @@ from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import DepthView
-from insole_core.reconstruct.views_at_once import for_views
+from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.parallel import for_views
 
 _CLEARANCE_MM = 2.0
 _SHARPNESS = 8

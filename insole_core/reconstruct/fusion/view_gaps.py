@@ -9,8 +9,8 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.observation import Observations
-from insole_core.reconstruct.fusion.reading import DepthView
 
 _LEAST_COSINE = 0.5
 """Steeper places are drawn sideways by the sensor's window, in the two views in opposite ways."""

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, transform
-from insole_core.reconstruct.assignment import match_markers
+from insole_core.reconstruct.markers.marker_matching import match_markers
 
 # The sole side of a reference system of the usual kind, and not symmetric.
 MARKERS = np.array(

@@ -15,7 +15,7 @@ from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import Reconstruction, reconstruct
-from insole_core.reconstruct.coverage import coverage_of, coverage_warnings
+from insole_core.reconstruct.views.foot_coverage import coverage_of, coverage_warnings
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.arrays import ByteArray
-from insole_core.reconstruct.blobs import BlobLimits, blueness, find_blobs
+from insole_core.reconstruct.markers.blobs import BlobLimits, blueness, find_blobs
 
 BLUE, DIM_BLUE, SKIN = (20, 40, 150), (30, 60, 120), (220, 170, 150)
 MARKERS = ((100, 80), (300, 90), (120, 400), (500, 300))

@@ -11,8 +11,12 @@ import pytest
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import inverse, rotation_angle_deg, transform
 from insole_core.reconstruct import MarkerObservation, reconstruct
-from insole_core.reconstruct.marker_fix import Registration
-from insole_core.reconstruct.measured_view import MeasuredView, measure_as_thesis, measure_view
+from insole_core.reconstruct.markers.marker_observation import Registration
+from insole_core.reconstruct.views.measured_view import (
+    MeasuredView,
+    measure_as_thesis,
+    measure_view,
+)
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, HandEdits, NamedSpot, Pixel, ViewEdits
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View

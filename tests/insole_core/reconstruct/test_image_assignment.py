@@ -18,9 +18,9 @@ from insole_core.geometry.transforms import (
     rotation_angle_deg,
     transform,
 )
-from insole_core.reconstruct.camera_pose import SeenMarkers, SightingNoise, fit_camera_pose
-from insole_core.reconstruct.image_assignment import match_in_image
-from insole_core.reconstruct.marker_faces import apparent_centers
+from insole_core.reconstruct.markers.image_matching import match_in_image
+from insole_core.reconstruct.markers.marker_faces import apparent_centers
+from insole_core.reconstruct.poses.camera_pose import SeenMarkers, SightingNoise, fit_camera_pose
 from insole_core.sensing.camera import PinholeCamera
 
 MARKERS = np.array(

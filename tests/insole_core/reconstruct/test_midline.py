@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from small_sheets import flat, sheet_of
 
-from insole_core.reconstruct.midline import cut_at_midline, fit_midline
+from insole_core.reconstruct.views.midline import cut_at_midline, fit_midline
 
 LEFT, RIGHT = (-100.0, 0.0, -600.0), (100.0, 0.0, -600.0)
 

@@ -11,8 +11,8 @@ import pytest
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct import RegistrationLimits, reconstruct
-from insole_core.reconstruct.measured_view import MeasuredView, measure_view
-from insole_core.reconstruct.pose_quality import PoseRefusedError
+from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
+from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Marker, ReferenceSystem, Session, View
 

@@ -4,7 +4,7 @@ import numpy as np
 from small_sheets import CAMERA, flat, sheet_of
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.sheet import join, without_small_pieces
+from insole_core.reconstruct.views.range_mesh import join, without_small_pieces
 
 
 def test_a_full_lattice_gives_two_triangles_a_square() -> None:

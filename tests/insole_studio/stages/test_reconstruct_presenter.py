@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan import ScannedFoot
 from insole_core.errors import ReconstructionError
-from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS
+from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session

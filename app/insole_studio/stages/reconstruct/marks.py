@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.reconstruct import MarkerObservation, ViewResult
-from insole_core.reconstruct.measured_view import MeasuredView
+from insole_core.reconstruct.views.measured_view import MeasuredView
 from insole_core.recording.hand_edits import ViewEdits
 from insole_studio.stages.reconstruct.rows import Mark, MarkState
 

@@ -15,11 +15,11 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
+from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.observation import observe
 from insole_core.reconstruct.fusion.prepared_view import prepare
-from insole_core.reconstruct.fusion.reading import DepthView, read_volume
 from insole_core.reconstruct.fusion.refinement import refine
-from insole_core.reconstruct.fusion.surface import fuse
 from insole_core.reconstruct.result import Surface
 from insole_core.recording.session import Box
 from insole_core.sensing.camera import PinholeCamera

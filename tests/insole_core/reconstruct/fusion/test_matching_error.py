@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.matching_error import (
     Network,
     matching_error,
     without_matching_error,
 )
 from insole_core.reconstruct.fusion.neighbourhood import FEATURES, mirrored, neighbourhoods
-from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor

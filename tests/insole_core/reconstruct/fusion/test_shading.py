@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.shading import find_shading, shading_of
 from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity

@@ -15,13 +15,9 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.assignment import MarkerMatch, match_markers
-from insole_core.reconstruct.blobs import Blobs
-from insole_core.reconstruct.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
-from insole_core.reconstruct.image_assignment import match_in_image
-from insole_core.reconstruct.marker_faces import apparent_centers
-from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
-from insole_core.reconstruct.naming import (
+from insole_core.reconstruct.markers.blobs import Blobs
+from insole_core.reconstruct.markers.detections import Detections
+from insole_core.reconstruct.markers.edited_matching import (
     ENOUGH_NAMES,
     EditedMatch,
     follow_names,
@@ -29,8 +25,16 @@ from insole_core.reconstruct.naming import (
     positions_of,
     searched,
 )
-from insole_core.reconstruct.pose_quality import DEFAULT_LIMITS, RegistrationLimits, check_pose
-from insole_core.reconstruct.sighting import Detections
+from insole_core.reconstruct.markers.image_matching import match_in_image
+from insole_core.reconstruct.markers.marker_faces import apparent_centers
+from insole_core.reconstruct.markers.marker_matching import MarkerMatch, match_markers
+from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
+from insole_core.reconstruct.poses.camera_pose import CameraPose, SeenMarkers, fit_camera_pose
+from insole_core.reconstruct.poses.pose_quality import (
+    DEFAULT_LIMITS,
+    RegistrationLimits,
+    check_pose,
+)
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import Marker, ReferenceSystem

@@ -10,8 +10,8 @@ from insole_core.geometry.boundary_extension import Border
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
-from insole_core.reconstruct.fusion.rim import Beyond, OccludingContour
-from insole_core.reconstruct.views_at_once import for_views
+from insole_core.reconstruct.fusion.occluding_contour import Beyond, OccludingContour
+from insole_core.reconstruct.parallel import for_views
 
 _SHORT_MM = (0.4, 9.0)
 _LEAST_AHEAD = 0.3  # cosine between the way off the border and the way to the outline

@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import rotation_angle_deg
-from insole_core.reconstruct.coverage import coverage_warnings
 from insole_core.reconstruct.result import Surface, ViewResult
+from insole_core.reconstruct.views.foot_coverage import coverage_warnings
 from insole_core.recording.session import Session, View
 from insole_core.sensing.frames import Motion, RawAverage
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from insole_core.errors import ReconstructionError
-from insole_core.reconstruct.assignment import MarkerMatchLimits
-from insole_core.reconstruct.marker_fix import MarkerObservation, Registration
+from insole_core.reconstruct.markers.marker_matching import MarkerMatchLimits
+from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
 
 
 @dataclass(frozen=True)

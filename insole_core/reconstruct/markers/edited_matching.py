@@ -10,9 +10,9 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import rigid
-from insole_core.reconstruct.assignment import MarkerMatch
-from insole_core.reconstruct.pose_batch import PoseBatch, Sight, improved, matches
-from insole_core.reconstruct.sighting import Detections, locate_places
+from insole_core.reconstruct.markers.detections import Detections, locate_places
+from insole_core.reconstruct.markers.marker_matching import MarkerMatch
+from insole_core.reconstruct.poses.pose_batch import PoseBatch, Sight, improved, matches
 from insole_core.recording.hand_edits import NamedSpot, Region, ViewEdits
 from insole_core.recording.session import Marker
 from insole_core.sensing.camera import PinholeCamera

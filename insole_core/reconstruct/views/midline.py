@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.reconstruct.sheet import RangeMesh
+from insole_core.reconstruct.views.range_mesh import RangeMesh
 
 _SOLE_HEIGHT_MM = 50.0
 _SLICE_MM = 10.0

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.reconstruct.camera_pose import CameraPose
+from insole_core.reconstruct.poses.camera_pose import CameraPose
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.silhouette import Silhouette
 
 _EVENED_PX = 2.0

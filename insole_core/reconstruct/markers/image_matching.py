@@ -10,8 +10,14 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
-from insole_core.reconstruct.assignment import MarkerMatch, looks_at_foot
-from insole_core.reconstruct.pose_batch import LEAST_EXPLAINED, PoseBatch, Sight, improved, matches
+from insole_core.reconstruct.markers.marker_matching import MarkerMatch, looks_at_foot
+from insole_core.reconstruct.poses.pose_batch import (
+    LEAST_EXPLAINED,
+    PoseBatch,
+    Sight,
+    improved,
+    matches,
+)
 from insole_core.sensing.camera import PinholeCamera
 
 _KEPT = 300

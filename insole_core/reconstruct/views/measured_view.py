@@ -10,20 +10,20 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
-from insole_core.reconstruct.blobs import Blobs, find_blobs, sharpened
-from insole_core.reconstruct.coloring import mean_color
-from insole_core.reconstruct.marker_fix import Registration
-from insole_core.reconstruct.naming import with_places
-from insole_core.reconstruct.picture import picture_fault
-from insole_core.reconstruct.pose_quality import (
+from insole_core.reconstruct.markers.blobs import Blobs, find_blobs, sharpened
+from insole_core.reconstruct.markers.detections import Detections, locate_blobs
+from insole_core.reconstruct.markers.edited_matching import with_places
+from insole_core.reconstruct.markers.marker_observation import Registration
+from insole_core.reconstruct.poses.pose_quality import (
     DEFAULT_LIMITS,
     PoseRefusedError,
     RegistrationLimits,
 )
-from insole_core.reconstruct.registration import PoseSearch
-from insole_core.reconstruct.remarks import check_still, motion_note
+from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.result import ViewResult, placed_result
-from insole_core.reconstruct.sighting import Detections, locate_blobs
+from insole_core.reconstruct.views.coloring import mean_color
+from insole_core.reconstruct.views.picture_quality import picture_fault
+from insole_core.reconstruct.warnings import check_still, motion_note
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.frames import RawAverage, average_raw, median_raw

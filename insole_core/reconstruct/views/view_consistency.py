@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.reconstruct.fusion.reading import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.smoothing import smooth_depth
 
 _LEAST_COSINE = 0.2

@@ -13,16 +13,16 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.subdivision import subdivided
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct.fusion.contact import bend_to, drawn_to, lies_before, touches_of
+from insole_core.reconstruct.fusion.contour_fit import bend_to, drawn_to, lies_before, touches_of
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
+from insole_core.reconstruct.fusion.occluding_contour import OccludingContour
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
-from insole_core.reconstruct.fusion.reading import DepthView
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
-from insole_core.reconstruct.fusion.rim import OccludingContour
 from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices
+from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.result import Surface
-from insole_core.reconstruct.views_at_once import both, for_views
 
 _RELAXING_ROUNDS = 10
 _EVENING_ROUNDS = 3

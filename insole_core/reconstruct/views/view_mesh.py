@@ -7,8 +7,8 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
-from insole_core.reconstruct.measured_view import MeasuredView
-from insole_core.reconstruct.sheet import RangeMesh, join, longest_edges, triangulate
+from insole_core.reconstruct.views.measured_view import MeasuredView
+from insole_core.reconstruct.views.range_mesh import RangeMesh, join, longest_edges, triangulate
 from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.session import Box
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.reconstruct.blobs import Blobs
+from insole_core.reconstruct.markers.blobs import Blobs
 from insole_core.sensing.sensor import Sensor
 
 _RIM_SHARE = 3 / 1280

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray
-from insole_core.reconstruct.blobs import Blobs, blueness
+from insole_core.reconstruct.markers.blobs import Blobs, blueness
 
 _DARK = 40
 """Brightness, of 255, that a hundredth of the pixels exceeds; 140 and more in a usual picture."""
