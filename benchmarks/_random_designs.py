@@ -10,7 +10,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
-from insole_core.insole.design import (
+from insole_core.insole.prescription.design import (
     ArchRaise,
     Correction,
     HeelCup,

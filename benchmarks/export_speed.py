@@ -16,7 +16,7 @@ from insole_core.export.stl import write_ascii_stl, write_stl
 from insole_core.export.three_mf import ThreeMfPart, write_3mf
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import KINDS, insole_solid, make_solid
 
 

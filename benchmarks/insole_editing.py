@@ -20,8 +20,8 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.contact import contact_base
-from insole_core.insole.design import (
+from insole_core.insole.pads.pad_heights import pad_heights
+from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
@@ -32,9 +32,9 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.height_field import HeightField
-from insole_core.insole.pads import pad_heights
-from insole_core.insole.surface import apply_pads, moved_pad
+from insole_core.insole.surface.contact import contact_base
+from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 

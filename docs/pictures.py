@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott, Posting
+from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from insole_core.errors import OutputError, UsageError
 from insole_core.geometry.side import Side
-from insole_core.insole.rules import load_rules
+from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.solids.shop import read_shop
 from insole_studio.capture.place import SensorSource

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
+from insole_core.insole.prescription.design import Pelott
 from insole_studio.bootstrap import (
     DEFAULT_SIZE,
     Application,

@@ -23,9 +23,9 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import is_rotation
-from insole_core.insole.design import InsoleDesign
-from insole_core.insole.design_json import design_from_json, design_to_json
-from insole_core.insole.template import Template, template_from_json, template_to_json
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_json import design_from_json, design_to_json
+from insole_core.insole.prescription.template import Template, template_from_json, template_to_json
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-case", 2

@@ -15,8 +15,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_about
-from insole_core.insole.design import InsoleDesign
-from insole_core.insole.template import Template
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.template import Template
 
 Point = tuple[float, float, float]
 FIRST_NAME = "A"

@@ -9,11 +9,11 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
-from insole_core.insole.contact import contact_base
-from insole_core.insole.design import InsoleDesign
-from insole_core.insole.height_field import HeightField
-from insole_core.insole.limits import check_design
-from insole_core.insole.surface import active_pads, apply_pads
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_limits import check_design
+from insole_core.insole.surface.contact import contact_base
+from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
 from insole_core.progress import SILENT, Progress
 
 __all__ = ["LEAST_MATERIAL_MM", "Insole", "active_pads", "apply_pads", "build_insole"]

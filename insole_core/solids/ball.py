@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.surface.height_field import HeightField
 
 
 def parallel_below(field: HeightField, distance_mm: float) -> FloatArray:

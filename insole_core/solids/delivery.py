@@ -15,7 +15,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.export.paper import JobSheet, section_along, write_job_sheet, write_prescription
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
-from insole_core.insole.prescription_lines import correction_lines, make_facts
+from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override, require_export, survey_heights
 from insole_core.solids.order import Part, nest_parts

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.surface.height_field import HeightField
 from insole_core.solids.outline import OutlineDistance
 from insole_core.solids.plan import Plan
 

@@ -10,8 +10,8 @@ import numpy as np
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.block import apexes, block_solid
 from insole_core.insole.build import Insole
+from insole_core.insole.surface.block import apexes, block_solid
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball import parallel_below
 from insole_core.solids.outline import (

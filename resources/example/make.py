@@ -13,7 +13,7 @@ from insole_core.cases.case_file import write_case
 from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.session import Session
 from insole_core.recording.writer import write_session

@@ -19,7 +19,7 @@ from insole_core.cases.record import CaseRecord
 from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.design import BrushStroke, Posting
+from insole_core.insole.prescription.design import BrushStroke, Posting
 from insole_core.resources import resource_path
 from insole_studio.bootstrap import Application
 from insole_studio.tools.key_point import shown_points

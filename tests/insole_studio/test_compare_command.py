@@ -14,7 +14,7 @@ from insole_core.foot.mesh_file import read_mesh
 from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.recording.session import Manifest, Session
 from insole_core.recording.writer import write_session
 from insole_core.simulate import FootShape, build_foot

@@ -19,7 +19,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.bootstrap import Application, UserPaths
 from insole_studio.shell.questions import SameSide
 from insole_studio.workbench.autosave import Recovered
@@ -488,7 +488,7 @@ def test_the_table_shows_both_feet(two_feet: Application) -> None:
 
 
 def test_a_mirrored_prescription_makes_the_mirrored_insole(make_foot: MakeFoot) -> None:
-    from insole_core.insole.mirroring import mirrored
+    from insole_core.insole.prescription.mirroring import mirrored
 
     left = make_foot(Side.LEFT)
     flipped = TriangleMesh(left.mesh.vertices * [-1, 1, 1], left.mesh.triangles[:, ::-1].copy())

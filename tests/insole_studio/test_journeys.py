@@ -18,7 +18,7 @@ from insole_core.cases.record import ScanSource
 from insole_core.cases.scan import ScannedFoot
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
+from insole_core.insole.prescription.design import Pelott
 from insole_studio.bootstrap import Application
 from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView

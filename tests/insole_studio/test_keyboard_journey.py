@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_core.insole.design import Pelott, Posting
+from insole_core.insole.prescription.design import Pelott, Posting
 from insole_studio.bootstrap import UserPaths
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Questions

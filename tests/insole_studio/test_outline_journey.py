@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from insole_core.insole.design import Outline
+from insole_core.insole.prescription.design import Outline
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
 from insole_studio.widgets.choice import ComboBox

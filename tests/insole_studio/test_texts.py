@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import insole_studio
-from insole_core.insole.rules import SENTENCES
+from insole_core.insole.prescription.clinic_rules import SENTENCES
 from insole_core.resources import resource_path
 from insole_studio.texts import load_language, tr
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 
 from insole_core.cases.record import CaseRecord
 from insole_core.geometry.side import Side
-from insole_core.insole.design import BrushStroke, HeelCup, HeelSkive, Pelott
+from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
 from insole_studio.stages.design.maps import MapKind

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
 

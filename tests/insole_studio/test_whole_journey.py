@@ -11,7 +11,7 @@ from pathlib import Path
 from hands import Hands
 
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott, Posting
+from insole_core.insole.prescription.design import Pelott, Posting
 from insole_studio.workbench.landmarks import metatarsal_line
 
 MOST_ACTIONS = 12

@@ -15,7 +15,7 @@ from insole_studio.commands.foot_source import read_foot
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
-    from insole_core.insole.design import InsoleDesign
+    from insole_core.insole.prescription.design import InsoleDesign
 
 NAME = "design"
 HELP = "make the insole of a session or a scanned foot, for the shop"
@@ -84,7 +84,7 @@ def _insole(
 
 
 def _read_prescription(path: Path | None) -> InsoleDesign | None:
-    from insole_core.insole.design_json import read_design
+    from insole_core.insole.prescription.design_json import read_design
 
     return None if path is None else read_design(path)
 
@@ -104,7 +104,7 @@ def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
 def _print_warnings(insole: Insole) -> None:
     """Say what is unusual in the prescription, by the rules of the clinic."""
     from insole_core.foot.landmarks import find_landmarks
-    from insole_core.insole.rules import design_warnings, load_rules
+    from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 
     landmarks = find_landmarks(insole.foot)
     for warning in design_warnings(insole, landmarks, load_rules()):
@@ -112,6 +112,6 @@ def _print_warnings(insole: Insole) -> None:
 
 
 def _plain(side: Side) -> InsoleDesign:
-    from insole_core.insole.design import InsoleDesign
+    from insole_core.insole.prescription.design import InsoleDesign
 
     return InsoleDesign(side)

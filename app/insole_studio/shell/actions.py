@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from insole_core.insole.design import (
+from insole_core.insole.prescription.design import (
     ArchRaise,
     Correction,
     ForefootTwist,

@@ -7,7 +7,7 @@ from dataclasses import replace
 from insole_core.cases.record import FootRecord
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Correction
+from insole_core.insole.prescription.design import Correction
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.workbench.case import Case

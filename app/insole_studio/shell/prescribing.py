@@ -11,10 +11,10 @@ from insole_core.cases.record import FootRecord
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.side import Side
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import Correction, InsoleDesign
-from insole_core.insole.pad_places import placed_pad
-from insole_core.insole.template import (
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.prescription.template import (
     make_template,
     read_template,
     write_template,

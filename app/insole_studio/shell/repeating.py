@@ -10,7 +10,7 @@ from insole_core.cases.record import FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.template import Template
+from insole_core.insole.prescription.template import Template
 from insole_core.progress import Progress
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.feet import FeetActions

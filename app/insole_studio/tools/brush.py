@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import BrushStroke, Place
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import BrushStroke, Place
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import seen_from_above

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.design import Pelott, Place
-from insole_core.insole.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.prescription.design import Pelott, Place
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import pelott_handles, seen_from_above

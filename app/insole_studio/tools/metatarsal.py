@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.cases.record import CaseRecord
-from insole_core.insole.clearance import Clearance
-from insole_core.insole.clearance import clearance as pad_clearance
-from insole_core.insole.design import Pelott, Place
-from insole_core.insole.pad_places import placed_pad
+from insole_core.insole.pads.clearance import Clearance
+from insole_core.insole.pads.clearance import clearance as pad_clearance
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.design import Pelott, Place
 from insole_studio.tools.tool import place_at
 from insole_studio.workbench.landmarks import landmarks_of, metatarsal_line
 

@@ -9,10 +9,10 @@ import numpy as np
 from insole_core.cases.record import CaseRecord
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.design import InsoleDesign, Outline, Place
-from insole_core.insole.limits import LEAST_DRAWN_POINTS
-from insole_core.insole.outline import insole_outline, outline_points
-from insole_core.insole.outline_curve import closed_curve, crosses_itself
+from insole_core.insole.outline.insole_outline import insole_outline, outline_points
+from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
+from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.prescription.design_limits import LEAST_DRAWN_POINTS
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import (

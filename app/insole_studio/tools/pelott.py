@@ -9,12 +9,12 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import InsoleDesign, Pelott, Place
-from insole_core.insole.limits import CORRECTION_RANGES
-from insole_core.insole.outline_curve import inside_curve
-from insole_core.insole.pad_shapes import local_outline, pad2insole
-from insole_core.insole.pads import pad_outline
+from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.pads.pad_shapes import local_outline, pad2insole
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from insole_core.insole.design import InsoleDesign, Posting
-from insole_core.insole.limits import CORRECTION_RANGES
-from insole_core.insole.posting import posting_angles
+from insole_core.insole.prescription.design import InsoleDesign, Posting
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
+from insole_core.insole.surface.posting import posting_angles
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded, with_number

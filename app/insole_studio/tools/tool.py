@@ -15,7 +15,7 @@ import numpy as np
 from insole_core.cases.record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Correction, InsoleDesign, Place
+from insole_core.insole.prescription.design import Correction, InsoleDesign, Place
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.workbench.case import Case

@@ -12,8 +12,8 @@ from PySide6.QtCore import QObject, Signal
 from insole_core.cases.record import Annotations, CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.workbench.history import History
 
 Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord

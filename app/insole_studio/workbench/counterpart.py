@@ -16,8 +16,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import Progress
 from insole_core.solids.solid import insole_solid
 from insole_studio.jobs import Jobs

@@ -10,7 +10,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.record import Patient
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
-from insole_core.insole.template import Template
+from insole_core.insole.prescription.template import Template
 from insole_core.progress import SILENT, Progress
 from insole_studio.workbench.fitting import last_design, prescribed_at
 from insole_studio.workbench.opening import CASE_SUFFIX

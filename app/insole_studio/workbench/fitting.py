@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from insole_core.cases.record import FootRecord
 from insole_core.errors import DesignError
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import Correction, InsoleDesign
-from insole_core.insole.template import Template, apply_template, make_template
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.prescription.template import Template, apply_template, make_template
 from insole_studio.workbench.landmarks import landmarks_of
 
 

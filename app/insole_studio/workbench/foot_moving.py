@@ -11,8 +11,8 @@ from insole_core.foot.aligning import PoseAngles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.insole.design import Correction, InsoleDesign, Pelott, Place
-from insole_core.insole.mirroring import with_places
+from insole_core.insole.prescription.design import Correction, InsoleDesign, Pelott, Place
+from insole_core.insole.prescription.mirroring import with_places
 from insole_studio.workbench.landmarks import confirmed, landmarks_of
 
 

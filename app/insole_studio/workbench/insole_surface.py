@@ -14,17 +14,17 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole
-from insole_core.insole.contact import ContactBase, base_key, contact_base
-from insole_core.insole.design import InsoleDesign
-from insole_core.insole.height_field import HeightField
-from insole_core.insole.limits import check_design
-from insole_core.insole.posting import posted_mesh, posting_angles
-from insole_core.insole.surface import (
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_limits import check_design
+from insole_core.insole.surface.contact import ContactBase, base_key, contact_base
+from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.pads_on_surface import (
     Window,
     added_corrections,
     apply_pads,
     moved_pad,
 )
+from insole_core.insole.surface.posting import posted_mesh, posting_angles
 from insole_core.progress import Progress
 from insole_core.solids.solid import insole_solid
 from insole_studio.jobs import Jobs

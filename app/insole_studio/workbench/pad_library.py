@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from insole_core.insole.design import Pelott
-from insole_core.insole.limits import CORRECTION_RANGES, PELOTT_SHAPES
-from insole_core.insole.pad_places import PLACES
+from insole_core.insole.pads.pad_places import PLACES
+from insole_core.insole.prescription.design import Pelott
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES, PELOTT_SHAPES
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 

@@ -10,7 +10,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 
 SOURCE = ScanSource("mesh", "/clinic/foot.ply", "0" * 64)
 

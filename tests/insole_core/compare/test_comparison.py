@@ -19,7 +19,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_core.solids.solid import insole_solid, positive_solid
 
 PAD = Pelott(centre_mm=(5.0, 150.0), height_mm=3)

@@ -16,9 +16,9 @@ from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole
-from insole_core.insole.contact import base_key, contact_base
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
-from insole_core.insole.pads import pad_outline
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.surface.contact import base_key, contact_base
 from insole_core.progress import Cancelled, Progress
 
 PAD = Pelott(centre_mm=(12.3, 150.4), height_mm=6.0, turn_deg=10)

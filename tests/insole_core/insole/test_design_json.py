@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import (
+from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
     BrushStroke,
     InsoleDesign,
@@ -24,8 +24,12 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.design_json import design_from_json, design_to_json, read_design
-from insole_core.insole.limits import (
+from insole_core.insole.prescription.design_json import (
+    design_from_json,
+    design_to_json,
+    read_design,
+)
+from insole_core.insole.prescription.design_limits import (
     CHOICES,
     CORRECTION_RANGES,
     DESIGN_RANGES,

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.sparse import diags_array, eye_array, kron
 from scipy.sparse.linalg import spsolve
 
-from insole_core.insole.filling import fill
+from insole_core.insole.surface.inpainting import fill
 
 
 def exact(heights: np.ndarray, known: np.ndarray) -> np.ndarray:

@@ -10,8 +10,13 @@ from hypothesis import strategies as st
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import BrushStroke, HeelCup, InsoleDesign, Posting
-from insole_core.insole.limits import CORRECTION_RANGES, LEAST_ZONE, check_design, range_beside
+from insole_core.insole.prescription.design import BrushStroke, HeelCup, InsoleDesign, Posting
+from insole_core.insole.prescription.design_limits import (
+    CORRECTION_RANGES,
+    LEAST_ZONE,
+    check_design,
+    range_beside,
+)
 
 ENDS = st.floats(LEAST_ZONE, 1.0)
 

@@ -10,8 +10,7 @@ import pytest
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign, Pelott
-from insole_core.insole.rules import (
+from insole_core.insole.prescription.clinic_rules import (
     BESIDE_FOOT,
     OVERLAP,
     ClinicRules,
@@ -19,6 +18,7 @@ from insole_core.insole.rules import (
     design_warnings,
     load_rules,
 )
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
 
 RULES = load_rules()
 ROUND = tuple(

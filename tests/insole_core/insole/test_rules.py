@@ -12,7 +12,14 @@ from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks, with_places
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import (
+from insole_core.insole.outline.insole_outline import insole_outline
+from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.prescription.clinic_rules import (
+    behind_heads_mm,
+    design_warnings,
+    load_rules,
+)
+from insole_core.insole.prescription.design import (
     BrushStroke,
     HeelCup,
     HeelLift,
@@ -22,11 +29,8 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.outline import insole_outline
-from insole_core.insole.outline_curve import crosses_itself, inside_curve
-from insole_core.insole.pronation import PronationStep
-from insole_core.insole.rules import behind_heads_mm, design_warnings, load_rules
-from insole_core.insole.template import (
+from insole_core.insole.prescription.pronation import PronationStep
+from insole_core.insole.prescription.template import (
     Template,
     apply_template,
     make_template,

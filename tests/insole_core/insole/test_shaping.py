@@ -11,8 +11,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.contact import contact_base
-from insole_core.insole.design import (
+from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
     Correction,
@@ -26,7 +25,8 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.mirroring import mirrored
+from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.surface.contact import contact_base
 
 PLATE_HALF, PLATE_LENGTH = 50.0, 240.0
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.side import Side
-from insole_core.insole.contact import contact_base
-from insole_core.insole.design import ArchRaise, BrushStroke, InsoleDesign, Pelott
-from insole_core.insole.surface import apply_pads, moved_pad
+from insole_core.insole.prescription.design import ArchRaise, BrushStroke, InsoleDesign, Pelott
+from insole_core.insole.surface.contact import contact_base
+from insole_core.insole.surface.pads_on_surface import apply_pads, moved_pad
 
 PAD = Pelott(centre_mm=(5.0, 150.0))
 OTHER = Pelott(centre_mm=(-12.0, 140.0), shape="bar", length_mm=30, width_mm=30, height_mm=2)

@@ -12,7 +12,7 @@ import pytest
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.surface.height_field import HeightField
 from insole_core.solids.checks import Finding, Override, check_solid, require_export
 from insole_core.solids.outline import outline_distance
 from insole_core.solids.plan import trim
@@ -137,7 +137,7 @@ def test_bad_rules(tmp_path: Path, change, sentence):
 
 def test_default_insole_can_leave_the_house(left_foot):
     from insole_core.insole.build import build_insole
-    from insole_core.insole.design import InsoleDesign
+    from insole_core.insole.prescription.design import InsoleDesign
     from insole_core.solids.solid import insole_solid
 
     solid = insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT)))

@@ -17,8 +17,8 @@ from insole_core.errors import DesignError, InputError, UsageError
 from insole_core.export.lettering import FONT_PATH, as_written, missing_letters
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
-from insole_core.insole.design import InsoleDesign, Layers, Pelott
-from insole_core.insole.prescription_lines import correction_lines
+from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
+from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.solids.checks import Override
 from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.order import Order, Part, make_part

@@ -15,7 +15,7 @@ from insole_core.export.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.marking import mark
 from insole_core.solids.nesting import nest_pair
 from insole_core.solids.simplification import distances_to, simplify, to_manifold

@@ -14,7 +14,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.record import Patient, ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
+from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Progress
 from insole_studio.bootstrap import Application
 from insole_studio.scripted import grab_window

@@ -20,8 +20,8 @@ from insole_core.cases.record import (
     Variant,
 )
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
-from insole_core.insole.rules import load_rules
+from insole_core.insole.prescription.clinic_rules import load_rules
+from insole_core.insole.prescription.design import Pelott
 from insole_studio.bootstrap import make_tools
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
-from insole_core.insole.design import Pelott
+from insole_core.insole.prescription.design import Pelott
 from insole_core.recording.hand_edits import Pixel
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box

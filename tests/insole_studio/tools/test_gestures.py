@@ -11,7 +11,7 @@ import pytest
 from insole_core.cases.record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.bootstrap import make_tools
 from insole_studio.scene.camera import Preset, Subject, ViewCamera, look
 from insole_studio.scene.pointer import Phase, PointerEvent

@@ -13,7 +13,7 @@ from insole_core.cases.record import (
     ScanSource,
 )
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_studio.workbench.case import Case
 
 SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)

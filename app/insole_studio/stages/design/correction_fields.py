@@ -8,7 +8,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from insole_core.insole.design import (
+from insole_core.insole.pads.pad_shapes import local_outline
+from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
     ForefootTwist,
@@ -21,7 +22,7 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.limits import (
+from insole_core.insole.prescription.design_limits import (
     CHOICES,
     CORRECTION_RANGES,
     DESIGN_RANGES,
@@ -30,7 +31,6 @@ from insole_core.insole.limits import (
     Range,
     range_beside,
 )
-from insole_core.insole.pad_shapes import local_outline
 from insole_studio.stages.design.rows import ChoiceSpec, FieldSpec
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import WORDS

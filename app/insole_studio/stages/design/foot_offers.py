@@ -9,11 +9,11 @@ from insole_core.cases.record import KeyPoint
 from insole_core.errors import InputError
 from insole_core.foot.aligning import PoseAngles, pose_angles
 from insole_core.foot.measures import measure
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import Pelott, Posting
-from insole_core.insole.limits import Range
-from insole_core.insole.pronation import proposed_post_deg
-from insole_core.insole.rules import ClinicRules
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.prescription.design_limits import Range
+from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.tools.correction_names import name_of

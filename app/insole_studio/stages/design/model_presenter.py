@@ -14,8 +14,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
-from insole_core.insole.design import Pelott
-from insole_core.insole.pads import pad_outline
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.design import Pelott
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent

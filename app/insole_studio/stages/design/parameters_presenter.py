@@ -7,14 +7,14 @@ from dataclasses import replace
 from typing import Any, Protocol
 
 from insole_core.cases.record import ReferencePlane
-from insole_core.insole.design import (
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.insole.prescription.design import (
     Correction,
     InsoleDesign,
     Pelott,
     Posting,
 )
-from insole_core.insole.limits import Range
-from insole_core.insole.rules import ClinicRules
+from insole_core.insole.prescription.design_limits import Range
 from insole_studio.stages.design.correction_fields import field_specs, with_value
 from insole_studio.stages.design.foot_offers import FootProposals
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal

@@ -10,8 +10,8 @@ from typing import Any, Protocol
 from insole_core.cases.record import Annotations, CaseRecord
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.corrections import CorrectionBase
-from insole_core.insole.design import ArchRaise, BrushStroke, Correction, Pelott
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import ArchRaise, BrushStroke, Correction, Pelott
 from insole_studio.stages.design.measure_texts import distances_of, measures_of
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from insole_core.insole.rules import ClinicRules
+from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_studio.scene.camera import Preset, Subject, ViewCamera
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from insole_core.insole.build import Insole
-from insole_core.insole.rules import ClinicRules, DesignWarning, design_warnings
+from insole_core.insole.prescription.clinic_rules import ClinicRules, DesignWarning, design_warnings
 from insole_studio.stages.design.rows import WarningRow
 from insole_studio.texts import translated
 from insole_studio.tools.correction_names import PAD_NAMES

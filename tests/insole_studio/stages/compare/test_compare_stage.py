@@ -18,7 +18,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.insole.build import build_insole
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
 from insole_studio.scene.camera import Subject, ViewCamera, look
 from insole_studio.scene.pointer import Phase, PointerEvent

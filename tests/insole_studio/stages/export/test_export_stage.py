@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.shop import read_shop
 from insole_studio.stages.export.rows import CheckState
 from insole_studio.stages.export.stage import ExportStage

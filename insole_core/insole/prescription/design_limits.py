@@ -1,7 +1,7 @@
 """What the values of a design may be: one table for files, spin boxes and the builder.
 
 The ranges are wide, from what devices and shops can do; what is usual or advisable is a matter of
-the clinic's own rules (`insole_core.insole.rules`).
+the clinic's own rules (`insole_core.insole.prescription.clinic_rules`).
 """
 
 from __future__ import annotations
@@ -11,7 +11,9 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from insole_core.errors import DesignError
-from insole_core.insole.design import (
+from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
+from insole_core.insole.pads.pad_shapes import PAD_SHAPES, encloses_centre
+from insole_core.insole.prescription.design import (
     ArchRaise,
     BrushStroke,
     Correction,
@@ -24,8 +26,6 @@ from insole_core.insole.design import (
     Pelott,
     Posting,
 )
-from insole_core.insole.outline_curve import closed_curve, crosses_itself
-from insole_core.insole.pad_shapes import PAD_SHAPES, encloses_centre
 
 
 @dataclass(frozen=True)

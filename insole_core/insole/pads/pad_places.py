@@ -10,8 +10,8 @@ import numpy as np
 from insole_core.foot.landmarks import HEADS, Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.clearance import clearance
-from insole_core.insole.corrections import Pelott
+from insole_core.insole.pads.clearance import clearance
+from insole_core.insole.prescription.corrections import Pelott
 
 _RAY_BEHIND_MM = 12.0  # how far behind the 1st head an extension of the ray begins
 _MIDDLE_HEADS = HEADS[1:4]

@@ -12,11 +12,11 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, Landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.blending import smooth_step
-from insole_core.insole.design import InsoleDesign, Outline, Place
-from insole_core.insole.fair_curve import fair_curve
-from insole_core.insole.foot_border import foot_border
-from insole_core.insole.outline_curve import closed_curve, evenly_spread, smoothed_along
+from insole_core.insole.outline.fair_curve import fair_curve
+from insole_core.insole.outline.foot_border import foot_border
+from insole_core.insole.outline.outline_curve import closed_curve, evenly_spread, smoothed_along
+from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.surface.blending import smooth_step
 
 # All in shares of the foot's length.
 _HEEL_TO_BALL = (0.30, 0.55)

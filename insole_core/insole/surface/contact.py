@@ -15,7 +15,8 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
-from insole_core.insole.design import (
+from insole_core.insole.outline.insole_outline import outline_reach
+from insole_core.insole.prescription.design import (
     ForefootTwist,
     HeelCup,
     HeelLift,
@@ -24,11 +25,10 @@ from insole_core.insole.design import (
     Place,
     Posting,
 )
-from insole_core.insole.filling import fill
-from insole_core.insole.heel import cupped, lifted, skived
-from insole_core.insole.height_field import HeightField
-from insole_core.insole.outline import outline_reach
-from insole_core.insole.posting import posted
+from insole_core.insole.surface.heel import cupped, lifted, skived
+from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.inpainting import fill
+from insole_core.insole.surface.posting import posted
 from insole_core.progress import SILENT, Progress
 
 _FACING = -0.42  # z of a normal that still counts as plantar: walls up to 65 degrees

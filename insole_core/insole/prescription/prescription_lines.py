@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from insole_core.insole.design import Correction, InsoleDesign
+from insole_core.insole.prescription.design import Correction, InsoleDesign
 
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
 _SILENT = {"id", "enabled", "author", "created_at"}

@@ -15,9 +15,9 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.blending import smooth_step
-from insole_core.insole.design import ForefootTwist, InsoleDesign, Posting
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.prescription.design import ForefootTwist, InsoleDesign, Posting
+from insole_core.insole.surface.blending import smooth_step
+from insole_core.insole.surface.height_field import HeightField
 
 _RIM_START = 0.7
 """Share of the way from a section's middle to its border, from where intrinsic posting fades."""

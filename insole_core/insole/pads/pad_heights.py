@@ -15,9 +15,9 @@ from scipy.ndimage import gaussian_filter, map_coordinates
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.blending import smooth_step
-from insole_core.insole.corrections import Pelott
-from insole_core.insole.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
+from insole_core.insole.pads.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
+from insole_core.insole.prescription.corrections import Pelott
+from insole_core.insole.surface.blending import smooth_step
 
 _PLATEAU = 0.5  # share of the way to the outline that the window of a dome leaves untouched
 _WIDEST_EDGE = 0.95  # share of the way to the outline that the edge may take

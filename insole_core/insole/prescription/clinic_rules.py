@@ -12,8 +12,10 @@ import numpy as np
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
-from insole_core.insole.clearance import clearance
-from insole_core.insole.design import (
+from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.pads.clearance import clearance
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.design import (
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -22,10 +24,8 @@ from insole_core.insole.design import (
     Place,
     Posting,
 )
-from insole_core.insole.outline_curve import inside_curve
-from insole_core.insole.pads import pad_outline
-from insole_core.insole.posting import posting_angles
-from insole_core.insole.pronation import PronationStep
+from insole_core.insole.prescription.pronation import PronationStep
+from insole_core.insole.surface.posting import posting_angles
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 

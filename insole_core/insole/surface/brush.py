@@ -7,8 +7,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.blending import gaussian_hill
-from insole_core.insole.design import BrushStroke
+from insole_core.insole.prescription.design import BrushStroke
+from insole_core.insole.surface.blending import gaussian_hill
 
 _PITCH = 1 / 40  # of the radius, between the points that stand for the way
 _SIGMA = 1 / 3  # of the radius: how far smoothing looks

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.corrections import Pelott
-from insole_core.insole.pads import pad_outline
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.corrections import Pelott
 
 _OUTLINE_POINTS = 180
 

@@ -9,14 +9,14 @@ from typing import Any, NoReturn
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
-from insole_core.insole.design import (
+from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
     Correction,
     InsoleDesign,
     Layers,
     Outline,
 )
-from insole_core.insole.limits import CHOICES, check_design
+from insole_core.insole.prescription.design_limits import CHOICES, check_design
 
 FORMAT, VERSION = "insole-design", 1
 

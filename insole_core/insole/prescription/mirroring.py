@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import fields, replace
 from typing import Any, TypeVar
 
-from insole_core.insole.corrections import Correction, Pelott, Place
-from insole_core.insole.design import InsoleDesign
+from insole_core.insole.prescription.corrections import Correction, Pelott, Place
+from insole_core.insole.prescription.design import InsoleDesign
 
 PLACE_KEYS = ("centre_mm", "apex_mm", "points_mm")
 """Keys that hold places on the foot: one, a list of them, or none."""

@@ -7,9 +7,9 @@ from scipy.ndimage import distance_transform_edt
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.blending import smooth_hinge, smooth_step
-from insole_core.insole.design import HeelCup, HeelLift, HeelSkive
-from insole_core.insole.height_field import HeightField
+from insole_core.insole.prescription.design import HeelCup, HeelLift, HeelSkive
+from insole_core.insole.surface.blending import smooth_hinge, smooth_step
+from insole_core.insole.surface.height_field import HeightField
 
 HEEL_SHARE = 0.22
 """Share of the foot's length that the heel takes."""

@@ -11,9 +11,9 @@ from functools import lru_cache
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.corrections import Pelott, Place
-from insole_core.insole.egg_curve import egg_curve
-from insole_core.insole.outline_curve import closed_curve, inside_curve
+from insole_core.insole.outline.outline_curve import closed_curve, inside_curve
+from insole_core.insole.pads.egg_curve import egg_curve
+from insole_core.insole.prescription.corrections import Pelott, Place
 
 PAD_SHAPES = (
     "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
