@@ -20,13 +20,17 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/calibratio
 from simulated_board import COLOR_CAMERA, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice, smooth_distortion, wall
 
-from insole_core.calibration.board import BoardDetection, Chequerboard, shifted
-from insole_core.calibration.board_depth import calibrate_board_depth
-from insole_core.calibration.boards_in_depth import BoardInDepth, board_planes
-from insole_core.calibration.captures import capture_from_frames
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.intrinsics import calibrate_camera, with_shift
-from insole_core.calibration.stereo import IR_TO_DEPTH_PX, StereoCalibration, calibrate_stereo
+from insole_core.calibration.boards.board import BoardDetection, Chequerboard, shifted
+from insole_core.calibration.boards.board_depth import calibrate_board_depth
+from insole_core.calibration.boards.boards_in_depth import BoardInDepth, board_planes
+from insole_core.calibration.boards.intrinsics import calibrate_camera, with_shift
+from insole_core.calibration.boards.stereo import (
+    IR_TO_DEPTH_PX,
+    StereoCalibration,
+    calibrate_stereo,
+)
+from insole_core.calibration.walls.captures import capture_from_frames
+from insole_core.calibration.walls.distortion import calibrate_distortion
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
 from insole_core.sensing.camera import PinholeCamera

@@ -14,10 +14,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests/insole_core/calibration"))
 from simulated_board import spread_poses
 
-from insole_core.calibration.adjustment import Blocks, pose, pose_vector
-from insole_core.calibration.board import Chequerboard
-from insole_core.calibration.boards_in_depth import board_planes
+from insole_core.calibration.boards.board import Chequerboard
+from insole_core.calibration.boards.boards_in_depth import board_planes
 from insole_core.calibration.depth_sensor import DepthSensor
+from insole_core.calibration.least_squares import Blocks, pose, pose_vector
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.sensing.camera import PinholeCamera

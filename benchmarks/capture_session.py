@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks._measure import print_table
-from insole_core.calibration.reference_file import load_reference_system
+from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest
 from insole_core.resources import resource_path

@@ -11,8 +11,8 @@ from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from insole_core.calibration.board import Charuco, Chequerboard
-from insole_core.calibration.reference_file import positions
+from insole_core.calibration.boards.board import Charuco, Chequerboard
+from insole_core.calibration.markers.reference_file import positions
 from insole_core.errors import UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray

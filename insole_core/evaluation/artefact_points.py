@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture
-from insole_core.calibration.wall_plane import fit_wall, plane_rows
+from insole_core.calibration.walls.captures import WallCapture
+from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import InputError
 from insole_core.evaluation.artefact import fit_sphere
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray

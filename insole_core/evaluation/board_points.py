@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import BoardDetection
-from insole_core.calibration.boards_in_depth import BoardInDepth
-from insole_core.calibration.stereo import board_pose
+from insole_core.calibration.boards.board import BoardDetection
+from insole_core.calibration.boards.boards_in_depth import BoardInDepth
+from insole_core.calibration.boards.stereo import board_pose
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.alignment import Correspondence
 from insole_core.evaluation.color_points import points_at_color

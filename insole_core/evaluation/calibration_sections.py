@@ -9,16 +9,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from insole_core.calibration.disparity_fit import DisparityFit
-from insole_core.calibration.distortion import DistortionCalibration
-from insole_core.calibration.intrinsics import (
+from insole_core.calibration.boards.intrinsics import (
     PARAMETERS,
     CameraCalibration,
     parameters_of,
 )
-from insole_core.calibration.marker_survey import MarkerSurvey
-from insole_core.calibration.reference_file import BumpCheck, FaceCheck, positions
-from insole_core.calibration.stereo import StereoCalibration
+from insole_core.calibration.boards.stereo import StereoCalibration
+from insole_core.calibration.markers.marker_survey import MarkerSurvey
+from insole_core.calibration.markers.reference_file import BumpCheck, FaceCheck, positions
+from insole_core.calibration.walls.disparity_fit import DisparityFit
+from insole_core.calibration.walls.distortion import DistortionCalibration
 from insole_core.evaluation.report import Number, Plot, ReportSection, Share, Table
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform

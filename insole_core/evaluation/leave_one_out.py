@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from insole_core.calibration.captures import WallCapture
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.thesis_maps import cubic_map, mean_map
-from insole_core.calibration.wall_plane import fit_wall, plane_rows
+from insole_core.calibration.walls.captures import WallCapture
+from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.thesis_maps import cubic_map, mean_map
+from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.wall import Correction, NoCorrection, WallError, wall_error
 from insole_core.progress import SILENT, Progress

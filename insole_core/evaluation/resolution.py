@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel

@@ -8,8 +8,8 @@ from typing import Protocol
 
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture
-from insole_core.calibration.wall_plane import plane_rows
+from insole_core.calibration.walls.captures import WallCapture
+from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.sensing.camera import PinholeCamera

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from matplotlib.figure import Figure
 
-from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.walls.captures import WallCapture
 from insole_core.evaluation.report import Plot
 from insole_core.evaluation.wall import Correction, wall_deviation_mm
 from insole_core.geometry.arrays import FloatArray

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 import insole_core
 import insole_studio
 from insole_core import errors
-from insole_core.calibration.board import Chequerboard
+from insole_core.calibration.boards.board import Chequerboard
 from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.resources import resource_path

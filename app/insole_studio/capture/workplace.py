@@ -7,8 +7,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal, Protocol
 
-from insole_core.calibration.applying import apply_correction
-from insole_core.calibration.reference_file import load_reference_system
+from insole_core.calibration.markers.reference_file import load_reference_system
+from insole_core.calibration.stored_correction import apply_correction
 from insole_core.recording.session import Box, ReferenceSystem, Session
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor

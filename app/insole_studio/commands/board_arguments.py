@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 
 if TYPE_CHECKING:
-    from insole_core.calibration.board import Board
+    from insole_core.calibration.boards.board import Board
 
 _SIZE = re.compile(r"(\d{1,3})[x×](\d{1,3})")
 
@@ -40,7 +40,7 @@ def board_of(arguments: argparse.Namespace) -> Board:
     UsageError
         When its size cannot be read, or cannot be.
     """
-    from insole_core.calibration.board import Charuco, Chequerboard
+    from insole_core.calibration.boards.board import Charuco, Chequerboard
 
     size = _SIZE.fullmatch(arguments.board)
     if size is None:

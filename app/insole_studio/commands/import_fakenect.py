@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the recordings and write the session."""
-    from insole_core.calibration.reference_file import load_reference_system
+    from insole_core.calibration.markers.reference_file import load_reference_system
     from insole_core.geometry.side import Side
     from insole_core.recording.session import Manifest, Session
     from insole_core.recording.writer import write_session

@@ -59,7 +59,7 @@ def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
         return sensor
     from datetime import UTC, datetime
 
-    from insole_core.calibration.applying import apply_correction
+    from insole_core.calibration.stored_correction import apply_correction
     from insole_core.sensing.correction import load_correction
 
     correction = sensor.correction

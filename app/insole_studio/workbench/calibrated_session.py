@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from datetime import UTC, datetime
 
-from insole_core.calibration.applying import apply_correction
+from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection

@@ -10,16 +10,16 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import Board, BoardDetection, read_grey
-from insole_core.calibration.board_plan import (
+from insole_core.calibration.boards.board import Board, BoardDetection, read_grey
+from insole_core.calibration.boards.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
     missing_turns,
     turn_of,
 )
-from insole_core.calibration.captures import WallCapture, read_captures
-from insole_core.calibration.coverage import count_corners, missing_regions
-from insole_core.calibration.wall_plane import WallFit, fit_wall, plane_rows
+from insole_core.calibration.boards.picture_coverage import count_corners, missing_regions
+from insole_core.calibration.walls.captures import WallCapture, read_captures
+from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.progress import SILENT, Progress

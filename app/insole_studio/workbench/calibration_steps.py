@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from insole_core.calibration.board import Board, BoardDetection, picture_paths, shifted
-from insole_core.calibration.intrinsics import find_boards
-from insole_core.calibration.stereo import IR_TO_DEPTH_PX, common_corners
+from insole_core.calibration.boards.board import Board, BoardDetection, picture_paths, shifted
+from insole_core.calibration.boards.intrinsics import find_boards
+from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress

@@ -6,15 +6,15 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
-from insole_core.calibration.board import Board
-from insole_core.calibration.intrinsics import (
+from insole_core.calibration.boards.board import Board
+from insole_core.calibration.boards.intrinsics import (
     CameraCalibration,
     IntrinsicsOptions,
     calibrate_camera,
     find_boards,
     with_shift,
 )
-from insole_core.calibration.stereo import IR_TO_DEPTH_PX
+from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.calibration_sections import camera_section
 from insole_core.progress import SILENT, Progress

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.calibration.captures import capture_from_frames
-from insole_core.calibration.marker_survey import MarkerView
+from insole_core.calibration.markers.marker_survey import MarkerView
+from insole_core.calibration.walls.captures import capture_from_frames
 from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform

@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.calibration.board import Board, BoardDetection
-from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
-from insole_core.calibration.board_plan import (
+from insole_core.calibration.boards.board import Board, BoardDetection
+from insole_core.calibration.boards.board_depth import BoardDepthOptions, calibrate_board_depth
+from insole_core.calibration.boards.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
     missing_turns,
 )
-from insole_core.calibration.boards_in_depth import read_boards_in_depth
+from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
+from insole_core.calibration.boards.intrinsics import find_boards
+from insole_core.calibration.boards.stereo import StereoCalibration, calibrate_stereo
 from insole_core.calibration.depth_sensor import add_tilt
-from insole_core.calibration.intrinsics import find_boards
-from insole_core.calibration.stereo import StereoCalibration, calibrate_stereo
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.calibration_sections import stereo_section
 from insole_core.evaluation.evaluation_sections import alignment_section

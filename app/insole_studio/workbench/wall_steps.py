@@ -6,11 +6,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from insole_core.calibration.board import Board
-from insole_core.calibration.captures import WallCapture, check_same_device, read_captures
-from insole_core.calibration.disparity_fit import centre_pairs, fit_linear_inverse, fit_tangent
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.wall_boards import with_board_planes
+from insole_core.calibration.boards.board import Board
+from insole_core.calibration.walls.captures import WallCapture, check_same_device, read_captures
+from insole_core.calibration.walls.disparity_fit import (
+    centre_pairs,
+    fit_linear_inverse,
+    fit_tangent,
+)
+from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.wall_boards import with_board_planes
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
 from insole_core.evaluation.wall import Correction, NoCorrection

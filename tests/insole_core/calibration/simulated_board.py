@@ -7,7 +7,7 @@ from functools import cache
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import Board, BoardDetection
+from insole_core.calibration.boards.board import Board, BoardDetection
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.sensing.camera import PinholeCamera

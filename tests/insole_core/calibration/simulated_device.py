@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture, capture_from_frames
-from insole_core.calibration.wall_plane import plane_rows
+from insole_core.calibration.walls.captures import WallCapture, capture_from_frames
+from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
 from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import NO_READING, LinearInverseDisparity

@@ -11,8 +11,8 @@ import numpy as np
 from simulated_board import board_poses, chequer_print, photograph
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
-from insole_core.calibration.board import Chequerboard
-from insole_core.calibration.intrinsics import with_shift
+from insole_core.calibration.boards.board import Chequerboard
+from insole_core.calibration.boards.intrinsics import with_shift
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.sensing.camera import PinholeCamera

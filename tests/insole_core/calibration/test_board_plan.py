@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from simulated_board import COLOR_CAMERA, sight, spread_poses
 
-from insole_core.calibration.board import BoardDetection, Chequerboard
-from insole_core.calibration.board_plan import EACH_WITH_DEPTH, missing_turns, turn_of
+from insole_core.calibration.boards.board import BoardDetection, Chequerboard
+from insole_core.calibration.boards.board_plan import EACH_WITH_DEPTH, missing_turns, turn_of
 from insole_core.geometry.transforms import rigid, rotation_about
 
 BOARD = Chequerboard(10, 7, 30)

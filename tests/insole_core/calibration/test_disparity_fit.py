@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from insole_core.calibration.disparity_fit import (
+from insole_core.calibration.walls.disparity_fit import (
     fit_linear_inverse,
     fit_tangent,
     linear_inverse_near,

@@ -14,10 +14,10 @@ from simulated_device import (
     wall,
 )
 
-from insole_core.calibration.captures import WallCapture, capture_from_frames, read_captures
-from insole_core.calibration.distortion import DistortionCalibration, calibrate_distortion
-from insole_core.calibration.thesis_maps import cubic_map, mean_map
-from insole_core.calibration.wall_plane import fit_wall, plane_rows
+from insole_core.calibration.walls.captures import WallCapture, capture_from_frames, read_captures
+from insole_core.calibration.walls.distortion import DistortionCalibration, calibrate_distortion
+from insole_core.calibration.walls.thesis_maps import cubic_map, mean_map
+from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.leave_one_out import leave_one_out
 from insole_core.geometry.arrays import FloatArray

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from simulated_board import COLOR_CAMERA, board_poses, chequer_print, photograph, sight
 
-from insole_core.calibration.board import (
+from insole_core.calibration.boards.board import (
     BoardDetection,
     Charuco,
     Chequerboard,
     picture_paths,
     read_grey,
 )
-from insole_core.calibration.intrinsics import (
+from insole_core.calibration.boards.intrinsics import (
     PARAMETERS,
     IntrinsicsOptions,
     calibrate_camera,

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from simulated_board import COLOR_CAMERA
 
-from insole_core.calibration.marker_survey import (
+from insole_core.calibration.markers.marker_survey import (
     KnownLength,
     MarkerSurvey,
     MarkerView,
     check_survey,
     survey_markers,
 )
-from insole_core.calibration.reference_file import load_reference_system, positions
+from insole_core.calibration.markers.reference_file import load_reference_system, positions
 from insole_core.errors import CalibrationError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray

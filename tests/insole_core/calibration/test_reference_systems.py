@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.calibration.reference_file import (
+from insole_core.calibration.markers.reference_file import (
     check_for_bump,
     check_reference_system,
     load_reference_system,

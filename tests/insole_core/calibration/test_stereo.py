@@ -9,16 +9,16 @@ import pytest
 from simulated_board import COLOR_CAMERA, board_poses, sight, spread_poses
 from simulated_device import CAMERA, DISPARITY, SimulatedDevice
 
-from insole_core.calibration.board import BoardDetection, Chequerboard, shifted
-from insole_core.calibration.board_depth import BoardDepthOptions, calibrate_board_depth
-from insole_core.calibration.boards_in_depth import (
+from insole_core.calibration.boards.board import BoardDetection, Chequerboard, shifted
+from insole_core.calibration.boards.board_depth import BoardDepthOptions, calibrate_board_depth
+from insole_core.calibration.boards.boards_in_depth import (
     BoardInDepth,
     board_planes,
     read_boards_in_depth,
 )
+from insole_core.calibration.boards.intrinsics import calibrate_camera, parameters_of
+from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, calibrate_stereo
 from insole_core.calibration.depth_sensor import add_tilt
-from insole_core.calibration.intrinsics import calibrate_camera, parameters_of
-from insole_core.calibration.stereo import IR_TO_DEPTH_PX, calibrate_stereo
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg

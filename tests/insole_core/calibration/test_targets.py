@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from simulated_device import CAMERA, DISPARITY
 
-from insole_core.calibration.applying import apply_correction
-from insole_core.calibration.board import Charuco, Chequerboard
+from insole_core.calibration.boards.board import Charuco, Chequerboard
+from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.calibration.print_targets import (
     A3_MM,
     A4_MM,
@@ -22,7 +22,7 @@ from insole_core.calibration.print_targets import (
     write_building_plan,
     write_chequerboard,
 )
-from insole_core.calibration.reference_file import load_reference_system
+from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.geometry.arrays import ByteArray
 from insole_core.resources import resource_path

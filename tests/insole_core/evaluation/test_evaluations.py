@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, smooth_distortion, wall
 
-from insole_core.calibration.captures import WallCapture
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.wall_plane import expected_raw, plane_rows
+from insole_core.calibration.walls.captures import WallCapture
+from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.wall_plane import expected_raw, plane_rows
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.artefact import evaluate_artefact, fit_plane, fit_sphere

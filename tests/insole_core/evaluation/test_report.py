@@ -8,12 +8,15 @@ import pytest
 from simulated_board import COLOR_CAMERA, board_poses, sight
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, smooth_distortion
 
-from insole_core.calibration.board import Chequerboard
-from insole_core.calibration.disparity_fit import fit_linear_inverse
-from insole_core.calibration.distortion import calibrate_distortion
-from insole_core.calibration.intrinsics import calibrate_camera
-from insole_core.calibration.reference_file import check_reference_system, load_reference_system
-from insole_core.calibration.stereo import calibrate_stereo
+from insole_core.calibration.boards.board import Chequerboard
+from insole_core.calibration.boards.intrinsics import calibrate_camera
+from insole_core.calibration.boards.stereo import calibrate_stereo
+from insole_core.calibration.markers.reference_file import (
+    check_reference_system,
+    load_reference_system,
+)
+from insole_core.calibration.walls.disparity_fit import fit_linear_inverse
+from insole_core.calibration.walls.distortion import calibrate_distortion
 from insole_core.errors import OutputError
 from insole_core.evaluation.alignment import Misalignment
 from insole_core.evaluation.artefact import ArtefactEvaluation

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from insole_core.calibration.reference_file import load_reference_system
+from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.resources import resource_path

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from capture_samples import Bench
 
-from insole_core.calibration.reference_file import save_reference_system
+from insole_core.calibration.markers.reference_file import save_reference_system
 from insole_core.errors import CalibrationError
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection

@@ -24,7 +24,7 @@ from simulated_folders import (
     write_walls,
 )
 
-from insole_core.calibration.applying import MOST_DAYS
+from insole_core.calibration.stored_correction import MOST_DAYS
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection

@@ -12,7 +12,7 @@ import pytest
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, wall
 from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
 
-from insole_core.calibration.wall_plane import plane_rows
+from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session

@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from insole_core.calibration.intrinsics import IntrinsicsOptions
+    from insole_core.calibration.boards.intrinsics import IntrinsicsOptions
 
 
 def add_lens_arguments(parser: argparse.ArgumentParser) -> None:
@@ -17,6 +17,6 @@ def add_lens_arguments(parser: argparse.ArgumentParser) -> None:
 
 def options_of(arguments: argparse.Namespace) -> IntrinsicsOptions:
     """Give the options of a call."""
-    from insole_core.calibration.intrinsics import IntrinsicsOptions
+    from insole_core.calibration.boards.intrinsics import IntrinsicsOptions
 
     return IntrinsicsOptions(fit_k3=arguments.fit_k3, fit_skew=arguments.fit_skew)

@@ -15,7 +15,7 @@ from insole_core.progress import Progress
 from insole_studio.commands.report_arguments import add_report_argument, check_reports
 
 if TYPE_CHECKING:
-    from insole_core.calibration.marker_survey import KnownLength, MarkerSurvey
+    from insole_core.calibration.markers.marker_survey import KnownLength, MarkerSurvey
     from insole_core.recording.session import ReferenceSystem
 
 NAME = "reference"
@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError("Measuring a built system needs both --sessions and --length.")
     if arguments.out and not arguments.sessions:
         raise UsageError("--out writes what --sessions have measured; name them too.")
-    from insole_core.calibration.reference_file import load_reference_system
+    from insole_core.calibration.markers.reference_file import load_reference_system
     from insole_core.resources import resource_path
 
     path = arguments.system or resource_path("reference_systems/lego-20.json")
@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _check(system: ReferenceSystem, arguments: argparse.Namespace) -> None:
-    from insole_core.calibration.reference_file import check_reference_system
+    from insole_core.calibration.markers.reference_file import check_reference_system
     from insole_core.evaluation.calibration_sections import reference_section
     from insole_core.evaluation.report import section_lines
     from insole_studio.workbench.calibration_report import make_report, write_reports
@@ -89,8 +89,8 @@ def _check(system: ReferenceSystem, arguments: argparse.Namespace) -> None:
 
 
 def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Progress) -> None:
-    from insole_core.calibration.marker_survey import check_survey, survey_markers
-    from insole_core.calibration.reference_file import save_reference_system
+    from insole_core.calibration.markers.marker_survey import check_survey, survey_markers
+    from insole_core.calibration.markers.reference_file import save_reference_system
     from insole_core.evaluation.calibration_sections import survey_section
     from insole_core.evaluation.report import section_lines
     from insole_studio.workbench.calibration_report import make_report, write_reports
@@ -129,7 +129,7 @@ def _check_certain(survey: MarkerSurvey, moved_mm: float) -> None:
 
 
 def _lengths(given: Sequence[Sequence[str]]) -> list[KnownLength]:
-    from insole_core.calibration.marker_survey import KnownLength
+    from insole_core.calibration.markers.marker_survey import KnownLength
 
     return [KnownLength(first, second, _length_mm(text)) for first, second, text in given]
 

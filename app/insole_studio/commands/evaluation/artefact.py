@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Find spheres and plates, measure them, judge."""
     check_reports(arguments)
-    from insole_core.calibration.captures import read_captures
+    from insole_core.calibration.walls.captures import read_captures
     from insole_core.evaluation.artefact import evaluate_artefact
     from insole_core.evaluation.artefact_points import plate_points, sphere_points
     from insole_core.evaluation.evaluation_sections import artefact_section

@@ -60,8 +60,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 def _measure_boards(
     arguments: argparse.Namespace, sensor: Sensor, progress: Progress
 ) -> ObjectEvaluation:
-    from insole_core.calibration.boards_in_depth import read_boards_in_depth
-    from insole_core.calibration.intrinsics import find_boards
+    from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
+    from insole_core.calibration.boards.intrinsics import find_boards
     from insole_core.evaluation.board_points import evaluate_boards
     from insole_studio.workbench.calibration_steps import (
         COLOR,
@@ -81,7 +81,7 @@ def _measure_boards(
 def _measure_points(
     arguments: argparse.Namespace, sensor: Sensor, progress: Progress
 ) -> ObjectEvaluation:
-    from insole_core.calibration.captures import capture_from_frames, read_frames
+    from insole_core.calibration.walls.captures import capture_from_frames, read_frames
     from insole_core.evaluation.distances import evaluate_object
     from insole_core.evaluation.marked_points import load_object_points
     from insole_studio.workbench.calibration_steps import depth_images
@@ -100,8 +100,8 @@ def _measure_spots(
     arguments: argparse.Namespace, sensor: Sensor, points: ObjectPoints, progress: Progress
 ) -> ObjectEvaluation:
     """Find the spots in every position of the object; a position without them is left out."""
-    from insole_core.calibration.board import read_color
-    from insole_core.calibration.boards_in_depth import read_depth_beside
+    from insole_core.calibration.boards.board import read_color
+    from insole_core.calibration.boards.boards_in_depth import read_depth_beside
     from insole_core.errors import CalibrationError
     from insole_core.evaluation.distances import evaluate_object, summarise
     from insole_core.evaluation.object_spots import measure_spots

@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the frames once, measure, judge."""
     check_reports(arguments)
-    from insole_core.calibration.captures import read_frames
+    from insole_core.calibration.walls.captures import read_frames
     from insole_core.evaluation.evaluation_sections import noise_section
     from insole_core.evaluation.noise import measure_noise, measure_warm_up
     from insole_studio.workbench.calibration_steps import depth_images

@@ -13,7 +13,7 @@ from insole_studio.commands.report_arguments import check_reports, conclude
 from insole_studio.commands.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
-    from insole_core.calibration.captures import WallCapture
+    from insole_core.calibration.walls.captures import WallCapture
     from insole_core.evaluation.report import ReportSection
     from insole_core.evaluation.wall import Correction
     from insole_core.sensing.sensor import Sensor

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from insole_core.calibration.board import Board, Chequerboard
+from insole_core.calibration.boards.board import Board, Chequerboard
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray
 from insole_core.progress import Progress

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from insole_core.calibration.board import Board
+from insole_core.calibration.boards.board import Board
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
 from insole_studio.texts import tr

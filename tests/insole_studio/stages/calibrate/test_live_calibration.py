@@ -13,7 +13,7 @@ from simulated_board import board_poses, chequer_print, photograph
 from simulated_device import SimulatedDevice, wall
 from simulated_folders import BOARD, SENSOR
 
-from insole_core.calibration.reference_file import load_reference_system
+from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.calibration.wall_plane import WallFit
+from insole_core.calibration.walls.wall_plane import WallFit
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection

@@ -13,9 +13,15 @@ from functools import cached_property
 import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, Blocks, least_squares, pose, pose_vector
-from insole_core.calibration.board import BoardDetection
-from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
+from insole_core.calibration.boards.board import BoardDetection
+from insole_core.calibration.boards.intrinsics import LENS, parameters_of, with_parameters
+from insole_core.calibration.least_squares import (
+    Adjustment,
+    Blocks,
+    least_squares,
+    pose,
+    pose_vector,
+)
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform

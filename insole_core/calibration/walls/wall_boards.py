@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from insole_core.calibration.board import Board, picture_paths, read_grey
-from insole_core.calibration.boards_in_depth import board_planes
-from insole_core.calibration.captures import WallCapture
-from insole_core.calibration.stereo import board_pose
+from insole_core.calibration.boards.board import Board, picture_paths, read_grey
+from insole_core.calibration.boards.boards_in_depth import board_planes
+from insole_core.calibration.boards.stereo import board_pose
+from insole_core.calibration.walls.captures import WallCapture
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
 

@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from insole_core.calibration.face_links import Faces, linked_faces
-from insole_core.calibration.marker_bundle import (
+from insole_core.calibration.markers.face_links import Faces, linked_faces
+from insole_core.calibration.markers.marker_bundle import (
     Adjusted,
     KnownLength,
     MarkerView,
     adjust_bundle,
 )
-from insole_core.calibration.reference_file import BumpCheck, check_for_bump, positions
+from insole_core.calibration.markers.reference_file import BumpCheck, check_for_bump, positions
 from insole_core.errors import CalibrationError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray

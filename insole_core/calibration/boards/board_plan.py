@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import BoardDetection
-from insole_core.calibration.intrinsics import nominal_normal
+from insole_core.calibration.boards.board import BoardDetection
+from insole_core.calibration.boards.intrinsics import nominal_normal
 
 SIDES = ("left", "right", "up", "down")
 LEAST_TURN_DEG = 35.0

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from scipy import sparse
 
-from insole_core.calibration.wall_plane import WallFit
+from insole_core.calibration.walls.wall_plane import WallFit
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
 BLOCK_PX = 8

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.sensing.camera import PinholeCamera

@@ -14,8 +14,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, huber_weight, least_squares, pose
-from insole_core.calibration.board_depth_problem import (
+from insole_core.calibration.boards.board_depth_problem import (
     CORNER,
     LEAST_ERRORS,
     NUMBERS,
@@ -23,10 +22,11 @@ from insole_core.calibration.board_depth_problem import (
     Problem,
     measured_of,
 )
-from insole_core.calibration.boards_in_depth import BoardInDepth, board_patch
+from insole_core.calibration.boards.boards_in_depth import BoardInDepth, board_patch
+from insole_core.calibration.boards.intrinsics import LENS
+from insole_core.calibration.boards.stereo import StereoCalibration, as_stereo, board_pose
 from insole_core.calibration.depth_sensor import DepthSensor
-from insole_core.calibration.intrinsics import LENS
-from insole_core.calibration.stereo import StereoCalibration, as_stereo, board_pose
+from insole_core.calibration.least_squares import Adjustment, huber_weight, least_squares, pose
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.sensing.camera import PinholeCamera

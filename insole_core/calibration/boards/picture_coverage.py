@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from insole_core.calibration.board import BoardDetection
+from insole_core.calibration.boards.board import BoardDetection
 from insole_core.geometry.arrays import IntArray
 
 _CELLS = (6, 8)

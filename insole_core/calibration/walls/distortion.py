@@ -8,10 +8,10 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from insole_core.calibration.captures import WallCapture, check_same_device
-from insole_core.calibration.map_blocks import BLOCK_PX, Blocks, blocks_of, to_pixels
-from insole_core.calibration.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
-from insole_core.calibration.wall_plane import WallFit, fit_wall, plane_rows
+from insole_core.calibration.walls.captures import WallCapture, check_same_device
+from insole_core.calibration.walls.map_blocks import BLOCK_PX, Blocks, blocks_of, to_pixels
+from insole_core.calibration.walls.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
+from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.camera import PinholeCamera

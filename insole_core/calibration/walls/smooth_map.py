@@ -19,7 +19,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from insole_core.calibration.map_blocks import Blocks, bending
+from insole_core.calibration.walls.map_blocks import Blocks, bending
 from insole_core.geometry.arrays import FloatArray
 from insole_core.sensing.correction import decay_lever
 

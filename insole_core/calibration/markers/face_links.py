@@ -9,7 +9,7 @@ from itertools import combinations
 import cv2
 import numpy as np
 
-from insole_core.calibration.marker_bundle import MarkerView, planned_pose
+from insole_core.calibration.markers.marker_bundle import MarkerView, planned_pose
 from insole_core.geometry.arrays import FloatArray
 from insole_core.recording.session import ReferenceSystem
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.board import BoardDetection
-from insole_core.calibration.captures import capture_from_frames, read_depth, read_frames
+from insole_core.calibration.boards.board import BoardDetection
+from insole_core.calibration.walls.captures import capture_from_frames, read_depth, read_frames
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.camera import PinholeCamera

@@ -8,12 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, Blocks, pose, pose_vector
-from insole_core.calibration.board import BoardDetection
-from insole_core.calibration.boards_in_depth import board_planes
+from insole_core.calibration.boards.board import BoardDetection
+from insole_core.calibration.boards.boards_in_depth import board_planes
+from insole_core.calibration.boards.intrinsics import LENS, parameters_of, with_parameters
 from insole_core.calibration.depth_sensor import DepthSensor
-from insole_core.calibration.disparity_fit import linear_inverse_near
-from insole_core.calibration.intrinsics import LENS, parameters_of, with_parameters
+from insole_core.calibration.least_squares import Adjustment, Blocks, pose, pose_vector
+from insole_core.calibration.walls.disparity_fit import linear_inverse_near
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
 from insole_core.sensing.camera import PinholeCamera

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from insole_core.calibration.adjustment import Blocks, least_squares, pose, pose_vector
+from insole_core.calibration.least_squares import Blocks, least_squares, pose, pose_vector
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.sensing.camera import PinholeCamera

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.calibration.adjustment import Adjustment, least_squares
-from insole_core.calibration.captures import WallCapture
+from insole_core.calibration.least_squares import Adjustment, least_squares
+from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.sensing.correction import DisparityCorrection
