@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.placing import place_foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import (

@@ -20,8 +20,8 @@ from insole_core.calibration.depth_sensor import DepthSensor
 from insole_core.calibration.least_squares import Blocks, pose, pose_vector
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 BOARD = Chequerboard(10, 7, 30)
 COLOR = PinholeCamera(1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0))

@@ -17,7 +17,7 @@ import numpy as np
 
 from benchmarks._measure import print_table
 from insole_core.foot.foot import Foot
-from insole_core.foot.placing import place_foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.pads.pad_heights import pad_heights

@@ -24,8 +24,8 @@ from insole_core.reconstruct.markers.blobs import find_blobs, sharpened
 from insole_core.reconstruct.markers.marker_observation import Registration
 from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.recording.session import Marker, ReferenceSystem
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 SAMPLE = 150

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 
 @dataclass(frozen=True, eq=False)

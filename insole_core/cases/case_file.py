@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.cases.case_json import VERSION, case_from_json, case_to_json, check_version
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from insole_core.cases.record import (
+from insole_core.cases.case_record import (
     Annotations,
     CaseRecord,
     FootRecord,

@@ -6,11 +6,11 @@ import hashlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.cases.record import ScanSource
+from insole_core.cases.case_record import ScanSource
 from insole_core.errors import UsageError
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from insole_core.cases.record import FIRST_NAME
+from insole_core.cases.case_record import FIRST_NAME
 from insole_core.json_object import JsonObject
 
 FOOT_NAME_1 = "foot.npz"

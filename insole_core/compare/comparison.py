@@ -6,9 +6,9 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
+from insole_core.compare.best_fit import Fit, badness, best_fit
 from insole_core.compare.difference import Difference, measure_difference
 from insole_core.compare.picked_points import find_dots, fit_dots, fit_points
-from insole_core.compare.registration import Fit, badness, best_fit
 from insole_core.compare.seen_surface import facing, seen_points
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from insole_core.compare.registration import Fit
+from insole_core.compare.best_fit import Fit
 from insole_core.compare.seen_surface import Grid, facing, grid_over, height_map
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import BoolArray, FloatArray

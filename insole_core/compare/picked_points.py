@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse.csgraph import connected_components
 
-from insole_core.compare.registration import Fit
+from insole_core.compare.best_fit import Fit
 from insole_core.errors import InputError, ReconstructionError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray

@@ -20,7 +20,7 @@ from insole_core.evaluation.distances import (
 )
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.transforms import transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 _SIDE = 3

@@ -23,8 +23,8 @@ from insole_core.evaluation.report import Number, Plot, ReportSection, Share, Ta
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.recording.session import ReferenceSystem
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _FACE_HEADINGS = (
     "face", "markers", "asymmetry mm", "relief mm", "nearest mm", "seen from x y z", "aside up to",

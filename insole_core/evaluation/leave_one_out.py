@@ -11,8 +11,8 @@ from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.wall import Correction, NoCorrection, WallError, wall_error
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_WALLS = 5
 """Algorithm 2 fits a cubic, which needs four other walls."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _VIEW_DEG = (58.0, 45.0)
 """Field of view of the infrared camera that the thesis puts into (22)."""

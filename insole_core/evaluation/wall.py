@@ -12,8 +12,8 @@ from insole_core.calibration.walls.captures import WallCapture
 from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _FAR_OFF_MM = 30.0
 _ROUNDS = 4

@@ -12,8 +12,8 @@ from insole_core.calibration.walls.captures import WallCapture
 from insole_core.evaluation.report import Plot
 from insole_core.evaluation.wall import Correction, wall_deviation_mm
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _SHOWN = 3
 

@@ -15,7 +15,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
-from insole_core.foot.likeness import lower_side, side_dissimilarity
+from insole_core.foot.side_similarity import lower_side, side_dissimilarity
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles

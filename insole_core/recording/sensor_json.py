@@ -10,7 +10,6 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.json_object import JsonObject
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -18,6 +17,7 @@ from insole_core.sensing.disparity import (
     LinearInverseDisparity,
     TangentDisparity,
 )
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 DEPTH_SIZE = (640, 480)

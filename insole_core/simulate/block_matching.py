@@ -16,8 +16,8 @@ import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray, RawArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import NO_READING
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.simulate.device import Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
 from insole_core.simulate.ray_caster import Hits, SceneCaster

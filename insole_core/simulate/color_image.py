@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.ray_caster import SceneCaster
 

@@ -11,9 +11,9 @@ from scipy.ndimage import gaussian_filter
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.recording.sensor_json import DEPTH_SIZE
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BASELINE_MM = 75.0

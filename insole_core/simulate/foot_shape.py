@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_core.simulate.limits import Limits, check_limits
+from insole_core.simulate.simulation_limits import Limits, check_limits
 
 _LIMITS: Limits = {
     "length_mm": ("length of the simulated foot (mm)", 180, 290),

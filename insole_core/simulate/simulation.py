@@ -29,10 +29,10 @@ from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape, vary_shape
-from insole_core.simulate.limits import Limits, check_limits
 from insole_core.simulate.poses import stand_sensor
 from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
+from insole_core.simulate.simulation_limits import Limits, check_limits
 
 _SENSOR_FACES = {"left": "sole", "right": "sole", "top": "achilles"}
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))

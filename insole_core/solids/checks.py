@@ -15,8 +15,8 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.ball import left_by_cutter
-from insole_core.solids.rules import CheckName, ExportRules, Policy
+from insole_core.solids.ball_offset import left_by_cutter
+from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 
 _PITCH_MM = 1.0
 _OFF_LATTICE = 0.3137  # rays pass beside round coordinates, where lattices have their vertices

@@ -13,7 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole
 from insole_core.insole.surface.block import close_block
 from insole_core.insole.surface.height_field import HeightField
-from insole_core.solids.ball import parallel_below
+from insole_core.solids.ball_offset import parallel_below
 from insole_core.solids.shop import LayerMake, LayerName
 from insole_core.solids.simplification import from_manifold, to_manifold
 

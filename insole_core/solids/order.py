@@ -12,10 +12,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid
+from insole_core.solids.export_rules import CheckName, ExportRules
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import nest_pair
-from insole_core.solids.rules import CheckName, ExportRules
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid

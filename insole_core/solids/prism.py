@@ -9,8 +9,8 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.surface.height_field import HeightField
-from insole_core.solids.outline import OutlineDistance
-from insole_core.solids.plan import Plan
+from insole_core.solids.solid_outline import OutlineDistance
+from insole_core.solids.trimmed_grid import Plan
 
 _ROUNDS = 300
 _FADE = 1.3  # above 1: the border itself, which lies within a step of the outline, leans fully

@@ -13,15 +13,15 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import Insole
 from insole_core.insole.surface.block import apexes, block_solid
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.ball import parallel_below
-from insole_core.solids.outline import (
+from insole_core.solids.ball_offset import parallel_below
+from insole_core.solids.prism import Faces, band_mm, prism
+from insole_core.solids.solid_outline import (
     OutlineDistance,
     checked_outline,
     outline_distance,
     outline_of,
 )
-from insole_core.solids.plan import Plan, trim
-from insole_core.solids.prism import Faces, band_mm, prism
+from insole_core.solids.trimmed_grid import Plan, trim
 
 Kind: TypeAlias = Literal["insole", "block", "positive"]
 KINDS: tuple[Kind, ...] = ("insole", "block", "positive")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.placing import place_foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate.foot_model import build_foot

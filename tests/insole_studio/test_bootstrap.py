@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.record import CaseRecord, Patient
+from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import UserPaths, run_application
 from insole_studio.jobs import Jobs

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

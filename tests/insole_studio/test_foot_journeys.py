@@ -11,9 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from insole_core.cases.record import KeyPoint, ScanSource
+from insole_core.cases.case_record import KeyPoint, ScanSource
 from insole_core.foot.foot import Foot
-from insole_core.foot.placing import place_foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott, Posting

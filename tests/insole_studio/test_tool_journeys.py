@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_studio.bootstrap import Application

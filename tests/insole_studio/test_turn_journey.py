@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from insole_core.foot.aligning import pose_angles
+from insole_core.foot.alignment import pose_angles
 from insole_studio.bootstrap import Application
 from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView

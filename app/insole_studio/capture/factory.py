@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import FactoryDisparity
-from insole_core.sensing.nominal import nominal_kinect
+from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from kinect_v1.calibration import Calibration
 

@@ -47,8 +47,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read both, lay B on A, measure, write."""
     _check_call(arguments)
     from insole_core.compare.comparison import compare_surfaces
-    from insole_core.compare.paper import write_report
-    from insole_core.compare.report import colored_surface, draw_picture, report_json
+    from insole_core.compare.comparison_paper import write_report
+    from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
 
@@ -101,7 +101,7 @@ def _alignment(word: str) -> Alignment:
 
 
 def _read(path: Path, progress: Progress) -> TriangleMesh:
-    from insole_core.compare.sources import read_source
+    from insole_core.compare.comparison_source import read_source
 
     source = read_source(path, progress)
     for note in source.notes:

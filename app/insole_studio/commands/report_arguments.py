@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import CalibrationError, UsageError
 
 if TYPE_CHECKING:
-    from insole_core.evaluation.limits import Limits
+    from insole_core.evaluation.acceptance_limits import Limits
     from insole_core.evaluation.report import ReportSection
 
 BUNDLED = Path()
@@ -58,7 +58,7 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
         When a limit is not kept; the reports are written all the same.
     InsoleError
     """
-    from insole_core.evaluation.limits import judged
+    from insole_core.evaluation.acceptance_limits import judged
     from insole_core.evaluation.report import section_lines
     from insole_studio.workbench.calibration_report import make_report, write_reports
 
@@ -74,7 +74,7 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
 
 
 def _limits_of(arguments: argparse.Namespace, section: str) -> Limits:
-    from insole_core.evaluation.limits import bundled_limits_path, load_limits
+    from insole_core.evaluation.acceptance_limits import bundled_limits_path, load_limits
 
     path: Path | None = arguments.limits
     limits = {} if path is None else load_limits(bundled_limits_path() if path == BUNDLED else path)

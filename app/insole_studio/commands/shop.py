@@ -16,7 +16,7 @@ from insole_core.progress import Progress
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
     from insole_core.solids.checks import Override
-    from insole_core.solids.delivery import ExportPaths
+    from insole_core.solids.export_job import ExportPaths
     from insole_core.solids.order import Order, Part
     from insole_core.solids.shop import Block, Shop
 
@@ -55,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def places(arguments: argparse.Namespace) -> ExportPaths:
     """Give the places that the call names."""
-    from insole_core.solids.delivery import ExportPaths
+    from insole_core.solids.export_job import ExportPaths
 
     return ExportPaths(
         arguments.out, arguments.checks, arguments.job_sheet, arguments.prescription_paper
@@ -64,7 +64,7 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
 
 def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths]:
     """Open every place before the work begins; nothing stays if it fails."""
-    from insole_core.solids.delivery import outputs as open_places
+    from insole_core.solids.export_job import outputs as open_places
 
     if arguments.layers and arguments.out.suffix.lower() != ".3mf":
         raise UsageError(f"--layers needs a .3mf file, and --out is {arguments.out}; change one.")
@@ -78,7 +78,7 @@ def deliver(
     progress: Progress,
 ) -> None:
     """Make the solids, check them, and write everything that is wanted."""
-    from insole_core.solids import delivery
+    from insole_core.solids import export_job
     from insole_core.solids.shop import read_shop
 
     shop = read_shop(arguments.shop)
@@ -88,8 +88,8 @@ def deliver(
         for insole, part in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
     )
     pseudonym = {"pseudonym": arguments.pseudonym} if arguments.pseudonym else {}
-    delivery.deliver(
-        delivery.Delivery(
+    export_job.deliver(
+        export_job.Delivery(
             pieces,
             shop,
             identification=pseudonym,
@@ -109,8 +109,8 @@ def _piece(
 ) -> Part:
     from dataclasses import replace
 
+    from insole_core.solids.export_rules import read_rules
     from insole_core.solids.order import make_part
-    from insole_core.solids.rules import read_rules
 
     rules = read_rules(arguments.rules)
     if arguments.cutter is not None:

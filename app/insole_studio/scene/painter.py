@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-from insole_core.cases.record import ReferencePlane
+from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

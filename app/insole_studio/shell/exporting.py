@@ -7,11 +7,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
-from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
-from insole_core.solids.rules import read_rules
+from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.outline_print import print_outline

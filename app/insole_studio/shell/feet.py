@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction

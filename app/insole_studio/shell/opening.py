@@ -7,10 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import CaseRecord, FootRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan import ScannedFoot, open_scan
 from insole_core.errors import InsoleError
-from insole_core.foot.placing import SideMismatchError
+from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path

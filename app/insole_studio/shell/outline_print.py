@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
-from insole_core.solids.outline import outline_of
+from insole_core.solids.solid_outline import outline_of
 from insole_studio.texts import tr
 
 DPI = 600

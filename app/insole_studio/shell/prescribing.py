@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.side import Side

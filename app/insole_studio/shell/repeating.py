@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side

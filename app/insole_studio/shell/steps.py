@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_studio.texts import tr
 from insole_studio.widgets.step_strip import StepState, WorkflowStep

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from insole_core.cases.record import FootRecord, Variant
+from insole_core.cases.case_record import FootRecord, Variant
 from insole_studio.shell.dialogue import UserMessages
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case

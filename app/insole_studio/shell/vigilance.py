@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.scan import change_of_source
 from insole_core.foot.measure_table import unlike_sizes
 from insole_core.progress import Progress

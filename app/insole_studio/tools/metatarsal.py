@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.pads.clearance import Clearance
 from insole_core.insole.pads.clearance import clearance as pad_clearance
 from insole_core.insole.pads.pad_places import placed_pad

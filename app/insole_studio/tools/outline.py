@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points

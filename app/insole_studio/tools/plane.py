@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import Annotations, ReferencePlane
+from insole_core.cases.case_record import Annotations, ReferencePlane
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded

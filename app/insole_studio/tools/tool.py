@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol, TypeVar
 
 import numpy as np
 
-from insole_core.cases.record import ReferencePlane
+from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Place

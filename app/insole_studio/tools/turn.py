@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.foot.aligning import PoseAngles, pose_angles, turned
+from insole_core.foot.alignment import PoseAngles, pose_angles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse

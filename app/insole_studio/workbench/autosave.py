@@ -15,7 +15,7 @@ from pathlib import Path
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from insole_core.cases.case_file import read_case, write_case
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import replacing_file
 from insole_core.progress import Progress

@@ -16,7 +16,7 @@ from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.nominal import COLOR_CAMERA
+from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
 
 COLOR, INFRARED, DEPTH = "color", "ir", "depth"

@@ -10,18 +10,18 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.compare.comparison import Alignment, compare_surfaces
-from insole_core.compare.difference import Difference, table_3
-from insole_core.compare.paper import write_report
-from insole_core.compare.report import (
+from insole_core.compare.comparison_paper import write_report
+from insole_core.compare.comparison_report import (
     colored_surface,
     difference_surface,
     draw_picture,
     report_json,
     span_mm,
 )
-from insole_core.compare.sources import ComparisonSource, read_source
+from insole_core.compare.comparison_source import ComparisonSource, read_source
+from insole_core.compare.difference import Difference, table_3
 from insole_core.errors import InputError, UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.ply import write_ply

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import Patient
+from insole_core.cases.case_record import Patient
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.solids.rules import ExportRules, read_rules, write_rules
+from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
 
 class ClinicExportRules:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_core.errors import DesignError
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import Correction, InsoleDesign

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import Annotations, CaseRecord, FootRecord, KeyPoint, Variant
-from insole_core.foot.aligning import PoseAngles, turned
+from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Variant
+from insole_core.foot.alignment import PoseAngles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from insole_core.cases.record import Annotations, CaseRecord, KeyPoint
+from insole_core.cases.case_record import Annotations, CaseRecord, KeyPoint
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES, Landmark, find_landmarks, with_places
 from insole_core.geometry.arrays import FloatArray

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.skin_marks import SkinMark, skin_marks
 from insole_studio.workbench.landmarks import SHOWN, landmarks_of
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from insole_core.cases.scan import ScannedFoot, session_source
 from insole_core.errors import InsoleError, ReconstructionError
-from insole_core.foot.placing import place_foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import Reconstruction, RegistrationLimits, ViewResult, reconstruct

@@ -10,16 +10,16 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord, FootRecord, Patient
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.marking import Relief
 from insole_core.solids.order import Order, Part, make_part
-from insole_core.solids.rules import ExportRules
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 

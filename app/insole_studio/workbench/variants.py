@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import count
 from string import ascii_uppercase
 
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
 

@@ -20,7 +20,7 @@ from insole_core.evaluation.calibration_sections import disparity_section, disto
 from insole_core.evaluation.wall import Correction, NoCorrection
 from insole_core.evaluation.wall_pictures import wall_pictures
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.nominal import COLOR_CAMERA
+from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
 from insole_studio.workbench.calibration_steps import StepResult
 

@@ -29,8 +29,8 @@ from insole_core.calibration.depth_sensor import DepthSensor
 from insole_core.calibration.least_squares import Adjustment, huber_weight, least_squares, pose
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_BOARDS = 4
 _OUTLIER = 4.0

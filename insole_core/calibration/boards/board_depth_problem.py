@@ -16,8 +16,8 @@ from insole_core.calibration.least_squares import Adjustment, Blocks, pose, pose
 from insole_core.calibration.walls.disparity_fit import linear_inverse_near
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 USUAL_POSE = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
 _LOOSE = np.inf

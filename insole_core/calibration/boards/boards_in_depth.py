@@ -13,9 +13,9 @@ from insole_core.calibration.boards.board import BoardDetection
 from insole_core.calibration.walls.captures import capture_from_frames, read_depth, read_frames
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import NO_READING
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_PIXELS = 200
 _NEAR_RAW = 30.0

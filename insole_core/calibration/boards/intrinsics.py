@@ -17,7 +17,7 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid, transform
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
 LENS = PARAMETERS[:8]

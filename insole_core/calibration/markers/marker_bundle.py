@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.calibration.least_squares import Blocks, least_squares, pose, pose_vector
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _OUTLIER_PX = 1.5
 _LENGTH_WEIGHT = 10.0

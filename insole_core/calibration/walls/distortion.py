@@ -14,9 +14,9 @@ from insole_core.calibration.walls.smooth_map import SPAN_RAW, BlockMap, Smoothi
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 
 @dataclass(frozen=True)

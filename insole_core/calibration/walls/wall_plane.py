@@ -10,8 +10,8 @@ import numpy as np
 from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _TRIALS = 200
 _SEARCH_STEP, _FIT_STEP = 16, 8

@@ -15,7 +15,7 @@ from insole_core.reconstruct.markers.marker_matching import MarkerMatch
 from insole_core.reconstruct.poses.pose_batch import PoseBatch, Sight, improved, matches
 from insole_core.recording.hand_edits import NamedSpot, Region, ViewEdits
 from insole_core.recording.session import Marker
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 SNAP_SHARE = 12 / 1280

@@ -18,7 +18,7 @@ from insole_core.reconstruct.poses.pose_batch import (
     improved,
     matches,
 )
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _KEPT = 300
 _ROUNDS = 6

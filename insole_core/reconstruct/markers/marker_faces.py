@@ -6,7 +6,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_TANGENT = 0.25
 _LEAST_OBLIQUE = 6

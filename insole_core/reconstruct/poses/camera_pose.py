@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _ROUNDS = 20
 _CONVERGED = 1e-9

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LONGEST_EDGE_PIXELS = 5.0
 _SMALLEST_PIECE = 0.01

@@ -10,7 +10,7 @@ import numpy as np
 from insole_core.calibration.boards.board import Board, BoardDetection
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 COLOR_CAMERA = PinholeCamera(
     1280, 1024, 1034.4, 1036.1, 640.2, 528.0, (0.14, -0.24, 0.001, -0.0005, 0.0)

@@ -10,8 +10,8 @@ import numpy as np
 from insole_core.calibration.walls.captures import WallCapture, capture_from_frames
 from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import NO_READING, LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 CAMERA = PinholeCamera(640, 480, 585.0, 587.0, 317.5, 243.5)
 DISPARITY = LinearInverseDisparity(3.3309495, -0.0030711016)

@@ -15,7 +15,7 @@ from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.boards.intrinsics import with_shift
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BOARD = Chequerboard(9, 6, 30.0)

@@ -23,7 +23,7 @@ from insole_core.calibration.boards.intrinsics import (
 )
 from insole_core.errors import CalibrationError, InputError, UsageError
 from insole_core.geometry.arrays import ByteArray
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 BOARD = Chequerboard(10, 7, 30)
 CENTER = np.array([135.0, 90, 0])

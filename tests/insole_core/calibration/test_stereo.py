@@ -22,9 +22,9 @@ from insole_core.calibration.depth_sensor import add_tilt
 from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 BOARD = Chequerboard(10, 7, 30)
 CENTER = np.array([135.0, 90, 0])

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from insole_core.cases.case_file import CASE_NAME, FOOT_NAMES, read_case, write_case
-from insole_core.cases.record import (
+from insole_core.cases.case_record import (
     Annotations,
     CaseRecord,
     FootRecord,

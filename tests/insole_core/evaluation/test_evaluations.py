@@ -16,7 +16,7 @@ from insole_core.evaluation.resolution import evaluate_resolution
 from insole_core.evaluation.wall import NoCorrection, wall_error
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 ROWS = plane_rows(CAMERA)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.foot.aligning import PoseAngles, pose_angles, turned
+from insole_core.foot.alignment import PoseAngles, pose_angles, turned
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmark, find_landmarks
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.simulate.foot_model import build_foot

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from insole_core.cases.scan import open_scan
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
 from insole_core.foot.measures import DEFINITIONS, deviations_mm, doubts, measure
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmark, find_landmarks
-from insole_core.foot.placing import place_foot
 from insole_core.foot.skin_marks import offered_landmarks, skin_marks
 from insole_core.geometry.side import Side
 from insole_core.simulate.foot_model import build_foot

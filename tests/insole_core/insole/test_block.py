@@ -12,8 +12,8 @@ import pytest
 import trimesh
 
 from insole_core.export.stl import write_stl
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole

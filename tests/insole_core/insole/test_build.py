@@ -11,8 +11,8 @@ from scipy.ndimage import binary_erosion, maximum_filter, minimum_filter
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmarks, find_landmarks
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.pads.pad_heights import pad_outline

@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.transforms import rigid, transform
 from insole_core.reconstruct.views.range_mesh import RangeMesh, longest_edges, triangulate
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 CAMERA = PinholeCamera(64, 48, 60.0, 60.0, 31.5, 23.5)
 

@@ -21,7 +21,7 @@ from insole_core.geometry.transforms import (
 from insole_core.reconstruct.markers.image_matching import match_in_image
 from insole_core.reconstruct.markers.marker_faces import apparent_centers
 from insole_core.reconstruct.poses.camera_pose import SeenMarkers, SightingNoise, fit_camera_pose
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 MARKERS = np.array(
     [

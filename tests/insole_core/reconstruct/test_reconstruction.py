@@ -25,8 +25,8 @@ from insole_core.reconstruct import (
 )
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 

@@ -6,8 +6,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, transform
 from insole_core.reconstruct.markers.blobs import Blobs
 from insole_core.reconstruct.markers.detections import locate_blobs
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 SENSOR = Sensor(

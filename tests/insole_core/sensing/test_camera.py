@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from insole_core.sensing.camera import PinholeCamera
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 KINECT_COLOR = PinholeCamera(
     1280, 1024, 1034.4, 1034.3, 640.2, 528.0, (0.14, -0.24, 0.0008, -0.0004, 0.01)

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import (
     CorrectionRecord,
     DisparityCorrection,
@@ -15,6 +14,7 @@ from insole_core.sensing.correction import (
     parse_correction,
 )
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 RAMP = np.linspace(-3, 3, 480 * 640, dtype=np.float32).reshape(480, 640)

@@ -14,10 +14,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.solids.checks import Finding, Override, check_solid, require_export
-from insole_core.solids.outline import outline_distance
-from insole_core.solids.plan import trim
+from insole_core.solids.export_rules import CHECK_NAMES, ExportRules, read_rules
 from insole_core.solids.prism import Faces, prism
-from insole_core.solids.rules import CHECK_NAMES, ExportRules, read_rules
+from insole_core.solids.solid_outline import outline_distance
+from insole_core.solids.trimmed_grid import trim
 
 SQUARE = np.array([(-30.0, -60), (30, -60), (30, 60), (-30, 60)])
 

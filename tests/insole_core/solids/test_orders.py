@@ -20,9 +20,9 @@ from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.solids.checks import Override
-from insole_core.solids.delivery import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 from insole_core.solids.order import Order, Part, make_part
-from insole_core.solids.rules import ExportRules, read_rules, write_rules
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
 

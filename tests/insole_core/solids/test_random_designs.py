@@ -11,8 +11,8 @@ from benchmarks._random_designs import random_solids
 from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trimesh
 from insole_core.export.stl import write_stl
 from insole_core.export.three_mf import ThreeMfPart, write_3mf
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
-from insole_core.foot.placing import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole

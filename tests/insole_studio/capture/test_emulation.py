@@ -11,13 +11,13 @@ import pytest
 from insole_core.geometry.transforms import rigid
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import (
     DisparityModel,
     FactoryDisparity,
     LinearInverseDisparity,
     TangentDisparity,
 )
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_studio.capture.emulation import (
     EmulatedRig,

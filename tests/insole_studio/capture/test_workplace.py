@@ -11,7 +11,7 @@ from insole_core.calibration.markers.reference_file import save_reference_system
 from insole_core.errors import CalibrationError
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
-from insole_core.sensing.nominal import nominal_kinect
+from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_studio.capture.workplace import own_workplace, recorded_workplace
 from insole_studio.workbench.sensor_store import SensorStore
 

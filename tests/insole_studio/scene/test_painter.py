@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 
-from insole_core.cases.record import ReferencePlane
+from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
 from insole_studio.scene.camera import Preset, Subject, ViewCamera, fitted, look
 from insole_studio.scene.coloring import Coloring

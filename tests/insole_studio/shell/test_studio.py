@@ -11,7 +11,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.record import Patient, ScanSource
+from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import (
+from insole_core.cases.case_record import (
     Annotations,
     FootRecord,
     KeyPoint,

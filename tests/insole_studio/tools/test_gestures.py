@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from insole_core.cases.record import Annotations, KeyPoint, ReferencePlane, ScanSource
+from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane, ScanSource
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting

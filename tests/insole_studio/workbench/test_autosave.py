@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import Patient, ScanSource
+from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import Application, UserPaths, build_application
 from insole_studio.jobs import Jobs
@@ -22,7 +22,7 @@ PROGRAM = """
     import os, signal, sys
     from pathlib import Path
     from PySide6.QtCore import QCoreApplication
-    from insole_core.cases.record import Patient
+    from insole_core.cases.case_record import Patient
     from insole_studio.jobs import Jobs
     from insole_studio.workbench.autosave import Autosave
     from insole_studio.workbench.case import Case

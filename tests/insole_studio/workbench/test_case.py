@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from insole_core.cases.record import (
+from insole_core.cases.case_record import (
     Annotations,
     CaseRecord,
     FootRecord,

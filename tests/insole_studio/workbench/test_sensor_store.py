@@ -8,9 +8,9 @@ import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_studio.workbench.sensor_store import SensorStore
 

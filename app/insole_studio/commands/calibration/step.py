@@ -36,7 +36,7 @@ def run_step(
     ------
     InsoleError
     """
-    from insole_core.sensing.nominal import nominal_kinect
+    from insole_core.sensing.nominal_kinect import nominal_kinect
     from insole_studio.workbench.calibration_keeping import keep_step
 
     check_reports(arguments)

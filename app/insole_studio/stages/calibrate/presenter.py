@@ -10,7 +10,7 @@ from insole_core.calibration.boards.board import Board, Chequerboard
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray
 from insole_core.progress import Progress
-from insole_core.sensing.nominal import nominal_kinect
+from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.sensor import Sensor
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LookRow, StepRow

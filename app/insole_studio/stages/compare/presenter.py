@@ -9,8 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from insole_core.compare.comparison import Alignment
+from insole_core.compare.comparison_source import ComparisonSource
 from insole_core.compare.seen_surface import facing
-from insole_core.compare.sources import ComparisonSource
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import FootRecord
+from insole_core.cases.case_record import FootRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

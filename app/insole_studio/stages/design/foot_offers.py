@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from insole_core.cases.record import KeyPoint
+from insole_core.cases.case_record import KeyPoint
 from insole_core.errors import InputError
-from insole_core.foot.aligning import PoseAngles, pose_angles
+from insole_core.foot.alignment import PoseAngles, pose_angles
 from insole_core.foot.measures import measure
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.insole.prescription.corrections import CorrectionBase

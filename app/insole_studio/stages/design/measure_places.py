@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.camera import Preset
 from insole_studio.workbench.landmarks import landmarks_of

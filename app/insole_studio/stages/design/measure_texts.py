@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.side import Side

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from insole_core.cases.record import ReferencePlane
+from insole_core.cases.case_record import ReferencePlane
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.arrays import FloatArray

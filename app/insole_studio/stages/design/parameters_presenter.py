@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
-from insole_core.cases.record import ReferencePlane
+from insole_core.cases.case_record import ReferencePlane
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.insole.prescription.design import (
     Correction,

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, Protocol
 
-from insole_core.cases.record import Annotations, CaseRecord
+from insole_core.cases.case_record import Annotations, CaseRecord
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Tool

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from insole_core.cases.record import CaseRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.solid_file import merged
 from insole_core.geometry.arrays import FloatArray
@@ -18,8 +18,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override
+from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
 from insole_core.solids.order import Part, nest_parts
-from insole_core.solids.rules import CheckName, ExportRules, Policy, read_rules
 from insole_core.solids.shop import Block, Shop
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.export.rows import (

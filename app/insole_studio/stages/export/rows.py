@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from insole_core.cases.record import Patient
+from insole_core.cases.case_record import Patient
 from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
 from insole_core.solids.checks import Finding
+from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 from insole_core.solids.order import CHECKS_OF, Part
-from insole_core.solids.rules import CheckName, ExportRules, Policy
 from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
 

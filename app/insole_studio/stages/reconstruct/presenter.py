@@ -11,7 +11,7 @@ import numpy as np
 
 from insole_core.cases.scan import ScannedFoot
 from insole_core.errors import InsoleError
-from insole_core.foot.placing import SideMismatchError
+from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress

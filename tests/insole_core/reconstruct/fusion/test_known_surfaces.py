@@ -22,9 +22,9 @@ from insole_core.reconstruct.fusion.prepared_view import prepare
 from insole_core.reconstruct.fusion.refinement import refine
 from insole_core.reconstruct.result import Surface
 from insole_core.recording.session import Box
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.frames import average_raw
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.device import Device

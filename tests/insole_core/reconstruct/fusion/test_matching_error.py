@@ -18,8 +18,8 @@ from insole_core.reconstruct.fusion.matching_error import (
     without_matching_error,
 )
 from insole_core.reconstruct.fusion.neighbourhood import FEATURES, mirrored, neighbourhoods
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.device import make_device

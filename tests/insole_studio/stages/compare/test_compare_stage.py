@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.record import CaseRecord, FootRecord, ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

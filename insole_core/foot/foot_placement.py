@@ -11,8 +11,8 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
-from insole_core.foot.pieces import without_scraps
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
+from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.transforms import rigid
-from insole_core.sensing.camera import PinholeCamera
 from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BURRUS = LinearInverseDisparity(3.3309495, -0.0030711016)

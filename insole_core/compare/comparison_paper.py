@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from insole_core.compare.comparison_report import draw_picture
 from insole_core.compare.difference import Difference, table_3
-from insole_core.compare.report import draw_picture
 from insole_core.export import paper
 
 _FIGURES = {
