@@ -20,6 +20,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.solids.shop import read_shop
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.pad_library import load_pads
 from insole_studio.capture.place import SensorSource
 from insole_studio.capture.plan import parse_assignment
 from insole_studio.jobs import Jobs
@@ -75,12 +79,8 @@ from insole_studio.tools.turn import TurnTool
 from insole_studio.workbench.autosave import Autosave, find_recovered
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import SideBySide
-from insole_studio.workbench.export_rules import ClinicExportRules
 from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.order_memory import LastOrder
-from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import SectionModel
-from insole_studio.workbench.sensor_store import SensorStore
 
 log = logging.getLogger(__name__)
 

@@ -16,7 +16,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.resources import resource_path
-from insole_studio.workbench.landmarks import metatarsal_line
+from insole_core.workflows.foot_landmarks import metatarsal_line
 
 PAIR_ACTIONS, SINGLE_ACTIONS = 12, 9
 

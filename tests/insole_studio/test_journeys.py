@@ -15,10 +15,10 @@ from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import ScanSource
-from insole_core.cases.scan import ScannedFoot
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
+from insole_core.workflows.open_scan import ScannedFoot
 from insole_studio.bootstrap import Application
 from insole_studio.scene.camera import Preset
 from insole_studio.scene.view import SceneView

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
+from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.bootstrap import Application
 from insole_studio.scene.view import SceneView
 from insole_studio.stages.design.maps import MapKind
@@ -23,7 +24,6 @@ from insole_studio.tools.metatarsal import USUAL_MM, clearance
 from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour
-from insole_studio.workbench.landmarks import metatarsal_line
 
 
 def ring(view: SceneView, centre: tuple[float, float], radius_mm: float) -> list[QPoint]:

@@ -12,7 +12,7 @@ from hands import Hands
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
-from insole_studio.workbench.landmarks import metatarsal_line
+from insole_core.workflows.foot_landmarks import metatarsal_line
 
 MOST_ACTIONS = 12
 

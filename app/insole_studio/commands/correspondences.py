@@ -26,7 +26,7 @@ def read_correspondences(
     """
     from insole_core.evaluation.board_points import board_correspondences
     from insole_core.evaluation.marked_points import load_correspondences
-    from insole_studio.workbench.calibration_steps import find_infrared_pairs
+    from insole_core.workflows.calibration.steps import find_infrared_pairs
 
     place: Path = arguments.folder
     if place.is_file():

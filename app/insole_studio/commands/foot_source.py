@@ -21,7 +21,7 @@ def read_foot(path: Path, side: Side | None, force: bool, progress: Progress) ->
     UsageError
         When the side is missing or contradicts the session.
     """
-    from insole_core.cases.scan import open_scan
+    from insole_core.workflows.open_scan import open_scan
 
     scanned = open_scan(path, side, force=force, progress=progress)
     for warning in scanned.warnings:

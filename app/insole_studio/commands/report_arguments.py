@@ -44,7 +44,7 @@ def check_reports(arguments: argparse.Namespace) -> None:
     ------
     UsageError
     """
-    from insole_studio.workbench.calibration_report import check_report_paths
+    from insole_core.workflows.calibration.report_files import check_report_paths
 
     check_report_paths(arguments.report)
 
@@ -60,7 +60,7 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
     """
     from insole_core.evaluation.acceptance_limits import judged
     from insole_core.evaluation.report import section_lines
-    from insole_studio.workbench.calibration_report import make_report, write_reports
+    from insole_core.workflows.calibration.report_files import make_report, write_reports
 
     section = judged(section, _limits_of(arguments, section.key))
     report = make_report(section.title, serial, [section])

@@ -12,7 +12,7 @@ from insole_core.errors import UsageError
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
-    from insole_studio.workbench.sensor_store import SensorStore
+    from insole_core.workflows.calibration.sensor_store import SensorStore
 
 
 def add_store_argument(parser: argparse.ArgumentParser) -> None:
@@ -42,7 +42,7 @@ def add_evaluated_sensor(parser: argparse.ArgumentParser) -> None:
 
 def store_of(arguments: argparse.Namespace) -> SensorStore:
     """Give the store of a call."""
-    from insole_studio.workbench.sensor_store import SensorStore, sensors_folder_of_user
+    from insole_core.workflows.calibration.sensor_store import SensorStore, sensors_folder_of_user
 
     return SensorStore(arguments.sensors or sensors_folder_of_user())
 

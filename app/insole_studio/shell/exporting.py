@@ -13,6 +13,7 @@ from insole_core.progress import Progress
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
+from insole_core.workflows.make_order import OrderChoice, make_pieces
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.outline_print import print_outline
 from insole_studio.shell.saving import file_stem
@@ -20,7 +21,6 @@ from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.steps import whose
 from insole_studio.stages.export.stage import ExportStage
 from insole_studio.texts import tr
-from insole_studio.workbench.shop_order import OrderChoice, make_pieces
 
 CHANNEL = "export"
 AskPath = Callable[[str, str], Path | None]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.texts import tr
-from insole_studio.workbench.opening import CASE_SUFFIX, MESH_SUFFIXES
 
 TEMPLATE_SUFFIX = ".insole-template"
 

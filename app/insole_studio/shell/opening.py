@@ -8,12 +8,14 @@ from pathlib import Path
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
-from insole_core.cases.scan import ScannedFoot, open_scan
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
+from insole_core.workflows.file_kind import kind_of
+from insole_core.workflows.open_scan import ScannedFoot, open_scan
+from insole_core.workflows.template_transfer import last_design
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.dialogue import LONG_MS
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
@@ -22,8 +24,6 @@ from insole_studio.shell.recent import RecentFiles
 from insole_studio.shell.saving import SaveActions
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.workbench.autosave import Autosave, Recovered
-from insole_studio.workbench.fitting import last_design
-from insole_studio.workbench.opening import kind_of
 
 CHANNEL = "open"
 NOTICE = "scan"

@@ -19,6 +19,9 @@ from insole_core.insole.prescription.template import (
     read_template,
     write_template,
 )
+from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmarks_of
+from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.template_transfer import fitted, template_of
 from insole_studio.shell.dialogue import LONG_MS, UserMessages
 from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
 from insole_studio.texts import tr
@@ -26,9 +29,6 @@ from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import ToolController
 from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.fitting import fitted, template_of
-from insole_studio.workbench.landmarks import confirmed, found_anew, landmarks_of
-from insole_studio.workbench.pad_library import LibraryPad
 
 
 class PrescriptionActions:

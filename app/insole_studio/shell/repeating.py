@@ -12,13 +12,13 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.progress import Progress
+from insole_core.workflows.earlier_designs import find_last_design, identity
+from insole_core.workflows.template_transfer import fitted, prescribed_at
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.feet import FeetActions
 from insole_studio.shell.recent import RecentFiles
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
-from insole_studio.workbench.earlier_designs import find_last_design, identity
-from insole_studio.workbench.fitting import fitted, prescribed_at
 
 CHANNEL = "earlier"
 NOTICE, MIRROR = "repeat", "mirror"

@@ -15,8 +15,8 @@ from insole_core.insole.prescription.design import (
     Pelott,
     Posting,
 )
+from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import tr
-from insole_studio.workbench.pad_library import LibraryPad
 
 PAD_NAMES: dict[str, Callable[[], str]] = {
     "egg": lambda: tr("Pelott"),

@@ -11,8 +11,8 @@ from insole_core.insole.pads.clearance import Clearance
 from insole_core.insole.pads.clearance import clearance as pad_clearance
 from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import Pelott, Place
+from insole_core.workflows.foot_landmarks import landmarks_of, metatarsal_line
 from insole_studio.tools.tool import place_at
-from insole_studio.workbench.landmarks import landmarks_of, metatarsal_line
 
 USUAL_MM = 8.0
 """Front edge behind the heads 2 – 4, where FIELD.md puts a pelott by default."""

@@ -14,7 +14,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_studio.workbench.history import History
+from insole_core.workflows.history import History
 
 Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord
 Prescribed = TypeVar("Prescribed", bound=CorrectionBase)

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from insole_core.cases.scan import change_of_source, open_scan
 from insole_core.errors import UsageError
 from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.workflows.open_scan import change_of_source, open_scan
 
 
 @pytest.fixture(scope="module")

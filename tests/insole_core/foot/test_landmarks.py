@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.cases.scan import open_scan
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
@@ -21,6 +20,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import transform
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
+from insole_core.workflows.open_scan import open_scan
 
 
 @pytest.fixture(scope="module", params=range(3))

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from insole_core.cases.scan import open_scan
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, find_landmarks, with_places
@@ -21,6 +20,7 @@ from insole_core.insole.outline.outline_curve import crosses_itself
 from insole_core.insole.prescription.design import InsoleDesign, Outline
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.solids.solid import SolidOptions, insole_solid
+from insole_core.workflows.open_scan import open_scan
 
 LENGTH_MM, HALF_WIDTH_MM = 250.0, 40.0
 NONE = Outline(toe_allowance_mm=0, ball_allowance_mm=0, heel_allowance_mm=0)

@@ -12,8 +12,8 @@ from insole_core.errors import CalibrationError
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.capture.workplace import own_workplace, recorded_workplace
-from insole_studio.workbench.sensor_store import SensorStore
 
 
 @pytest.fixture

@@ -22,6 +22,7 @@ from insole_core.cases.case_record import (
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
+from insole_core.workflows.pad_library import load_pads
 from insole_studio.bootstrap import make_tools
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
@@ -35,7 +36,6 @@ from insole_studio.tools.pelott import PelottTool
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import SideBySide
 from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.pad_library import load_pads
 from insole_studio.workbench.section import SectionModel, SectionPlane
 
 

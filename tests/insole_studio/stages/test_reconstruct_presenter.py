@@ -14,13 +14,13 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_core.cases.scan import ScannedFoot
 from insole_core.errors import ReconstructionError
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
+from insole_core.workflows.open_scan import ScannedFoot
 from insole_studio.jobs import Jobs
 from insole_studio.stages.reconstruct.presenter import MAKING, ReconstructPresenter
 from insole_studio.stages.reconstruct.rows import FootMap, Limits, Mark, ViewRow

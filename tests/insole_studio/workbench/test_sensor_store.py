@@ -12,7 +12,7 @@ from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
-from insole_studio.workbench.sensor_store import SensorStore
+from insole_core.workflows.calibration.sensor_store import SensorStore
 
 SENSOR = Sensor(
     model="kinect-v1",

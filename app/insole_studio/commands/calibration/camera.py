@@ -30,7 +30,7 @@ class CameraStep:
     def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
         """Find the boards, fit the camera, keep it."""
         board, options = board_of(arguments), options_of(arguments)
-        from insole_studio.workbench.camera_step import calibrate_camera_step
+        from insole_core.workflows.calibration.camera_step import calibrate_camera_step
 
         run_step(
             arguments,

@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the walls, fit the model, keep it."""
-    from insole_studio.workbench.wall_steps import calibrate_disparity_step, read_walls
+    from insole_core.workflows.calibration.wall_steps import calibrate_disparity_step, read_walls
 
     captures = read_walls(arguments.folder, arguments.distances, progress.part(0, 0.5))
     run_step(

@@ -11,7 +11,7 @@ from insole_studio.commands.calibration.step import add_step_arguments, run_step
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
-    from insole_studio.workbench.calibration_steps import StepResult
+    from insole_core.workflows.calibration.steps import StepResult
 
 NAME = "distortion"
 HELP = "the distortion of the depth, from captures of a flat wall at several distances"
@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the walls, fit the map, keep it."""
-    from insole_studio.workbench.wall_steps import (
+    from insole_core.workflows.calibration.wall_steps import (
         calibrate_distortion_step,
         place_walls,
         read_walls,

@@ -74,7 +74,7 @@ def _check(system: ReferenceSystem, arguments: argparse.Namespace) -> None:
     from insole_core.calibration.markers.reference_file import check_reference_system
     from insole_core.evaluation.calibration_sections import reference_section
     from insole_core.evaluation.report import section_lines
-    from insole_studio.workbench.calibration_report import make_report, write_reports
+    from insole_core.workflows.calibration.report_files import make_report, write_reports
 
     checks = check_reference_system(system)
     section = reference_section(system, checks)
@@ -93,8 +93,8 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
     from insole_core.calibration.markers.reference_file import save_reference_system
     from insole_core.evaluation.calibration_sections import survey_section
     from insole_core.evaluation.report import section_lines
-    from insole_studio.workbench.calibration_report import make_report, write_reports
-    from insole_studio.workbench.marker_views import read_marker_views
+    from insole_core.workflows.calibration.marker_views import read_marker_views
+    from insole_core.workflows.calibration.report_files import make_report, write_reports
 
     lengths = _lengths(arguments.length)
     views, left_out = read_marker_views(

@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.recording.reader import read_session
     from insole_core.recording.writer import write_session
     from insole_core.sensing.correction import load_correction
-    from insole_studio.workbench.calibrated_session import calibrated_session
+    from insole_core.workflows.calibration.calibrated_session import calibrated_session
 
     progress.step(0.0, "Reading the session")
     session = read_session(arguments.session)

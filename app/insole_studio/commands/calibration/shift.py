@@ -23,8 +23,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Find or read the points, shift, keep it."""
+    from insole_core.workflows.calibration.stereo_steps import shift_color_step
     from insole_studio.commands.correspondences import read_correspondences
-    from insole_studio.workbench.stereo_steps import shift_color_step
 
     run_step(
         arguments,

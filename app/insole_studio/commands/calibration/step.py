@@ -14,7 +14,7 @@ from insole_studio.commands.sensor_arguments import add_store_argument, store_of
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
-    from insole_studio.workbench.calibration_steps import StepResult
+    from insole_core.workflows.calibration.steps import StepResult
 
 
 def add_step_arguments(parser: argparse.ArgumentParser, holds: str) -> None:
@@ -37,7 +37,7 @@ def run_step(
     InsoleError
     """
     from insole_core.sensing.nominal_kinect import nominal_kinect
-    from insole_studio.workbench.calibration_keeping import keep_step
+    from insole_core.workflows.calibration.calibration_storage import keep_step
 
     check_reports(arguments)
     store = store_of(arguments)

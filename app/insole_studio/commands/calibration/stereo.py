@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Fit the pose between the cameras and keep it."""
     board = board_of(arguments)
-    from insole_studio.workbench.stereo_steps import calibrate_stereo_step
+    from insole_core.workflows.calibration.stereo_steps import calibrate_stereo_step
 
     run_step(
         arguments,

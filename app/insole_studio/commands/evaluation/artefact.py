@@ -36,7 +36,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.evaluation.artefact import evaluate_artefact
     from insole_core.evaluation.artefact_points import plate_points, sphere_points
     from insole_core.evaluation.evaluation_sections import artefact_section
-    from insole_studio.workbench.wall_steps import check_recorded_with
+    from insole_core.workflows.calibration.wall_steps import check_recorded_with
 
     sensor = evaluated_sensor(arguments)
     captures = read_captures(arguments.folder, progress.part(0, 0.6))

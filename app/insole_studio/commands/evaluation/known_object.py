@@ -63,7 +63,7 @@ def _measure_boards(
     from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
     from insole_core.calibration.boards.intrinsics import find_boards
     from insole_core.evaluation.board_points import evaluate_boards
-    from insole_studio.workbench.calibration_steps import (
+    from insole_core.workflows.calibration.steps import (
         COLOR,
         board_pictures,
         check_color_camera,
@@ -84,7 +84,7 @@ def _measure_points(
     from insole_core.calibration.walls.captures import capture_from_frames, read_frames
     from insole_core.evaluation.distances import evaluate_object
     from insole_core.evaluation.marked_points import load_object_points
-    from insole_studio.workbench.calibration_steps import depth_images
+    from insole_core.workflows.calibration.steps import depth_images
 
     points = load_object_points(arguments.points)
     if points.pixels is None:
@@ -105,7 +105,7 @@ def _measure_spots(
     from insole_core.errors import CalibrationError
     from insole_core.evaluation.distances import evaluate_object, summarise
     from insole_core.evaluation.object_spots import measure_spots
-    from insole_studio.workbench.calibration_steps import COLOR, board_pictures
+    from insole_core.workflows.calibration.steps import COLOR, board_pictures
 
     distances: list[DistanceError] = []
     pictures = board_pictures(arguments.folder, COLOR)

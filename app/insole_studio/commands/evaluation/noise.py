@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.calibration.walls.captures import read_frames
     from insole_core.evaluation.evaluation_sections import noise_section
     from insole_core.evaluation.noise import measure_noise, measure_warm_up
-    from insole_studio.workbench.calibration_steps import depth_images
+    from insole_core.workflows.calibration.steps import depth_images
 
     sensor = evaluated_sensor(arguments)
     paths = depth_images(arguments.folder)

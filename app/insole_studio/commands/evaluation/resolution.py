@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     check_reports(arguments)
     from insole_core.evaluation.evaluation_sections import resolution_section
     from insole_core.evaluation.resolution import evaluate_resolution
-    from insole_studio.workbench.wall_steps import check_recorded_with, read_walls
+    from insole_core.workflows.calibration.wall_steps import check_recorded_with, read_walls
 
     sensor = evaluated_sensor(arguments)
     captures = read_walls(arguments.folder, progress=progress.part(0, 0.8))

@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the walls, measure them, judge."""
     check_reports(arguments)
-    from insole_studio.workbench.wall_steps import check_recorded_with, read_walls
+    from insole_core.workflows.calibration.wall_steps import check_recorded_with, read_walls
 
     sensor = evaluated_sensor(arguments)
     captures = read_walls(arguments.folder, progress=progress.part(0, 0.4))

@@ -23,6 +23,15 @@ from insole_core.progress import Progress
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.picture_folders import LiveKind, keep_infrared, keep_view
+from insole_core.workflows.calibration.picture_overlay import draw_distances, draw_missing_cells
+from insole_core.workflows.calibration.picture_readiness import (
+    Readiness,
+    look_at_board,
+    look_at_wall,
+    small,
+    wall_distance_mm,
+)
 from insole_studio.capture.frame_board import Kind, Picture
 from insole_studio.capture.guidance import depth_colors
 from insole_studio.capture.messages import (
@@ -37,15 +46,6 @@ from insole_studio.capture.messages import (
 from insole_studio.capture.plan import make_plan
 from insole_studio.capture.status import CaptureStatus, Phase
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_overlay import draw_distances, draw_missing_cells
-from insole_studio.workbench.calibration_pictures import LiveKind, keep_infrared, keep_view
-from insole_studio.workbench.calibration_readiness import (
-    Readiness,
-    look_at_board,
-    look_at_wall,
-    small,
-    wall_distance_mm,
-)
 
 _LOOK_PERIOD_S = 0.4
 _STEADY_SHARE, _NEW_SHARE = 0.004, 0.06

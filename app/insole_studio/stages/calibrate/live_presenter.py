@@ -7,12 +7,12 @@ from typing import Any, Protocol
 
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray
+from insole_core.workflows.calibration.picture_folders import LiveKind, folder_of_today
 from insole_studio.jobs import Jobs
 from insole_studio.stages.calibrate.live import LiveInspection, LivePictures
 from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.rows import LiveRow
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_pictures import LiveKind, folder_of_today
 
 _GLANCE, _KEEP = "calibrate glance", "calibrate keep"
 

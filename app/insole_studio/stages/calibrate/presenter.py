@@ -12,15 +12,15 @@ from insole_core.geometry.arrays import ByteArray
 from insole_core.progress import Progress
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.calibration_storage import keep_step, step_date
+from insole_core.workflows.calibration.picture_folders import LiveKind
+from insole_core.workflows.calibration.picture_readiness import Readiness
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LookRow, StepRow
 from insole_studio.stages.calibrate.steps import STEPS, CalibrationStep
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_keeping import keep_step, step_date
-from insole_studio.workbench.calibration_pictures import LiveKind
-from insole_studio.workbench.calibration_readiness import Readiness
-from insole_studio.workbench.calibration_steps import StepResult
-from insole_studio.workbench.sensor_store import SensorStore
 
 CHANNEL = "calibrate"
 

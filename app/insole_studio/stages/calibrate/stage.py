@@ -9,6 +9,7 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QVBoxLayout
 
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.capture.client import CaptureService
 from insole_studio.capture.place import SensorSource
 from insole_studio.jobs import Jobs
@@ -18,7 +19,6 @@ from insole_studio.stages.calibrate.presenter import CalibratePresenter
 from insole_studio.stages.calibrate.view import CalibrateView
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
-from insole_studio.workbench.sensor_store import SensorStore
 
 _SIZE = (1180, 680)
 _TICK_MS = 50

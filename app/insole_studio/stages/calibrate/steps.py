@@ -10,18 +10,18 @@ from pathlib import Path
 from insole_core.calibration.boards.board import Board
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
-from insole_studio.texts import tr
-from insole_studio.workbench.calibration_pictures import LiveKind
-from insole_studio.workbench.calibration_readiness import (
+from insole_core.workflows.calibration.camera_step import Which, calibrate_camera_step
+from insole_core.workflows.calibration.picture_folders import LiveKind
+from insole_core.workflows.calibration.picture_readiness import (
     Readiness,
     inspect_boards,
     inspect_pairs,
     inspect_walls,
 )
-from insole_studio.workbench.calibration_steps import COLOR, INFRARED, StepResult
-from insole_studio.workbench.camera_step import Which, calibrate_camera_step
-from insole_studio.workbench.stereo_steps import calibrate_stereo_step
-from insole_studio.workbench.wall_steps import calibrate_distortion_step, read_walls
+from insole_core.workflows.calibration.steps import COLOR, INFRARED, StepResult
+from insole_core.workflows.calibration.stereo_steps import calibrate_stereo_step
+from insole_core.workflows.calibration.wall_steps import calibrate_distortion_step, read_walls
+from insole_studio.texts import tr
 
 
 @dataclass(frozen=True)

@@ -16,19 +16,19 @@ from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.jobs import JobProgress, Jobs
-from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.pointer import MarkedPoint
-from insole_studio.stages.compare.rows import FILE, FOLDER, Buttons, FigureRow, figure_rows
-from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.comparing import (
+from insole_core.workflows.compare_case import (
     Compared,
     Wanted,
     compare_sources,
     surface_of,
     write_comparison,
 )
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import MarkedPoint
+from insole_studio.stages.compare.rows import FILE, FOLDER, Buttons, FigureRow, figure_rows
+from insole_studio.texts import tr
+from insole_studio.workbench.case import Case
 
 READING, COMPARING, WRITING = "read", "compare", "write"
 LEAST_POINTS = 3

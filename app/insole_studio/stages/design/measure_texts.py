@@ -8,10 +8,10 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.side import Side
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.stages.design.rows import Measure
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.tools.key_point import distances
-from insole_studio.workbench.landmarks import landmarks_of
 
 _ABOUT = "≈"  # before a number that is rather a guess; its tip says why
 _NAMES: dict[str, Callable[[], str]] = {

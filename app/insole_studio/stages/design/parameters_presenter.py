@@ -15,6 +15,7 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.insole.prescription.design_limits import Range
+from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.stages.design.correction_fields import field_specs, with_value
 from insole_studio.stages.design.foot_offers import FootProposals
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
@@ -27,7 +28,6 @@ from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
 from insole_studio.tools.tool import with_number
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.pad_library import LibraryPad
 
 ANGLE = Range(-90, 90, "degrees")
 PLACE = Range(-400, 400)

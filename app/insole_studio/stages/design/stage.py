@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.scene.camera import Preset, Subject, ViewCamera
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
@@ -33,7 +34,6 @@ from insole_studio.widgets.step_strip import StepStrip
 from insole_studio.workbench.case import Case
 from insole_studio.workbench.counterpart import Beside, SideBySide
 from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.pad_library import LibraryPad
 from insole_studio.workbench.section import SectionModel
 
 

@@ -21,11 +21,11 @@ from PySide6.QtWidgets import (
 from insole_core.solids.marking import Relief
 from insole_core.solids.shop import Block
 from insole_core.solids.solid import Kind
+from insole_core.workflows.make_order import OrderChoice
 from insole_studio.texts import tr
 from insole_studio.widgets.choice import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.workbench.shop_order import OrderChoice
 
 _TEXT = ".stl text"
 _LINES_PX = 52

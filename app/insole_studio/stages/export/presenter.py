@@ -21,6 +21,17 @@ from insole_core.solids.checks import Finding, Override
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
 from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.shop import Block, Shop
+from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.make_order import (
+    OrderChoice,
+    block_edges,
+    both_prescribed,
+    files_of,
+    make_pieces,
+    word_of,
+    write_order,
+)
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.export.rows import (
     TITLES,
@@ -35,17 +46,6 @@ from insole_studio.stages.export.rows import (
 )
 from insole_studio.texts import tr
 from insole_studio.workbench.case import Case
-from insole_studio.workbench.export_rules import ClinicExportRules
-from insole_studio.workbench.order_memory import LastOrder
-from insole_studio.workbench.shop_order import (
-    OrderChoice,
-    block_edges,
-    both_prescribed,
-    files_of,
-    make_pieces,
-    word_of,
-    write_order,
-)
 
 MAKING, WRITING = "make", "write"
 _NO_SPOTS = np.zeros((0, 3))

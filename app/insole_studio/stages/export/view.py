@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.workflows.make_order import OrderChoice
 from insole_studio.scene.camera import Subject
 from insole_studio.stages.design.model_view import ModelView
 from insole_studio.stages.export.check_list import CheckList
@@ -29,7 +30,6 @@ from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
 from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 from insole_studio.widgets.upright_scroll import VerticalScroll
-from insole_studio.workbench.shop_order import OrderChoice
 
 _FORM_PX, _CHECKS_PX = 320, 376
 

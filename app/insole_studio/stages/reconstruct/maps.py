@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.workflows.reconstruction_job import MadeFoot
 from insole_studio.scene.coloring import Coloring
 from insole_studio.stages.reconstruct.rows import FootMap
 from insole_studio.texts import tr
-from insole_studio.workbench.reconstructing import MadeFoot
 
 _LEAST_SPAN_MM = 0.5
 

@@ -8,10 +8,10 @@ from typing import Any, Protocol
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.hand_edits import NamedSpot, Pixel, Region, ViewEdits
+from insole_core.workflows.session_editor import SessionEditor
 from insole_studio.stages.reconstruct.marks import marks_of
 from insole_studio.stages.reconstruct.rows import Mark
 from insole_studio.texts import tr
-from insole_studio.workbench.correcting import SessionEditor
 
 _SPOT_SHARE = 14 / 1280
 """Half the width of what is ignored round a blue spot that is no marker."""

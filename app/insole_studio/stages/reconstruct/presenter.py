@@ -9,7 +9,6 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from insole_core.cases.scan import ScannedFoot
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.geometry.mesh import TriangleMesh
@@ -19,6 +18,13 @@ from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.session import Box
+from insole_core.workflows.open_scan import ScannedFoot
+from insole_core.workflows.reconstruction_job import (
+    MadeFoot,
+    make_foot,
+    measure_session,
+)
+from insole_core.workflows.session_editor import SessionEditor
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.stages.capture.view_names import view_text
@@ -33,12 +39,6 @@ from insole_studio.stages.reconstruct.rows import (
     view_row,
 )
 from insole_studio.texts import tr
-from insole_studio.workbench.correcting import SessionEditor
-from insole_studio.workbench.reconstructing import (
-    MadeFoot,
-    make_foot,
-    measure_session,
-)
 
 READING, MAKING = "read-session", "reconstruct"
 """The channels of the jobs."""

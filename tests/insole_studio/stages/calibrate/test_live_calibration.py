@@ -18,11 +18,11 @@ from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.capture.place import SensorSource
 from insole_studio.capture.workplace import DEFAULT_SYSTEM
 from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
-from insole_studio.workbench.sensor_store import SensorStore
 
 PATIENCE_MS = 40_000
 WALL_MM = 700.0

@@ -10,7 +10,7 @@ from insole_core.errors import DesignError
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import Correction, InsoleDesign
 from insole_core.insole.prescription.template import Template, apply_template, make_template
-from insole_studio.workbench.landmarks import landmarks_of
+from insole_core.workflows.foot_landmarks import landmarks_of
 
 
 def template_of(foot: FootRecord) -> Template:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from insole_core.cases.scan import ScannedFoot, session_source
 from insole_core.errors import InsoleError, ReconstructionError
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,6 +19,7 @@ from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.hand_edits import HandEdits
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View
+from insole_core.workflows.open_scan import ScannedFoot, session_source
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, IntArray
-from insole_studio.workbench.calibration_readiness import CELLS, WALL_DISTANCES_MM, is_near
+from insole_core.workflows.calibration.picture_readiness import CELLS, WALL_DISTANCES_MM, is_near
 
 _AMBER = np.array([255, 176, 32])
 _GREEN, _WHITE, _DARK = (90, 220, 90), (255, 255, 255), (24, 24, 24)

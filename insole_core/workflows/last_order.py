@@ -10,7 +10,7 @@ from typing import Any
 
 from insole_core.export.atomic import replacing_file
 from insole_core.solids.shop import Shop
-from insole_studio.workbench.shop_order import OrderChoice
+from insole_core.workflows.make_order import OrderChoice
 
 log = logging.getLogger(__name__)
 _FORGOTTEN = ("both", "pseudonym", "text", "block")

@@ -24,7 +24,7 @@ from insole_core.evaluation.calibration_sections import stereo_section
 from insole_core.evaluation.evaluation_sections import alignment_section
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
-from insole_studio.workbench.calibration_steps import (
+from insole_core.workflows.calibration.steps import (
     COLOR,
     StepResult,
     board_pictures,

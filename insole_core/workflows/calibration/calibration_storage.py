@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from insole_studio.workbench.calibration_report import make_report, report_paths, write_reports
-from insole_studio.workbench.calibration_steps import StepResult
-from insole_studio.workbench.sensor_store import SensorStore
+from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.calibration.steps import StepResult
 
 
 def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = ()) -> Path:

@@ -12,8 +12,8 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.progress import SILENT, Progress
-from insole_studio.workbench.fitting import last_design, prescribed_at
-from insole_studio.workbench.opening import CASE_SUFFIX
+from insole_core.workflows.file_kind import CASE_SUFFIX
+from insole_core.workflows.template_transfer import last_design, prescribed_at
 
 log = logging.getLogger(__name__)
 

@@ -10,8 +10,8 @@ from insole_core.reconstruct import RegistrationLimits, ViewResult
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.session import Box
-from insole_studio.workbench.history import History
-from insole_studio.workbench.reconstructing import MeasuredSession
+from insole_core.workflows.history import History
+from insole_core.workflows.reconstruction_job import MeasuredSession
 
 
 class SessionEditor:

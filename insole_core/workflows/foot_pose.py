@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Pelott, Place
 from insole_core.insole.prescription.mirroring import with_places
-from insole_studio.workbench.landmarks import confirmed, landmarks_of
+from insole_core.workflows.foot_landmarks import confirmed, landmarks_of
 
 
 def turned_record(record: CaseRecord, angles: PoseAngles) -> FootRecord:

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.skin_marks import SkinMark, skin_marks
-from insole_studio.workbench.landmarks import SHOWN, landmarks_of
+from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
 
 MEANINGS = 2
 """So many of the nearest landmarks are offered for a mark."""

@@ -24,8 +24,8 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.steps import COLOR, board_pictures, has_infrared
 from insole_studio.texts import tr
-from insole_studio.workbench.calibration_steps import COLOR, board_pictures, has_infrared
 
 GOOD_PICTURES = 10
 WALL_DISTANCES_MM = (500, 600, 700, 800, 900, 1000)

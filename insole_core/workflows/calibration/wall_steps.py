@@ -22,7 +22,7 @@ from insole_core.evaluation.wall_pictures import wall_pictures
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
-from insole_studio.workbench.calibration_steps import StepResult
+from insole_core.workflows.calibration.steps import StepResult
 
 
 def calibrate_distortion_step(

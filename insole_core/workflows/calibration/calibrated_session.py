@@ -10,7 +10,7 @@ from insole_core.errors import CalibrationError
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.sensor import Sensor
-from insole_studio.workbench.sensor_store import SensorStore
+from insole_core.workflows.calibration.sensor_store import SensorStore
 
 
 def calibrated_session(
