@@ -26,6 +26,11 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.capture.place import SensorSource
 from insole_studio.capture.plan import parse_assignment
+from insole_studio.document.autosave import Autosave, find_recovered
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel
+from insole_studio.document.side_by_side import SideBySide
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.appearance import Appearance
@@ -76,11 +81,6 @@ from insole_studio.tools.posting import PostingTool
 from insole_studio.tools.section import SectionTool
 from insole_studio.tools.tool import Tool
 from insole_studio.tools.turn import TurnTool
-from insole_studio.workbench.autosave import Autosave, find_recovered
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import SideBySide
-from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.section import SectionModel
 
 log = logging.getLogger(__name__)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from insole_studio.document.case import Case
 from insole_studio.settings import Settings
 from insole_studio.shell.dialogue import UserMessages
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 
 class PrescriberSetting:

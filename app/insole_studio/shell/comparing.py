@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from insole_core.errors import UsageError
+from insole_studio.document.case import Case
+from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.stages.design.maps import MapKind
 from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, SideBySide
 
 
 class SideBySideActions:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs, Result, Task
 from insole_studio.shell.dialogue import UserMessages
 from insole_studio.shell.notices import Notices
-from insole_studio.workbench.case import Case
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from insole_studio.document.case import Case
 from insole_studio.texts import tr
 from insole_studio.tools.hand import ToolController
 from insole_studio.tools.posting import posting_of
-from insole_studio.workbench.case import Case
 
 
 class EditActions:

@@ -9,9 +9,9 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction
 from insole_core.workflows.template_transfer import fitted, template_of
+from insole_studio.document.case import Case
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
-from insole_studio.workbench.case import Case
 
 
 class FeetActions:

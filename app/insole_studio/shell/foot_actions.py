@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_core.geometry.side import Side
+from insole_studio.document.side_by_side import Beside
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.texts import tr
-from insole_studio.workbench.counterpart import Beside
 
 
 def _beside(

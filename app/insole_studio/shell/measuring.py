@@ -6,10 +6,10 @@ from PySide6.QtGui import QGuiApplication
 
 from insole_core.export.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
+from insole_studio.document.case import Case
 from insole_studio.shell.dialogue import UserMessages
 from insole_studio.stages.design.measure_texts import table_of
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 
 class MeasureActions:

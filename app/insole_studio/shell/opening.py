@@ -16,6 +16,7 @@ from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import ScannedFoot, open_scan
 from insole_core.workflows.template_transfer import last_design
+from insole_studio.document.autosave import Autosave, Recovered
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.dialogue import LONG_MS
 from insole_studio.shell.file_kinds import case_kinds, scan_kinds
@@ -23,7 +24,6 @@ from insole_studio.shell.questions import SameSide
 from insole_studio.shell.recent import RecentFiles
 from insole_studio.shell.saving import SaveActions
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.workbench.autosave import Autosave, Recovered
 
 CHANNEL = "open"
 NOTICE = "scan"

@@ -22,13 +22,13 @@ from insole_core.insole.prescription.template import (
 from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.template_transfer import fitted, template_of
+from insole_studio.document.case import Case
 from insole_studio.shell.dialogue import LONG_MS, UserMessages
 from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.hand import ToolController
 from insole_studio.tools.pelott import PelottTool
-from insole_studio.workbench.case import Case
 
 
 class PrescriptionActions:

@@ -9,12 +9,12 @@ from typing import TypeAlias
 from insole_core.cases.case_file import write_case
 from insole_core.progress import Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
+from insole_studio.document.case import Case
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.file_kinds import case_kinds
 from insole_studio.shell.questions import Answer
 from insole_studio.shell.recent import RecentFiles
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 CHANNEL = "save"
 Then: TypeAlias = Callable[[], None]

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import BrushStroke, Place
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import seen_from_above
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, place_at
-from insole_studio.workbench.case import Case
 
 LEAST_STEP_SHARE = 0.15
 """Of the radius: nearer places add nothing to a stroke."""

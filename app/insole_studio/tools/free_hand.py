@@ -7,11 +7,11 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
 from insole_core.insole.prescription.design import Pelott, Place
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import pelott_handles, seen_from_above
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, place_at
-from insole_studio.workbench.case import Case
 
 CORNERS = 14
 LEAST_LENGTH_MM = 30.0

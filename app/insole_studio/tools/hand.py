@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, Signal
 
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.tools.running_gesture import RunningGesture
 from insole_studio.tools.tool import ContextMenuItem, SurfaceContext, Tool
-from insole_studio.workbench.case import Case
 
 
 class ToolController(QObject):

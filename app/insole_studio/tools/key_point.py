@@ -11,11 +11,11 @@ from insole_core.cases.case_record import Annotations, KeyPoint
 from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.arrays import FloatArray
 from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
+from insole_studio.document.case import Case
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool, rounded
-from insole_studio.workbench.case import Case
 
 PREFIX = "point:"
 TOUCHED_MM = 12.0

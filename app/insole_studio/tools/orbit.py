@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.pelott import (
@@ -14,7 +15,6 @@ from insole_studio.tools.pelott import (
     selected_pelott,
 )
 from insole_studio.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool
-from insole_studio.workbench.case import Case
 
 
 class OrbitTool(Tool):

@@ -14,6 +14,7 @@ from insole_core.insole.outline.outline_curve import closed_curve, crosses_itsel
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
 from insole_core.insole.prescription.design_limits import LEAST_DRAWN_POINTS
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import (
@@ -24,7 +25,6 @@ from insole_studio.tools.tool import (
     nudge_mm,
     place_at,
 )
-from insole_studio.workbench.case import Case
 
 PREFIX = "outline:"
 NEAR_MM = 12.0

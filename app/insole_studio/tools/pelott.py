@@ -15,6 +15,7 @@ from insole_core.insole.pads.pad_shapes import local_outline, pad2insole
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
+from insole_studio.document.case import Case
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
@@ -30,7 +31,6 @@ from insole_studio.tools.tool import (
     rise_mm,
     rounded,
 )
-from insole_studio.workbench.case import Case
 
 HEIGHT_STEP_MM = 0.5
 TURN_STEP_DEG = 0.5

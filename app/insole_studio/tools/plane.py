@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.cases.case_record import Annotations, ReferencePlane
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded
-from insole_studio.workbench.case import Case
 
 ARM_MM = 70.0
 DEG_PER_MM = 0.5

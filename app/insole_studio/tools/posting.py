@@ -9,10 +9,10 @@ import numpy as np
 from insole_core.insole.prescription.design import InsoleDesign, Posting
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.posting import posting_angles
+from insole_studio.document.case import Case
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rise_mm, rounded, with_number
-from insole_studio.workbench.case import Case
 
 ANGLE_STEP_DEG = 0.5
 DEG_PER_MM = 0.2

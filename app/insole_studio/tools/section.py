@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from insole_studio.document.case import Case
+from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 from insole_studio.tools.tool import (
@@ -18,8 +20,6 @@ from insole_studio.tools.tool import (
     place_at,
     rounded,
 )
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.section import SectionModel, SectionPlane
 
 ARM_MM = 45.0
 PLACE_STEP_MM = 0.5

@@ -24,6 +24,10 @@ from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.bootstrap import make_tools
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel, SectionPlane
+from insole_studio.document.side_by_side import SideBySide
 from insole_studio.jobs import Jobs
 from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
 from insole_studio.stages.design.parameters_presenter import ParametersPresenter
@@ -33,10 +37,6 @@ from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.tools.hand import ToolController
 from insole_studio.tools.pelott import PelottTool
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import SideBySide
-from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.section import SectionModel, SectionPlane
 
 
 class MockView:

@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.geometry.side import Side
 from insole_studio.bootstrap import Application, UserPaths, build_application
+from insole_studio.document.autosave import Autosave, find_recovered
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
-from insole_studio.workbench.autosave import Autosave, find_recovered
-from insole_studio.workbench.case import Case
 
 PROGRAM = """
     import os, signal, sys
@@ -24,8 +24,8 @@ PROGRAM = """
     from PySide6.QtCore import QCoreApplication
     from insole_core.cases.case_record import Patient
     from insole_studio.jobs import Jobs
-    from insole_studio.workbench.autosave import Autosave
-    from insole_studio.workbench.case import Case
+    from insole_studio.document.autosave import Autosave
+    from insole_studio.document.case import Case
 
     qt = QCoreApplication([])
     jobs, case = Jobs(), Case()

@@ -14,7 +14,7 @@ from insole_core.cases.case_record import (
 )
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
-from insole_studio.workbench.case import Case
+from insole_studio.document.case import Case
 
 SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 

@@ -23,12 +23,12 @@ from insole_core.workflows.compare_case import (
     surface_of,
     write_comparison,
 )
+from insole_studio.document.case import Case
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.stages.compare.rows import FILE, FOLDER, Buttons, FigureRow, figure_rows
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 READING, COMPARING, WRITING = "read", "compare", "write"
 LEAST_POINTS = 3

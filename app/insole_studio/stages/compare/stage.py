@@ -9,13 +9,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QVBoxLayout
 
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 from insole_studio.stages.compare.presenter import ComparePresenter
 from insole_studio.stages.compare.rows import FOLDER
 from insole_studio.stages.compare.view import CompareView
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
-from insole_studio.workbench.case import Case
 
 _SIZE = (1280, 700)
 _SOURCES = "(*.ply *.stl *.obj *.zip)"

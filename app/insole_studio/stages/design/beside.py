@@ -10,10 +10,10 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.scene.companion import NameLabel
 from insole_studio.texts import tr
 from insole_studio.widgets.side_badge import COLORS
-from insole_studio.workbench.counterpart import Beside, SideBySide
 
 GAP_MM = 64.0
 """Between the two: the words of their inner sides stand there."""

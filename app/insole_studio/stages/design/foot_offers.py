@@ -17,12 +17,12 @@ from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import turned_record
 from insole_core.workflows.pen_marks import PenMark, PenMarks
+from insole_studio.document.case import Case
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.key_point import point_text
 from insole_studio.tools.posting import posting_of, with_posting
-from insole_studio.workbench.case import Case
 
 _ANGLE = Range(-45, 45, "degrees")
 

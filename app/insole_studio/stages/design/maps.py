@@ -9,10 +9,10 @@ import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.side_by_side import SideBySide, foot_difference, insole_difference
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
-from insole_studio.workbench.counterpart import SideBySide, foot_difference, insole_difference
-from insole_studio.workbench.insole_surface import InsolePreview
 
 LEAST_SPAN_MM = 1.0
 

@@ -16,6 +16,11 @@ from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel, section_line
+from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.document.variants import choose_variant
 from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
@@ -36,11 +41,6 @@ from insole_studio.tools.metatarsal import NEAR_MM, clearance
 from insole_studio.tools.outline import curve_of
 from insole_studio.tools.pelott import selected_pelott
 from insole_studio.tools.tool import ContextMenuItem
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, SideBySide
-from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.section import SectionModel, section_line
-from insole_studio.workbench.variants import choose_variant
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3

@@ -16,6 +16,7 @@ from insole_core.insole.prescription.design import (
 )
 from insole_core.insole.prescription.design_limits import Range
 from insole_core.workflows.pad_library import LibraryPad
+from insole_studio.document.case import Case
 from insole_studio.stages.design.correction_fields import field_specs, with_value
 from insole_studio.stages.design.foot_offers import FootProposals
 from insole_studio.stages.design.rows import FieldGroup, FieldSpec, Proposal
@@ -27,7 +28,6 @@ from insole_studio.tools.outline import with_source
 from insole_studio.tools.pelott import PelottTool, selected_pelott
 from insole_studio.tools.posting import posting_of, with_posting
 from insole_studio.tools.tool import with_number
-from insole_studio.workbench.case import Case
 
 ANGLE = Range(-90, 90, "degrees")
 PLACE = Range(-400, 400)

@@ -12,12 +12,12 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import ArchRaise, BrushStroke, Correction, Pelott
+from insole_studio.document.case import Case
+from insole_studio.document.variants import choose_variant
 from insole_studio.stages.design.measure_texts import distances_of, measures_of
 from insole_studio.stages.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import describe, name_of
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.variants import choose_variant
 
 COPY_BEHIND_MM = 10.0
 

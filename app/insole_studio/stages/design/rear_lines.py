@@ -9,10 +9,10 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.document.case import Case
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Tool
 from insole_studio.tools.turn import TurnTool, ring_centre
-from insole_studio.workbench.case import Case
 
 LEVEL_HALF_MM = 60.0
 BELOW_MM = np.array([0.0, -9.0, -9.0])

@@ -6,10 +6,10 @@ from typing import Protocol
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel, SectionPlane, cut_profile
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.section import SectionModel, SectionPlane, cut_profile
 
 
 class SectionPanel(Protocol):

@@ -10,6 +10,10 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel
+from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.scene.camera import Preset, Subject, ViewCamera
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
@@ -31,10 +35,6 @@ from insole_studio.tools.hand import ToolController
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.counterpart import Beside, SideBySide
-from insole_studio.workbench.insole_surface import InsolePreview
-from insole_studio.workbench.section import SectionModel
 
 
 class DesignStage(QObject):

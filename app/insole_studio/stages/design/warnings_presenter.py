@@ -8,13 +8,13 @@ from typing import Any, Protocol
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.clinic_rules import ClinicRules, DesignWarning, design_warnings
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.stages.design.rows import WarningRow
 from insole_studio.texts import translated
 from insole_studio.tools.correction_names import PAD_NAMES
 from insole_studio.tools.hand import ToolController
 from insole_studio.tools.key_point import point_text
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsolePreview
 
 
 class WarningsPanel(Protocol):

@@ -32,6 +32,7 @@ from insole_core.workflows.make_order import (
     word_of,
     write_order,
 )
+from insole_studio.document.case import Case
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.stages.export.rows import (
     TITLES,
@@ -45,7 +46,6 @@ from insole_studio.stages.export.rows import (
     summary_of,
 )
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 MAKING, WRITING = "make", "write"
 _NO_SPOTS = np.zeros((0, 3))

@@ -12,13 +12,13 @@ from PySide6.QtWidgets import QVBoxLayout
 from insole_core.solids.shop import Shop
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 from insole_studio.stages.export.order_form import Stock
 from insole_studio.stages.export.presenter import ExportPresenter
 from insole_studio.stages.export.view import ExportView
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
-from insole_studio.workbench.case import Case
 
 _SIZE = (1280, 700)
 

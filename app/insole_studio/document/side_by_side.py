@@ -20,9 +20,9 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import Progress
 from insole_core.solids.solid import insole_solid
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.jobs import Jobs
-from insole_studio.workbench.case import Case
-from insole_studio.workbench.insole_surface import InsolePreview
 
 CHANNEL = "counterpart"
 _SOLE_PITCH_MM, _SOLE_TO_MM, _SEEN_MM = 1.0, 30.0, 1.5

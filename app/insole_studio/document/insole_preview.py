@@ -27,8 +27,8 @@ from insole_core.insole.surface.pads_on_surface import (
 from insole_core.insole.surface.posting import posted_mesh, posting_angles
 from insole_core.progress import Progress
 from insole_core.solids.solid import insole_solid
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
-from insole_studio.workbench.case import Case
 
 CHANNEL = "insole"
 KEPT_GROUNDS = 4

@@ -6,8 +6,8 @@ from itertools import count
 from string import ascii_uppercase
 
 from insole_core.cases.case_record import FootRecord
+from insole_studio.document.case import Case
 from insole_studio.texts import tr
-from insole_studio.workbench.case import Case
 
 
 def choose_variant(case: Case, name: str) -> None:

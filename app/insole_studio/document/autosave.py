@@ -19,8 +19,8 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import replacing_file
 from insole_core.progress import Progress
+from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
-from insole_studio.workbench.case import Case
 
 log = logging.getLogger(__name__)
 

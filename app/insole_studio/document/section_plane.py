@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.plane_section import section_segments
-from insole_studio.workbench.insole_surface import InsolePreview
+from insole_studio.document.insole_preview import InsolePreview
 
 
 @dataclass(frozen=True)
