@@ -24,17 +24,17 @@ from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.capturing import (
+from insole_studio.acquisition.capture_plan import make_plan
+from insole_studio.acquisition.capture_runner import (
     CaptureCallbacks,
     CaptureRunner,
     close_sensors,
     open_sensors,
 )
-from insole_studio.capture.draft import Draft
-from insole_studio.capture.plan import make_plan
-from insole_studio.capture.rig import OpenSensor, Rig
-from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import DEFAULT_SYSTEM, CaptureSetup
+from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.rig import OpenSensor, Rig
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage

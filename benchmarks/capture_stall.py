@@ -14,9 +14,9 @@ from pathlib import Path
 
 from benchmarks._measure import print_table, recorded_session
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.client import CaptureService
-from insole_studio.capture.messages import Sensors, SensorState
-from insole_studio.capture.place import SensorSource
+from insole_studio.acquisition.messages import Sensors, SensorState
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
 
 SECONDS = 6.0
 START_S = 30.0

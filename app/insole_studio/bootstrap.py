@@ -24,8 +24,8 @@ from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.pad_library import load_pads
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.plan import parse_assignment
+from insole_studio.acquisition.capture_plan import parse_assignment
+from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview

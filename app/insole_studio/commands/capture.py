@@ -18,12 +18,12 @@ from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
-    from insole_studio.capture.draft import Draft
-    from insole_studio.capture.place import SensorSource
-    from insole_studio.capture.plan import CapturePlan, CaptureStep
-    from insole_studio.capture.request import PlanRequest
-    from insole_studio.capture.status import CaptureStatus
-    from insole_studio.capture.workplace import CaptureSetup
+    from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep
+    from insole_studio.acquisition.capture_setup import CaptureSetup
+    from insole_studio.acquisition.capture_status import CaptureStatus
+    from insole_studio.acquisition.draft import Draft
+    from insole_studio.acquisition.plan_request import PlanRequest
+    from insole_studio.acquisition.sensor_source import SensorSource
 
 NAME = "capture"
 HELP = "capture a foot with the sensors, one after the other or all at once, as a session"
@@ -61,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Capture every view, then put the session in its place."""
     _check_out(arguments.out)
-    from insole_studio.capture.capturing import (
+    from insole_studio.acquisition.capture_runner import (
         CaptureCallbacks,
         CaptureRunner,
         close_sensors,
@@ -106,7 +106,7 @@ def _check_out(path: Path) -> None:
 
 
 def _left_draft(folder: Path) -> Draft:
-    from insole_studio.capture.draft import Draft
+    from insole_studio.acquisition.draft import Draft
 
     return Draft.reopen(folder)
 
@@ -115,8 +115,8 @@ def _request(
     arguments: argparse.Namespace, place: SensorSource, found: int, left: Draft | None
 ) -> PlanRequest:
     """Give what is to be captured: as the call says, else as it was begun, else as it is played."""
-    from insole_studio.capture.plan import parse_assignment
-    from insole_studio.capture.request import PlanRequest, kept_request
+    from insole_studio.acquisition.capture_plan import parse_assignment
+    from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
     kept = kept_request(left.manifest.extra) if left else None
     if kept and arguments.views is None:
@@ -147,7 +147,7 @@ def _new_draft(
     place: SensorSource,
     workplace: CaptureSetup,
 ) -> Draft:
-    from insole_studio.capture.draft import Draft, drafts_folder_of_user
+    from insole_studio.acquisition.draft import Draft, drafts_folder_of_user
 
     views = request.plan().views
     manifest = replace(_manifest(arguments, place, workplace), extra=request.as_extra())
@@ -179,7 +179,7 @@ def _manifest(
 
 def _wait_for_hand(place: SensorSource, step: CaptureStep) -> None:
     """Ask for a sensor to be moved; emulated ones need no hand."""
-    from insole_studio.capture.capturing import hand_sentence
+    from insole_studio.acquisition.capture_runner import hand_sentence
 
     if place.room is not None:
         place.put(step)

@@ -39,8 +39,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.recording.session import Manifest, Session
     from insole_core.recording.writer import write_session
     from insole_core.resources import resource_path
-    from insole_studio.capture.fakenect import read_view, recorded_at
-    from insole_studio.capture.workplace import DEFAULT_SYSTEM
+    from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
+    from insole_studio.acquisition.fakenect_recordings import read_view, recorded_at
 
     named = _named(arguments.recordings)
     if arguments.side is None:

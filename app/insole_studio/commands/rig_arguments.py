@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from insole_studio.commands.sensor_arguments import add_store_argument, store_of
 
 if TYPE_CHECKING:
-    from insole_studio.capture.place import SensorSource
+    from insole_studio.acquisition.sensor_source import SensorSource
 
 
 def add_rig_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,6 +28,6 @@ def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
 
 def place_of(arguments: argparse.Namespace, system_file: Path | None = None) -> SensorSource:
     """Give the place of a call."""
-    from insole_studio.capture.place import SensorSource
+    from insole_studio.acquisition.sensor_source import SensorSource
 
     return SensorSource(store_of(arguments), arguments.emulate, system_file)

@@ -10,7 +10,7 @@ from insole_core.progress import Progress
 from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
 
 if TYPE_CHECKING:
-    from insole_studio.capture.status import FoundSensor
+    from insole_studio.acquisition.capture_status import FoundSensor
 
 NAME = "sensors"
 HELP = "list the sensors: a line each with serial number, model, USB bus, and state"

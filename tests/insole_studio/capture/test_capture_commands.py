@@ -12,7 +12,7 @@ import pytest
 from capture_samples import color_mosaic, depth_frames
 
 from insole_core.recording.reader import read_session
-from insole_studio.capture import draft
+from insole_studio.acquisition import draft
 from insole_studio.cli import run
 from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
@@ -136,7 +136,7 @@ def test_a_sensor_that_is_moved_by_hand_needs_a_hand(
         Model.XBOX_1414, "A1", TYPICAL_CALIBRATION, make_footage(depth_frames(1), [color_mosaic(1)])
     )
     bus = UsbBus(EmulatedBus([kinect], speed=8.0))
-    monkeypatch.setattr("insole_studio.capture.place.system_bus", lambda: bus)
+    monkeypatch.setattr("insole_studio.acquisition.sensor_source.system_bus", lambda: bus)
     views = ["--views", "left=A1", "right=A1", "--side", "left", "--frames", "2"]
     monkeypatch.setattr("sys.stdin", io.StringIO())
     assert run(["capture", "--out", str(tmp_path / "s"), *views]) == 2
@@ -161,7 +161,9 @@ def test_an_unknown_sensor_leaves_nothing(
 def test_no_sensor_at_all(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("insole_studio.capture.place.system_bus", lambda: UsbBus(EmulatedBus([])))
+    monkeypatch.setattr(
+        "insole_studio.acquisition.sensor_source.system_bus", lambda: UsbBus(EmulatedBus([]))
+    )
     assert run(["sensors"]) == 1
     assert "No Kinect is plugged in" in last_line(capsys)
     assert run(["capture", "--out", str(tmp_path / "s"), "--side", "left"]) == 1

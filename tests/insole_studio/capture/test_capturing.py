@@ -17,12 +17,12 @@ from insole_core.errors import InputError, OutputError
 from insole_core.progress import Cancelled
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import CaptureCondition
-from insole_studio.capture import draft as draft_module
-from insole_studio.capture.capturing import open_sensors
-from insole_studio.capture.draft import Draft
-from insole_studio.capture.errors import BusFullError, NoSensorFoundError, SensorError
-from insole_studio.capture.plan import CapturePlan, CaptureStep, make_plan
-from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.acquisition import draft as draft_module
+from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, make_plan
+from insole_studio.acquisition.capture_runner import open_sensors
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.sensor_errors import BusFullError, NoSensorFoundError, SensorError
 from kinect_v1.emulation.faults import Fault
 from kinect_v1.emulation.playback import make_footage
 

@@ -6,7 +6,7 @@ import threading
 import numpy as np
 import pytest
 
-from insole_studio.capture.frame_board import SharedFrameBuffer
+from insole_studio.acquisition.shared_frame_buffer import SharedFrameBuffer
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session
 from insole_core.sensing.disparity import FactoryDisparity
-from insole_studio.capture.guidance import (
+from insole_studio.acquisition.guidance import (
     FrameSnapshot,
     Guidance,
     Hint,

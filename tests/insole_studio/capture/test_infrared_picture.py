@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_studio.capture.rig import infrared_picture
+from insole_studio.acquisition.rig import infrared_picture
 from kinect_v1.modes import BAYER_640, IR_640, StreamMode
 from kinect_v1.streams import Frame
 

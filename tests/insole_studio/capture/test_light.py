@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from insole_studio.capture.light import Light, judge_light
+from insole_studio.acquisition.light import Light, judge_light
 
 
 @pytest.mark.parametrize(

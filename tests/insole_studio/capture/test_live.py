@@ -12,9 +12,9 @@ from capture_samples import SERIALS, Bench
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
-from insole_studio.capture.emulation import EmulatedRig
-from insole_studio.capture.live import LiveSensors
-from insole_studio.capture.rig import Rig
+from insole_studio.acquisition.emulated_rig import EmulatedRig
+from insole_studio.acquisition.live_sensors import LiveSensors
+from insole_studio.acquisition.rig import Rig
 from kinect_v1.usb_bus import UsbBus
 
 PATIENCE_S = 20.0

@@ -7,8 +7,14 @@ from capture_samples import ASSIGNMENT
 
 from insole_core.errors import UsageError
 from insole_core.recording.session import Marker, ReferenceSystem
-from insole_studio.capture.plan import CaptureStep, Shot, make_plan, parse_assignment, view_faces
-from insole_studio.capture.request import PlanRequest, kept_request
+from insole_studio.acquisition.capture_plan import (
+    CaptureStep,
+    Shot,
+    make_plan,
+    parse_assignment,
+    view_faces,
+)
+from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 
 def test_sensors_take_turns_by_default() -> None:

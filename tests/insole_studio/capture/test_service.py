@@ -12,8 +12,9 @@ from capture_samples import NothingStored
 from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
-from insole_studio.capture.client import CaptureService
-from insole_studio.capture.messages import (
+from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.messages import (
     Cancel,
     Command,
     Event,
@@ -24,9 +25,8 @@ from insole_studio.capture.messages import (
     Start,
     Tilt,
 )
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.plan import CapturePlan, make_plan
-from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
 
 PATIENCE_S = 30.0
 

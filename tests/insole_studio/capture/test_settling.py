@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from insole_studio.capture.settling import Stabilisation, StabilisationRule
+from insole_studio.acquisition.stabilisation import Stabilisation, StabilisationRule
 
 RULE = StabilisationRule(frames=3, tolerance=0.05, most_s=1.0)
 PERIOD_S = 1 / 30

@@ -13,7 +13,7 @@ from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.capture.workplace import own_workplace, recorded_workplace
+from insole_studio.acquisition.capture_setup import own_workplace, recorded_workplace
 
 
 @pytest.fixture

@@ -14,12 +14,15 @@ from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.draft import Draft, ViewFacts
-from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.left_drafts import UnfinishedCapture, newest_unfinished_capture
-from insole_studio.capture.messages import Command, Event, Sensors, SensorState, Start, Tilt
-from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
-from insole_studio.capture.workplace import Calibrated, recorded_workplace
+from insole_studio.acquisition.capture_setup import Calibrated, recorded_workplace
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase, ViewStatus
+from insole_studio.acquisition.draft import Draft, ViewFacts
+from insole_studio.acquisition.messages import Command, Event, Sensors, SensorState, Start, Tilt
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
+from insole_studio.acquisition.unfinished_captures import (
+    UnfinishedCapture,
+    newest_unfinished_capture,
+)
 from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.presenter import CapturePresenter
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow

@@ -32,9 +32,10 @@ from insole_core.workflows.calibration.picture_readiness import (
     small,
     wall_distance_mm,
 )
-from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.guidance import depth_colors
-from insole_studio.capture.messages import (
+from insole_studio.acquisition.capture_plan import make_plan
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.guidance import depth_colors
+from insole_studio.acquisition.messages import (
     Command,
     Event,
     Infrared,
@@ -43,8 +44,7 @@ from insole_studio.capture.messages import (
     SensorState,
     Start,
 )
-from insole_studio.capture.plan import make_plan
-from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.texts import tr
 
 _LOOK_PERIOD_S = 0.4

@@ -10,8 +10,8 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QVBoxLayout
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.capture.client import CaptureService
-from insole_studio.capture.place import SensorSource
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.jobs import Jobs
 from insole_studio.stages.calibrate.live import LivePictures
 from insole_studio.stages.calibrate.live_presenter import LivePresenter

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import replace
 
-from insole_studio.capture.request import PlanRequest
+from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.stages.capture.rows import USUAL_VIEWS, CaptureOptions
 
 _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))

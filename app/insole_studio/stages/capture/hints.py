@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from insole_studio.capture.guidance import Hint, HintKind
+from insole_studio.acquisition.guidance import Hint, HintKind
 from insole_studio.texts import tr
 
 

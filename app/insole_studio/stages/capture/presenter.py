@@ -13,10 +13,11 @@ from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
-from insole_studio.capture.draft import Draft
-from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.left_drafts import UnfinishedCapture
-from insole_studio.capture.messages import (
+from insole_studio.acquisition.capture_plan import CapturePlan
+from insole_studio.acquisition.capture_setup import CaptureSetup
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.messages import (
     Cancel,
     Command,
     Event,
@@ -29,10 +30,9 @@ from insole_studio.capture.messages import (
     Start,
     Tilt,
 )
-from insole_studio.capture.plan import CapturePlan
-from insole_studio.capture.request import PlanRequest
-from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import CaptureSetup
+from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
+from insole_studio.acquisition.unfinished_captures import UnfinishedCapture
 from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.assignment import ViewAssignment, options_of
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow

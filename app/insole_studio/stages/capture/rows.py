@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from insole_core.geometry.side import Side
-from insole_studio.capture.guidance import DEPTH_RANGE_MM
+from insole_studio.acquisition.guidance import DEPTH_RANGE_MM
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 

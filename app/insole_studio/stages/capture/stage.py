@@ -9,10 +9,10 @@ from PySide6.QtCore import QLockFile, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
-from insole_studio.capture.client import CaptureService
-from insole_studio.capture.left_drafts import newest_unfinished_capture
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.request import PlanRequest
+from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
+from insole_studio.acquisition.unfinished_captures import newest_unfinished_capture
 from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.assignment import options_of
 from insole_studio.stages.capture.presenter import TILT_STEP_DEG, CapturePresenter

@@ -9,19 +9,19 @@ from typing import Protocol
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
-from insole_studio.capture.factory import usual_sensor
-from insole_studio.capture.frame_board import Kind, Picture
-from insole_studio.capture.guidance import (
+from insole_studio.acquisition.capture_plan import view_faces
+from insole_studio.acquisition.capture_setup import CaptureSetup
+from insole_studio.acquisition.capture_status import Phase
+from insole_studio.acquisition.factory_calibration import usual_sensor
+from insole_studio.acquisition.guidance import (
     FrameSnapshot,
     Guidance,
     centre_depth_mm,
     depth_colors,
     guide,
 )
-from insole_studio.capture.messages import WARM_UP_S, SensorState
-from insole_studio.capture.plan import view_faces
-from insole_studio.capture.status import Phase
-from insole_studio.capture.workplace import CaptureSetup
+from insole_studio.acquisition.messages import WARM_UP_S, SensorState
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.stages.capture.hints import hint_text
 from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr

@@ -19,8 +19,8 @@ from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.workplace import DEFAULT_SYSTEM
+from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
+from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.stages.calibrate.rows import BoardSize
 from insole_studio.stages.calibrate.stage import CalibrateStage
 

@@ -11,11 +11,13 @@ from multiprocessing.connection import Connection
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import Cancelled
-from insole_studio.capture.capturing import CaptureCallbacks, CaptureRunner
-from insole_studio.capture.draft import Draft
-from insole_studio.capture.frame_board import SharedFrameBuffer
-from insole_studio.capture.live import LiveSensors
-from insole_studio.capture.messages import (
+from insole_studio.acquisition.capture_plan import CaptureStep
+from insole_studio.acquisition.capture_runner import CaptureCallbacks, CaptureRunner
+from insole_studio.acquisition.capture_setup import CaptureSetup
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.live_sensors import LiveSensors
+from insole_studio.acquisition.messages import (
     Cancel,
     Command,
     Event,
@@ -29,10 +31,8 @@ from insole_studio.capture.messages import (
     Start,
     Tilt,
 )
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.plan import CaptureStep
-from insole_studio.capture.status import CaptureStatus, Phase
-from insole_studio.capture.workplace import CaptureSetup
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.shared_frame_buffer import SharedFrameBuffer
 
 _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import ByteArray, RawArray
-from insole_studio.capture.errors import SensorError
-from insole_studio.capture.messages import Sensors, SensorState
-from insole_studio.capture.plan import MOST_SENSORS
-from insole_studio.capture.rig import OpenSensor, Rig, infrared_picture, raw_image
+from insole_studio.acquisition.capture_plan import MOST_SENSORS
+from insole_studio.acquisition.messages import Sensors, SensorState
+from insole_studio.acquisition.rig import OpenSensor, Rig, infrared_picture, raw_image
+from insole_studio.acquisition.sensor_errors import SensorError
 
 _RATE_FRAMES = 16
 

@@ -9,7 +9,7 @@ from itertools import chain
 
 from insole_core.errors import UsageError
 from insole_core.recording.session import ReferenceSystem
-from insole_studio.capture.settling import StabilisationRule
+from insole_studio.acquisition.stabilisation import StabilisationRule
 
 MOST_SENSORS = 8
 MOST_FRAMES = 999

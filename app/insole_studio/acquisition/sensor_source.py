@@ -8,16 +8,16 @@ from pathlib import Path
 
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
-from insole_studio.capture.emulation import EmulatedRig, emulated_bursts, emulated_views
-from insole_studio.capture.errors import translating
-from insole_studio.capture.plan import CaptureStep
-from insole_studio.capture.rig import Rig
-from insole_studio.capture.workplace import (
+from insole_studio.acquisition.capture_plan import CaptureStep
+from insole_studio.acquisition.capture_setup import (
     CaptureSetup,
     SensorFiles,
     own_workplace,
     recorded_workplace,
 )
+from insole_studio.acquisition.emulated_rig import EmulatedRig, emulated_bursts, emulated_views
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_errors import translating
 from kinect_v1.usb_bus import UsbBus, system_bus
 
 

@@ -9,11 +9,11 @@ import numpy as np
 from insole_core.geometry.arrays import RawArray
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import median_raw
-from insole_studio.capture.light import Light
-from insole_studio.capture.plan import CapturePlan, Shot
-from insole_studio.capture.rig import OpenSensor, raw_image
-from insole_studio.capture.settling import Stabilisation
-from insole_studio.capture.status import ViewStatus
+from insole_studio.acquisition.capture_plan import CapturePlan, Shot
+from insole_studio.acquisition.capture_status import ViewStatus
+from insole_studio.acquisition.light import Light
+from insole_studio.acquisition.rig import OpenSensor, raw_image
+from insole_studio.acquisition.stabilisation import Stabilisation
 
 _LEAST_VALID_SHARE = 0.01
 _MOVED_RAW = 4.0

@@ -12,8 +12,8 @@ from insole_core.calibration.stored_correction import apply_correction
 from insole_core.recording.session import Box, ReferenceSystem, Session
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.plan import view_faces
-from insole_studio.capture.rig import OpenSensor
+from insole_studio.acquisition.capture_plan import view_faces
+from insole_studio.acquisition.rig import OpenSensor
 
 DEFAULT_SYSTEM = "reference_systems/lego-20.json"
 

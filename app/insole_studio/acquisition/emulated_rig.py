@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.session import Session, View
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.plan import MOST_BURSTS, burst_tilt_deg, burst_view
+from insole_studio.acquisition.capture_plan import MOST_BURSTS, burst_tilt_deg, burst_view
 from kinect_v1.calibration import Calibration, ZeroPlane
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect, Footage

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from insole_core.errors import UsageError
-from insole_studio.capture.plan import CapturePlan, make_plan
+from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
 
 _KEY = "capture_plan"
 """Of the manifest."""

@@ -13,9 +13,9 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.errors import NoSensorFoundError, SensorError, translating
-from insole_studio.capture.factory import factory_sensor
-from insole_studio.capture.status import FoundSensor
+from insole_studio.acquisition.capture_status import FoundSensor
+from insole_studio.acquisition.factory_calibration import factory_sensor
+from insole_studio.acquisition.sensor_errors import NoSensorFoundError, SensorError, translating
 from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode

@@ -18,8 +18,8 @@ from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.session import Box, ReferenceSystem
 from insole_core.sensing.disparity import NO_READING, DisparityModel
 from insole_core.sensing.sensor import Sensor
-from insole_studio.capture.factory import resized_camera
-from insole_studio.capture.light import Light, judge_light
+from insole_studio.acquisition.factory_calibration import resized_camera
+from insole_studio.acquisition.light import Light, judge_light
 
 NEAREST_MM, FARTHEST_MM = 550.0, 1000.0
 """Nearer the sensor measures little; farther its depth steps exceed 3 mm."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
-from insole_studio.capture.request import PlanRequest, kept_request
+from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 
 @dataclass(frozen=True, eq=False)

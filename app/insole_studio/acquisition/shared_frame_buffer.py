@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import ByteArray, RawArray
-from insole_studio.capture.plan import MOST_SENSORS
+from insole_studio.acquisition.capture_plan import MOST_SENSORS
 
 Kind = Literal["depth", "color", "infrared"]
 

@@ -24,8 +24,8 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Manifest
 from insole_core.recording.writer import write_session
-from insole_studio.capture.request import kept_request
-from insole_studio.capture.workplace import Calibrated
+from insole_studio.acquisition.capture_setup import Calibrated
+from insole_studio.acquisition.plan_request import kept_request
 
 _FACTS = "capture"
 """The key of the manifest that tells of the capture of each view."""

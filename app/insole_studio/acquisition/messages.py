@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from insole_core.recording.session import Manifest
-from insole_studio.capture.plan import CapturePlan
-from insole_studio.capture.status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_plan import CapturePlan
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
 
 WARM_UP_S = 15 * 60.0
 """So long depth drifts after a sensor was switched on (docs/calibration.md); captures may begin."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import multiprocessing
 from dataclasses import replace
 
-from insole_studio.capture.frame_board import Kind, Picture, SharedFrameBuffer
-from insole_studio.capture.messages import Command, Event, Quit, Sensors
-from insole_studio.capture.place import SensorSource
-from insole_studio.capture.service import serve
+from insole_studio.acquisition.capture_service import serve
+from insole_studio.acquisition.messages import Command, Event, Quit, Sensors
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture, SharedFrameBuffer
 
 _PATIENCE_S = 5.0
 

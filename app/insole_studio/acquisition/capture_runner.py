@@ -10,14 +10,14 @@ from dataclasses import dataclass
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import Cancelled
-from insole_studio.capture.draft import Draft, ViewFacts
-from insole_studio.capture.errors import BusFullError, SensorError
-from insole_studio.capture.light import judge_light
-from insole_studio.capture.plan import CapturePlan, CaptureStep, Shot
-from insole_studio.capture.rig import ColorSize, OpenSensor, Rig
-from insole_studio.capture.series import Beginning, Series, poll_depth
-from insole_studio.capture.status import CaptureStatus, Phase, ViewStatus
-from insole_studio.capture.workplace import Calibrated, CaptureSetup
+from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
+from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase, ViewStatus
+from insole_studio.acquisition.draft import Draft, ViewFacts
+from insole_studio.acquisition.light import judge_light
+from insole_studio.acquisition.rig import ColorSize, OpenSensor, Rig
+from insole_studio.acquisition.sensor_errors import BusFullError, SensorError
+from insole_studio.acquisition.view_frames import Beginning, Series, poll_depth
 
 _POLL_S = 0.002
 _IN_FLIGHT_S = 2 / 30
