@@ -11,7 +11,7 @@ def main() -> int:
     # Our systems of equations are small: threads of OpenBLAS beside our own only wait for each
     # other, in three times the processor time. It reads this when numpy is imported.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from insole_studio.cli import run
+    from insole_studio.cli.main import run
 
     return run(sys.argv[1:])
 

@@ -17,7 +17,7 @@ from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 
 @pytest.fixture(scope="module")

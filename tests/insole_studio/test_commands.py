@@ -23,7 +23,7 @@ from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.simulate import FootShape, build_foot
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 SMALL_SESSION = Path(__file__).parents[1] / "data" / "sessions" / "left_small.zip"
 

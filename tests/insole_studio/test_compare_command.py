@@ -21,7 +21,7 @@ from insole_core.simulate import FootShape, build_foot
 from insole_core.simulate.one_view import simulate_view
 from insole_core.simulate.scene import load_reference_system
 from insole_core.solids.solid import insole_solid
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ import trimesh
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from capture_samples import color_mosaic, depth_frames
 
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition import draft
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect

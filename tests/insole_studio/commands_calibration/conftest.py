@@ -10,7 +10,7 @@ import pytest
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD_CALL, write_boards, write_walls
 
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 
 @dataclass(frozen=True)

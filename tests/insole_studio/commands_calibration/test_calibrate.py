@@ -30,7 +30,7 @@ from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 pytestmark = pytest.mark.usefixtures("undrawn_reports")
 

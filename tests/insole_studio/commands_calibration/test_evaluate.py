@@ -18,7 +18,7 @@ from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 
 @pytest.fixture

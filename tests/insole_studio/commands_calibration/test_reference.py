@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from insole_core.resources import resource_path
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 PLAN = resource_path("reference_systems/lego-20.json")
 LENGTH = ["--length", "S1", "S5", "208"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from simulated_folders import BOARD_CALL
 
-from insole_studio.cli import run
+from insole_studio.cli.main import run
 
 SUFFIXES = (".html", ".json", ".pdf")
 
