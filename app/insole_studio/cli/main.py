@@ -16,7 +16,7 @@ from typing import NoReturn, Protocol
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
-from insole_studio.commands import (
+from insole_studio.cli import (
     calibrate,
     capture,
     compare,

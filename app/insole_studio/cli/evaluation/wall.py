@@ -8,9 +8,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
-from insole_studio.commands.report_arguments import check_reports, conclude
-from insole_studio.commands.sensor_arguments import evaluated_sensor
+from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
+from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
     from insole_core.calibration.walls.captures import WallCapture

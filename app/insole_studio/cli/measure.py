@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.commands.foot_source import read_foot
+from insole_studio.cli.foot_argument import read_foot
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot

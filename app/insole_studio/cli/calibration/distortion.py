@@ -6,8 +6,8 @@ import argparse
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments, board_of
-from insole_studio.commands.calibration.step import add_step_arguments, run_step
+from insole_studio.cli.board_arguments import add_board_arguments, board_of
+from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments, board_of
-from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
-from insole_studio.commands.report_arguments import check_reports, conclude
-from insole_studio.commands.sensor_arguments import evaluated_sensor
+from insole_studio.cli.board_arguments import add_board_arguments, board_of
+from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
+from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
     from insole_core.evaluation.distances import DistanceError, ObjectEvaluation

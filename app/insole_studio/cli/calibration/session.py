@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from insole_core.progress import Progress
-from insole_studio.commands.sensor_arguments import add_store_argument, store_of
+from insole_studio.cli.sensor_arguments import add_store_argument, store_of
 
 NAME = "session"
 HELP = "write a copy of a session whose sensors are calibrated as they are kept here"

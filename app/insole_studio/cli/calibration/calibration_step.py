@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.commands.report_arguments import add_report_argument, check_reports
-from insole_studio.commands.sensor_arguments import add_store_argument, store_of
+from insole_studio.cli.report_arguments import add_report_argument, check_reports
+from insole_studio.cli.sensor_arguments import add_store_argument, store_of
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor

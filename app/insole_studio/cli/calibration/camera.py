@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments, board_of
-from insole_studio.commands.calibration.lens_arguments import add_lens_arguments, options_of
-from insole_studio.commands.calibration.step import add_step_arguments, run_step
+from insole_studio.cli.board_arguments import add_board_arguments, board_of
+from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
+from insole_studio.cli.calibration.lens_arguments import add_lens_arguments, options_of
 
 
 @dataclass

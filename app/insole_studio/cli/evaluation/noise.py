@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
-from insole_studio.commands.report_arguments import check_reports, conclude
-from insole_studio.commands.sensor_arguments import evaluated_sensor
+from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
+from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 NAME = "noise"
 HELP = "noise of single frames of a still scene, and drift while the sensor warms up"

@@ -5,15 +5,8 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.evaluation import (
-    alignment,
-    artefact,
-    known_object,
-    noise,
-    resolution,
-    wall,
-)
-from insole_studio.commands.subcommands import Subcommand, add_steps
+from insole_studio.cli.evaluation import alignment, artefact, known_object, noise, resolution, wall
+from insole_studio.cli.subcommands import Subcommand, add_steps
 
 NAME = "evaluate"
 HELP = "evaluate a sensor from folders of images; a limit that is not kept is exit code 1"

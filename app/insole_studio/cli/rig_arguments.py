@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_studio.commands.sensor_arguments import add_store_argument, store_of
+from insole_studio.cli.sensor_arguments import add_store_argument, store_of
 
 if TYPE_CHECKING:
     from insole_studio.acquisition.sensor_source import SensorSource

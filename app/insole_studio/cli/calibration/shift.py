@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments
-from insole_studio.commands.calibration.step import add_step_arguments, run_step
+from insole_studio.cli.board_arguments import add_board_arguments
+from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
 
 NAME = "shift"
 HELP = "colour on depth by a constant pixel shift, as the thesis did; stereo is better"
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Find or read the points, shift, keep it."""
     from insole_core.workflows.calibration.stereo_steps import shift_color_step
-    from insole_studio.commands.correspondences import read_correspondences
+    from insole_studio.cli.correspondences import read_correspondences
 
     run_step(
         arguments,

@@ -12,7 +12,7 @@ import numpy as np
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.report_arguments import add_report_argument, check_reports
+from insole_studio.cli.report_arguments import add_report_argument, check_reports
 
 if TYPE_CHECKING:
     from insole_core.calibration.markers.marker_survey import KnownLength, MarkerSurvey

@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments
-from insole_studio.commands.correspondences import read_correspondences
-from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
-from insole_studio.commands.report_arguments import check_reports, conclude
-from insole_studio.commands.sensor_arguments import evaluated_sensor
+from insole_studio.cli.board_arguments import add_board_arguments
+from insole_studio.cli.correspondences import read_correspondences
+from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
+from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 NAME = "alignment"
 HELP = "misalignment of colour and depth at several distances (thesis table 2)"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from insole_studio.commands.report_arguments import add_limit_arguments, add_report_argument
-from insole_studio.commands.sensor_arguments import add_evaluated_sensor
+from insole_studio.cli.report_arguments import add_limit_arguments, add_report_argument
+from insole_studio.cli.sensor_arguments import add_evaluated_sensor
 
 
 def add_evaluation_arguments(

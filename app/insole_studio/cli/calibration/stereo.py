@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import add_board_arguments, board_of
-from insole_studio.commands.calibration.step import add_step_arguments, run_step
+from insole_studio.cli.board_arguments import add_board_arguments, board_of
+from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
 
 NAME = "stereo"
 HELP = "the colour camera beside the depth camera, from a board that both see"

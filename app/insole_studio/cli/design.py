@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.commands import shop
-from insole_studio.commands.foot_source import read_foot
+from insole_studio.cli import export_arguments
+from insole_studio.cli.foot_argument import read_foot
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force", action="store_true", help="go on although the shape looks like the other foot"
     )
-    shop.add_arguments(parser)
+    export_arguments.add_arguments(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     check_suffix(arguments.out)
     if arguments.pair is not None and arguments.block is None:
         raise UsageError("--pair nests two insoles into one block; name it with --block.")
-    with shop.outputs(arguments) as beside:
+    with export_arguments.outputs(arguments) as beside:
         parts = progress.part(0.0, 0.8).parts(1 if arguments.pair is None else 2)
         side = None if arguments.side is None else Side(arguments.side)
         insoles = [_insole(arguments.foot, side, arguments.prescription, arguments, parts[0])]
@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             prescription = arguments.pair_prescription
             insoles.append(_insole(arguments.pair, other, prescription, arguments, parts[1]))
         insoles.sort(key=lambda insole: insole.design.side is Side.RIGHT)
-        shop.deliver(tuple(insoles), arguments, beside, progress.part(0.8, 1.0))
+        export_arguments.deliver(tuple(insoles), arguments, beside, progress.part(0.8, 1.0))
     progress.step(1.0, f"Done: {arguments.out}")
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.board_arguments import board_of
+from insole_studio.cli.board_arguments import board_of
 
 if TYPE_CHECKING:
     from insole_core.evaluation.alignment import Correspondence

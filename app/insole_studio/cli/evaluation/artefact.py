@@ -6,9 +6,9 @@ import argparse
 
 from insole_core.errors import InputError
 from insole_core.progress import Progress
-from insole_studio.commands.evaluation.arguments import add_evaluation_arguments
-from insole_studio.commands.report_arguments import check_reports, conclude
-from insole_studio.commands.sensor_arguments import evaluated_sensor
+from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
+from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 NAME = "artefact"
 HELP = "acceptance with a bar of two spheres and a plate, in the manner of VDI/VDE 2634"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.calibration.step import add_step_arguments, run_step
+from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
 
 NAME = "disparity"
 HELP = "raw number to mm, from captures of a wall at measured distances"

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError, OutputError, UsageError
 from insole_core.progress import Progress
-from insole_studio.commands.rig_arguments import add_rig_arguments, place_of
+from insole_studio.cli.rig_arguments import add_rig_arguments, place_of
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
-from insole_studio.commands.calibration import (
+from insole_studio.cli.calibration import (
     camera,
     disparity,
     distortion,
@@ -14,7 +14,7 @@ from insole_studio.commands.calibration import (
     shift,
     stereo,
 )
-from insole_studio.commands.subcommands import Subcommand, add_steps
+from insole_studio.cli.subcommands import Subcommand, add_steps
 
 NAME = "calibrate"
 HELP = "calibrate a sensor, or measure a reference system, from folders of images"
