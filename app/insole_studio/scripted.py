@@ -20,7 +20,7 @@ from insole_studio.bootstrap import (
     build_application,
     qt_application,
 )
-from insole_studio.scene.view import SceneView
+from insole_studio.scene.scene_view import SceneView
 from insole_studio.shell.answers import AnsweredQuestions, ScriptedAnswers
 from insole_studio.texts import tr
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from insole_studio.scene.view import SceneView
+from insole_studio.scene.scene_view import SceneView
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -23,7 +23,7 @@ from insole_core.insole.prescription.design import BrushStroke, Posting
 from insole_core.resources import resource_path
 from insole_studio.bootstrap import Application
 from insole_studio.tools.key_point import shown_points
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]

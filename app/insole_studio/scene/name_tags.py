@@ -9,9 +9,9 @@ import numpy as np
 import pyvista as pv
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import ViewTransform
-from insole_studio.scene.name_places import leader_ends, name_boxes
+from insole_studio.scene.label_layout import leader_ends, name_boxes
 from insole_studio.scene.pointer import MarkedPoint
+from insole_studio.scene.view_camera import ViewTransform
 
 _PADDING_PX = 3.0
 _OPACITY = 0.75

@@ -14,10 +14,10 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import ViewTransform
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
 
 MATERIAL = (232, 229, 222)

@@ -8,7 +8,7 @@ from enum import Enum, auto
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import Subject, ViewTransform
+from insole_studio.scene.view_camera import Subject, ViewTransform
 
 
 class Phase(Enum):

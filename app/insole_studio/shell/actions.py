@@ -13,7 +13,7 @@ from insole_core.insole.prescription.design import (
     HeelSkive,
     Posting,
 )
-from insole_studio.scene.camera import Preset
+from insole_studio.scene.view_camera import Preset
 from insole_studio.settings import Language
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.shell.foot_actions import FOOT_ACTIONS

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_studio.document.case import Case
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.tools.running_gesture import RunningGesture
+from insole_studio.scene.running_gesture import RunningGesture
 from insole_studio.tools.tool import ContextMenuItem, SurfaceContext, Tool
 
 

@@ -12,8 +12,8 @@ from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.arrays import FloatArray
 from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
 from insole_studio.document.case import Case
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool, rounded
 

@@ -16,8 +16,8 @@ from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_studio.document.case import Case
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.tools.correction_names import name_of
 from insole_studio.tools.metatarsal import NEAR_MM, clearance, snapped, usual_place

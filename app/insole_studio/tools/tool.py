@@ -17,8 +17,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Place
 from insole_studio.document.case import Case
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.scene.view_camera import Subject
 
 NUDGE_MM = 0.5
 PLACE_STEP_MM = 0.1

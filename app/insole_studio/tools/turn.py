@@ -15,8 +15,8 @@ from insole_core.geometry.transforms import inverse
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import turned_record
 from insole_studio.document.case import Case
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.tools.tool import Gesture, SurfaceContext, Tool, rounded
 

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.texts import tr
+from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.flow import FlowLayout
-from insole_studio.widgets.folded_text import ElidedLabel
 from insole_studio.widgets.icons import icon
 
 LEAST_PX = 640

@@ -7,7 +7,7 @@ from PySide6.QtGui import QHideEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QWidget
 
 from insole_studio.texts import tr
-from insole_studio.widgets.refusal import ValidationBubble
+from insole_studio.widgets.validation_bubble import ValidationBubble
 
 TOUCH_HEIGHT_PX = 36
 """A field that is higher is made for fingers."""

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import (
+from insole_studio.scene.view_camera import (
     MAX_ELEVATION_DEG,
     Preset,
     Subject,

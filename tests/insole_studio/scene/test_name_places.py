@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from insole_studio.scene.name_places import GAP_PX, leader_ends, name_boxes
+from insole_studio.scene.label_layout import GAP_PX, leader_ends, name_boxes
 
 ROOM = (500, 400)
 NOTHING = np.zeros((0, 4))

@@ -23,9 +23,9 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.calibrate.rows import BoardSize, Buttons, LiveRow, LookRow, StepRow
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
-from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _KEY = Qt.ItemDataRole.UserRole
 _LEFT_PX, _MIDDLE_PX = 240, 360

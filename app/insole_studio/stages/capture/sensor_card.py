@@ -26,7 +26,7 @@ from insole_core.geometry.arrays import ByteArray
 from insole_studio.stages.capture.rows import SensorRow
 from insole_studio.stages.capture.view_names import view_text
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.picture_view import PictureView
 
 MIME = "application/x-insole-studio-sensor"

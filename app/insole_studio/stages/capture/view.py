@@ -25,7 +25,7 @@ from insole_core.geometry.side import Side
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow, depth_coloring
 from insole_studio.stages.capture.sensor_card import SensorCard
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.number_field import NumberField

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.scene.view import OfferedItem
+from insole_studio.scene.scene_view import OfferedItem
 
 _STILL_PX = 4.0
 

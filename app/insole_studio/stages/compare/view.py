@@ -18,18 +18,18 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
+from insole_studio.scene.view_camera import Subject
 from insole_studio.stages.compare.point_picker import PointPicker
 from insole_studio.stages.compare.rows import Buttons, FigureRow
-from insole_studio.stages.design.model_view import ModelView
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
-from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _LEFT_PX, _RIGHT_PX = 300, 300
 

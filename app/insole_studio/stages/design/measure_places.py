@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_studio.scene.camera import Preset
+from insole_studio.scene.view_camera import Preset
 
 _HEEL_TO_TOE = ("pternion", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")

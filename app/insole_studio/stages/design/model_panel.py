@@ -10,8 +10,8 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.companion import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.scene.secondary_mesh import NameLabel
 from insole_studio.stages.design.rear_lines import RearLines
 
 

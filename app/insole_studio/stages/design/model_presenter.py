@@ -21,9 +21,9 @@ from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, section_line
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.document.variants import choose_variant
-from insole_studio.scene.camera import Subject
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
+from insole_studio.scene.view_camera import Subject
 from insole_studio.stages.design.beside import (
     NAME_ROOM_MM,
     is_right,

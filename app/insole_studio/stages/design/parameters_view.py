@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.stages.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.finger_scroll import scroll_by_finger
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField

@@ -28,7 +28,7 @@ from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
-from insole_studio.widgets.upright_scroll import VerticalScroll
+from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 LEAST_PX = 216
 

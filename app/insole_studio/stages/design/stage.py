@@ -14,16 +14,15 @@ from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
-from insole_studio.scene.camera import Preset, Subject, ViewCamera
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
+from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
+from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
 from insole_studio.stages.design.measure_places import place_of
 from insole_studio.stages.design.model_presenter import (
     FootPresenter,
     InsolePresenter,
     ModelPresenter,
 )
-from insole_studio.stages.design.model_view import ModelView
 from insole_studio.stages.design.parameters_presenter import ParametersPresenter
 from insole_studio.stages.design.parameters_view import ParametersView
 from insole_studio.stages.design.patient_presenter import PatientPresenter
@@ -32,6 +31,7 @@ from insole_studio.stages.design.section_presenter import SectionPresenter
 from insole_studio.stages.design.warnings_presenter import WarningsPresenter
 from insole_studio.texts import tr
 from insole_studio.tools.hand import ToolController
+from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip

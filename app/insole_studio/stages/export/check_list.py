@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from insole_studio.stages.export.rows import CheckRow, CheckState
 from insole_studio.texts import tr
-from insole_studio.widgets.choice import ComboBox
+from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 LIMIT_PX = 96

@@ -22,14 +22,14 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.workflows.make_order import OrderChoice
-from insole_studio.scene.camera import Subject
-from insole_studio.stages.design.model_view import ModelView
+from insole_studio.scene.view_camera import Subject
 from insole_studio.stages.export.check_list import CheckList
 from insole_studio.stages.export.order_form import OrderForm, Stock
 from insole_studio.stages.export.rows import Buttons, CheckRow
 from insole_studio.texts import tr
-from insole_studio.widgets.sentences import MessageLabel, ProgressBar
-from insole_studio.widgets.upright_scroll import VerticalScroll
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 _FORM_PX, _CHECKS_PX = 320, 376
 

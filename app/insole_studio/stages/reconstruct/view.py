@@ -24,10 +24,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.recording.hand_edits import ViewEdits
 from insole_core.recording.session import Box
-from insole_studio.scene.camera import Preset, Subject
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.view import GRAB_PX, TOUCH_GRAB_PX
-from insole_studio.stages.design.model_view import ModelView
+from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
+from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.stages.reconstruct.box_fields import BoxFields
 from insole_studio.stages.reconstruct.marker_panel import MarkerPanel
 from insole_studio.stages.reconstruct.rows import Buttons, FootMap, Limits, Mark, ViewRow
@@ -36,8 +35,9 @@ from insole_studio.texts import tr
 from insole_studio.tools.box import box_edges, box_handles
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.sentences import MessageLabel, ProgressBar
 
 _SIDE_PX = 300
 _LIMIT_PX = 96

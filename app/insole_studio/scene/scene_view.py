@@ -23,13 +23,13 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
-from insole_studio.scene.camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
 from insole_studio.scene.canvas import make_canvas
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.companion import SecondaryMesh
-from insole_studio.scene.key_pointer import KeyboardCursor
+from insole_studio.scene.keyboard_cursor import KeyboardCursor
 from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.secondary_mesh import SecondaryMesh
+from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
 
 FRAME_PX = 2
 """Shows which view the keys act on."""

@@ -14,8 +14,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.camera import ViewCamera, ViewTransform
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import ViewCamera, ViewTransform
 
 DRAG_MM = 0.5
 CROSS_MM = 2.0
