@@ -13,9 +13,9 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.insole.prescription.design import Pelott, Posting
 from insole_studio.bootstrap import UserPaths
+from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Questions
-from insole_studio.tools.key_point import confidence, shown_points
 
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier

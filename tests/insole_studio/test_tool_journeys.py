@@ -17,10 +17,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.bootstrap import Application
+from insole_studio.features.design.models.color_maps import MapKind
+from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
+from insole_studio.features.design.tools.metatarsal_line import USUAL_MM, clearance
 from insole_studio.scene.scene_view import SceneView
-from insole_studio.stages.design.maps import MapKind
-from insole_studio.tools.key_point import confidence, shown_points
-from insole_studio.tools.metatarsal import USUAL_MM, clearance
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tour import Tour

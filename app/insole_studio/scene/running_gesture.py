@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from inspect import GEN_RUNNING, getgeneratorstate
 
+from insole_studio.features.design.tools.tool import Gesture
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.tools.tool import Gesture
 
 
 class RunningGesture:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_studio.features.design.stage import DesignStage
 from insole_studio.shell.action_record import ActionRecord
 from insole_studio.shell.actions import ACTIONS
 from insole_studio.shell.menus import (
@@ -29,7 +30,6 @@ from insole_studio.shell.menus import (
     TOOLBAR,
 )
 from insole_studio.shell.status_bar import StatusBar
-from insole_studio.stages.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.tab_order import go_on

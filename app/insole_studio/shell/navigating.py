@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_studio.document.case import Case
-from insole_studio.stages.design.stage import DesignStage
-from insole_studio.tools.hand import ToolController
+from insole_studio.features.design.stage import DesignStage
+from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tab_order import give_focus, tab_stops
 

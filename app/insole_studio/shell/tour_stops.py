@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from insole_studio.stages.design.stage import DesignStage
+from insole_studio.features.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.widgets.tour import Stop
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.recording.session import Box
+from insole_studio.features.design.tools.tool import Gesture, rounded
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.running_gesture import RunningGesture
 from insole_studio.scene.scene_view import OfferedItem
 from insole_studio.texts import tr
-from insole_studio.tools.tool import Gesture, rounded
 
 STEP_MM = 1.0
 LEAST_MM = 20.0

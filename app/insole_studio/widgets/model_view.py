@@ -19,12 +19,12 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_studio.features.design.models.rear_lines import RearLines
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.secondary_mesh import NameLabel
 from insole_studio.scene.view_camera import Preset, Subject
-from insole_studio.stages.design.rear_lines import RearLines
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend

@@ -28,15 +28,15 @@ from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.document.side_by_side import SideBySide
+from insole_studio.features.design.models.model_presenter import FootPresenter, InsolePresenter
+from insole_studio.features.design.models.section_presenter import SectionPresenter
+from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
+from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
+from insole_studio.features.design.patient.patient_presenter import PatientPresenter
+from insole_studio.features.design.rows import FieldGroup
+from insole_studio.features.design.tools.pelott_tool import PelottTool
+from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.jobs import Jobs
-from insole_studio.stages.design.model_presenter import FootPresenter, InsolePresenter
-from insole_studio.stages.design.parameters_presenter import ParametersPresenter
-from insole_studio.stages.design.patient_presenter import PatientPresenter
-from insole_studio.stages.design.rows import FieldGroup
-from insole_studio.stages.design.section_presenter import SectionPresenter
-from insole_studio.stages.design.warnings_presenter import WarningsPresenter
-from insole_studio.tools.hand import ToolController
-from insole_studio.tools.pelott import PelottTool
 
 
 class MockView:

@@ -15,11 +15,11 @@ from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.bootstrap import make_tools
 from insole_studio.document.case import Case
 from insole_studio.document.section_plane import SectionModel, SectionPlane
+from insole_studio.features.design.tools.key_point_tool import confidence, distances, shown_points
+from insole_studio.features.design.tools.posting_tool import posting_of
+from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, look
-from insole_studio.tools.hand import ToolController
-from insole_studio.tools.key_point import confidence, distances, shown_points
-from insole_studio.tools.posting import posting_of
 
 CAMERA = ViewCamera(height_mm=400.0)
 SIZE = (400, 400)

@@ -1,0 +1,98 @@
+"""The two feet of a case: which is at hand, and what goes from one to the other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from insole_core.cases.case_record import FootRecord
+from insole_core.errors import UsageError
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import Correction
+from insole_core.workflows.template_transfer import fitted, template_of
+from insole_studio.document.case import Case
+from insole_studio.features.design.correction_names import name_of
+from insole_studio.texts import tr
+
+
+class FeetActions:
+    """What the Feet menu does."""
+
+    def __init__(self, case: Case) -> None:
+        self._case = case
+
+    def take(self, side: Side) -> None:
+        """Take the foot of a side to hand.
+
+        Raises
+        ------
+        UsageError
+            When it is not in the case.
+        """
+        if self._case.record.of_side(side) is None:
+            raise UsageError(_missing(side))
+        self._case.take_foot(side)
+
+    def take_other(self) -> None:
+        """Take the other foot to hand.
+
+        Raises
+        ------
+        UsageError
+            When it is not in the case.
+        """
+        side = self._case.side
+        if side is not None:
+            self.take(side.other)
+
+    def copy_prescription(self) -> None:
+        """Prescribe for the other foot what is prescribed for this one, mirrored.
+
+        Raises
+        ------
+        UsageError, DesignError
+        """
+        foot, other = self._both()
+        design = fitted(template_of(foot), other, self._case.stamped)
+        sentence = {
+            Side.LEFT: tr("Copy the prescription to the left foot"),
+            Side.RIGHT: tr("Copy the prescription to the right foot"),
+        }
+        self._case.apply(other.with_design(design), sentence[other.side])
+
+    def copy_selected(self) -> None:
+        """Prescribe the selected correction for the other foot as well, mirrored.
+
+        Raises
+        ------
+        UsageError, DesignError
+        """
+        foot, other = self._both()
+        selected = self._selected(foot)
+        alone = foot.with_design(replace(foot.design, corrections=(selected,)))
+        (mirrored,) = fitted(template_of(alone), other, self._case.stamped).corrections
+        sentence = {
+            Side.LEFT: tr("Copy to the left foot: {name}"),
+            Side.RIGHT: tr("Copy to the right foot: {name}"),
+        }
+        added = other.with_design(other.design.with_added(mirrored))
+        self._case.apply(added, sentence[other.side].format(name=name_of(mirrored)))
+        self._case.select(mirrored.id)
+
+    def _both(self) -> tuple[FootRecord, FootRecord]:
+        foot, other = self._case.record.current, self._case.record.other
+        assert foot is not None, "the action needs a foot"
+        if other is None:
+            raise UsageError(_missing(foot.side.other))
+        return foot, other
+
+    def _selected(self, foot: FootRecord) -> Correction:
+        selected = foot.design.correction(self._case.selection or "")
+        if selected is None:
+            raise UsageError(tr("No correction is selected; click on one in the list first."))
+        return selected
+
+
+def _missing(side: Side) -> str:
+    if side is Side.LEFT:
+        return tr("The case has no left foot yet; open its scan, and it is added.")
+    return tr("The case has no right foot yet; open its scan, and it is added.")

@@ -1,0 +1,32 @@
+"""The table of measures for others: on the clipboard, and as a file."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QGuiApplication
+
+from insole_core.export.atomic import replacing_file
+from insole_core.foot.measure_table import table_csv
+from insole_studio.document.case import Case
+from insole_studio.features.design.patient.measure_texts import table_of
+from insole_studio.shell.dialogue import UserMessages
+from insole_studio.texts import tr
+
+
+class MeasureActions:
+    """Hands over the measures of all feet of the case."""
+
+    def __init__(self, case: Case, messages: UserMessages) -> None:
+        self._case = case
+        self._messages = messages
+
+    def copy(self) -> None:
+        """Put the table onto the clipboard."""
+        QGuiApplication.clipboard().setText(table_csv(table_of(self._case.record)))
+
+    def ask_save(self) -> None:
+        """Let the user choose where the table goes."""
+        path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)")
+        if path is not None:
+            with replacing_file(path.with_suffix(".csv")) as beside:
+                beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")
+            self._messages.say(tr("Written: {name}").format(name=path.name))

@@ -1,0 +1,149 @@
+"""What the Prescribe menu does beyond single corrections: templates, repetition, landmarks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.case_record import FootRecord
+from insole_core.errors import InputError
+from insole_core.export.atomic import replacing_file
+from insole_core.geometry.side import Side
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import Correction, InsoleDesign
+from insole_core.insole.prescription.template import (
+    make_template,
+    read_template,
+    write_template,
+)
+from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmarks_of
+from insole_core.workflows.pad_library import LibraryPad
+from insole_core.workflows.template_transfer import fitted, template_of
+from insole_studio.document.case import Case
+from insole_studio.features.design.correction_names import name_of
+from insole_studio.features.design.tools.pelott_tool import PelottTool
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.shell.dialogue import LONG_MS, UserMessages
+from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
+from insole_studio.texts import tr
+
+
+class PrescriptionActions:
+    """The actions of the Prescribe menu."""
+
+    def __init__(
+        self,
+        case: Case,
+        tool_controller: ToolController,
+        pads: Sequence[LibraryPad],
+        behind_heads_mm: float,
+        messages: UserMessages,
+    ) -> None:
+        self._case = case
+        self._tool_controller = tool_controller
+        self._pads = pads
+        self._behind_heads_mm = behind_heads_mm
+        self._messages = messages
+
+    def prescribe(self, correction: Correction) -> None:
+        """Add a correction and show its values."""
+        design = self._case.record.design
+        if design is None:
+            return
+        new = self._case.stamped(correction)
+        self._case.apply(design.with_added(new), tr("Add: {name}").format(name=name_of(new)))
+        self._case.select(new.id)
+
+    def take_pad(self, number: int) -> None:
+        """Put a pad of the library where it usually lies, and take the tool that moves it."""
+        tool, pad = self._tool_controller.tools["pelott"], self._pads[number]
+        design, side = self._case.record.design, self._case.side
+        assert isinstance(tool, PelottTool)
+        tool.template = pad.template
+        self._tool_controller.take("pelott")
+        if design is None or side is None:
+            return
+        landmarks = landmarks_of(self._case.record)
+        laid = placed_pad(pad.template, pad.place, side, landmarks, self._behind_heads_mm)
+        new = self._case.stamped(replace(laid, id=CorrectionBase().id))
+        self._case.apply(design.with_added(new), tr("Place: {name}").format(name=name_of(new)))
+        self._case.select(new.id)
+
+    def ask_save_template(self) -> None:
+        """Let the user choose where the template goes."""
+        path = self._messages.questions.file_to_write(
+            f"template{TEMPLATE_SUFFIX}", template_kinds()
+        )
+        if path is not None and self._case.record.design is not None:
+            save_template(self._case, path.with_suffix(TEMPLATE_SUFFIX))
+            self._messages.say(tr("Written: {name}").format(name=path.name))
+
+    def ask_apply_template(self) -> None:
+        """Let the user choose a template."""
+        path = self._messages.questions.file_to_open(template_kinds())
+        if path is not None and self._case.record.design is not None:
+            template, foot = read_template(path), _foot_of(self._case)
+            self._case.apply(fitted(template, foot, self._case.stamped), tr("Apply a template"))
+            if template.design.side is not foot.side:
+                self._messages.say(_mirrored_sentence(foot.side), LONG_MS)
+
+    def ask_repeat_design(self) -> None:
+        """Let the user choose an earlier case."""
+        path = self._messages.questions.file_to_open(case_kinds())
+        if path is not None and self._case.record.design is not None:
+            design = design_of_case(self._case, path)
+            self._case.apply(design, tr("Repeat the design of an earlier case"))
+
+    def confirm_landmarks(self) -> None:
+        """Take all landmarks as they are shown."""
+        self._case.apply(confirmed(self._case.record), tr("Confirm the landmarks"))
+
+    def find_landmarks(self) -> None:
+        """Forget the landmarks that were set by hand."""
+        anew = found_anew(self._case.record.annotations)
+        self._case.apply(anew, tr("Find the landmarks anew"))
+
+
+def save_template(case: Case, path: Path) -> None:
+    """Write the prescription with the places of the landmarks that it fits.
+
+    Raises
+    ------
+    DesignError, OutputError
+    """
+    design = case.record.design
+    assert design is not None
+    plain = tuple(replace(c, author="", created_at="") for c in design.corrections)
+    anonymous = replace(design, corrections=plain)
+    template = make_template(path.stem, anonymous, landmarks_of(case.record))
+    with replacing_file(path) as beside:
+        write_template(template, beside)
+
+
+def _mirrored_sentence(side: Side) -> str:
+    if side is Side.LEFT:
+        return tr("The template was made for a right foot; it is mirrored for this left one.")
+    return tr("The template was made for a left foot; it is mirrored for this right one.")
+
+
+def design_of_case(case: Case, path: Path) -> InsoleDesign:
+    """Read the prescription of another case for the foot at hand; of its other foot, mirrored.
+
+    Raises
+    ------
+    InputError, DesignError
+        When the file is no case, or holds no prescription.
+    """
+    earlier, foot = read_case(path), _foot_of(case)
+    source = earlier.of_side(foot.side) or earlier.current
+    if source is None:
+        raise InputError(f"{path} holds no prescription yet; choose a case with a design.")
+    return fitted(template_of(source), foot, case.stamped)
+
+
+def _foot_of(case: Case) -> FootRecord:
+    assert case.record.current is not None, "the action needs a foot"
+    return case.record.current

@@ -1,0 +1,143 @@
+"""Offers, in one click, what was prescribed before: on the last scan, or for the other foot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from insole_core.cases.case_record import FootRecord
+from insole_core.errors import InsoleError
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.template import Template
+from insole_core.progress import Progress
+from insole_core.workflows.earlier_designs import find_last_design, identity
+from insole_core.workflows.template_transfer import fitted, prescribed_at
+from insole_studio.features.design.actions.feet_actions import FeetActions
+from insole_studio.features.design.correction_names import name_of
+from insole_studio.shell.desk import AppServices
+from insole_studio.shell.recent import RecentFiles
+from insole_studio.texts import tr
+
+CHANNEL = "earlier"
+NOTICE, MIRROR = "repeat", "mirror"
+
+
+class RepeatActions(QObject):
+    """Looks for the last design of the foot at hand as long as nothing is prescribed on it."""
+
+    def __init__(
+        self,
+        services: AppServices,
+        recent: RecentFiles,
+        feet: FeetActions,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._services = services
+        self._case = case = services.case
+        self._dialogue = services.messages
+        self._notices = services.notices
+        self._recent = recent
+        self._feet = feet
+        self._mirror_offered: Foot | None = None
+        self._found: dict[tuple[object, Side], Template | None] = {}
+        self._offered: tuple[Foot, Template] | None = None
+        case.opened.connect(self._found.clear)
+        case.foot_changed.connect(self.offer)
+        case.changed.connect(self.offer)
+
+    @property
+    def last_design(self) -> Template | None:
+        """What was prescribed last for the foot at hand, before its present design."""
+        foot = self._case.record.current
+        if foot is None:
+            return None
+        return foot.earlier or self._found.get((identity(self._case.record.patient), foot.side))
+
+    def offer(self) -> None:
+        """Offer the last design on a foot that has none yet."""
+        foot = self._case.record.current
+        if foot is None or foot.design.corrections:
+            self._withdraw()
+            return
+        template = self.last_design
+        if template is None:
+            self._withdraw()
+            self._offer_mirror(foot)
+            self._search(foot.side)
+        elif self._offered != (foot.foot, template):  # once: it may be dismissed
+            self._offered = foot.foot, template
+            self._notices.put(
+                NOTICE, _describe(template), tr("Repeat the last design"), self.repeat
+            )
+
+    def repeat(self) -> None:
+        """Prescribe on this scan what was prescribed on the last one."""
+        foot, template = self._case.record.current, self.last_design
+        if foot is None or template is None:
+            self._dialogue.show_sentence(
+                tr("No earlier design of this patient is known; open the earlier case once.")
+            )
+            return
+        try:
+            design = fitted(template, foot, self._case.stamped)
+        except InsoleError as error:
+            self._dialogue.show_error(error)
+            return
+        self._case.apply(design, tr("Repeat the last design"))
+
+    def _offer_mirror(self, foot: FootRecord) -> None:
+        """Offer the prescription of the other foot, once a foot that has none."""
+        other = self._case.record.other
+        if other is None or not other.design.corrections or foot.foot is self._mirror_offered:
+            return
+        self._mirror_offered = foot.foot
+        text = {
+            Side.LEFT: tr("The right foot has a prescription."),
+            Side.RIGHT: tr("The left foot has a prescription."),
+        }
+        self._notices.put(MIRROR, text[foot.side], tr("Prescribe it here, mirrored"), self._mirror)
+
+    def _mirror(self) -> None:
+        self._feet.take_other()
+        self._feet.copy_prescription()
+
+    def _withdraw(self) -> None:
+        self._offered = None
+        self._notices.drop(NOTICE)
+        if self._case.foot is not self._mirror_offered or self._has_corrections:
+            self._mirror_offered = None
+            self._notices.drop(MIRROR)
+
+    @property
+    def _has_corrections(self) -> bool:
+        foot = self._case.record.current
+        return foot is not None and bool(foot.design.corrections)
+
+    def _search(self, side: Side) -> None:
+        patient = self._case.record.patient
+        key = identity(patient), side
+        if key[0] is None or key in self._found:
+            return
+        self._found[key] = None
+        paths = [Path(name) for name in self._recent.names if Path(name) != self._case.path]
+
+        def search(progress: Progress) -> Template | None:
+            return find_last_design(paths, patient, side, progress)
+
+        def found(template: Template | None) -> None:
+            self._found[key] = template
+            if template is not None:
+                self.offer()
+
+        self._services.run(CHANNEL, search, found)
+
+
+def _describe(template: Template) -> str:
+    names = ", ".join(dict.fromkeys(name_of(c) for c in template.design.corrections))
+    day = prescribed_at(template.design)[:10]
+    if not day:
+        return tr("Prescribed for this foot before: {names}.").format(names=names)
+    return tr("Prescribed for this foot on {day}: {names}.").format(day=day, names=names)

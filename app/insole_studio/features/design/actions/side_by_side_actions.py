@@ -1,0 +1,64 @@
+"""What stands beside the foot at hand, and the colour maps."""
+
+from __future__ import annotations
+
+from insole_core.errors import UsageError
+from insole_studio.document.case import Case
+from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.features.design.models.color_maps import MapKind
+from insole_studio.features.design.stage import DesignStage
+from insole_studio.texts import tr
+
+
+class SideBySideActions:
+    """Shows two feet or two variants beside each other, and how they differ."""
+
+    def __init__(self, case: Case, stage: DesignStage, counterpart: SideBySide) -> None:
+        self._case = case
+        self._stage = stage
+        self.counterpart = counterpart
+
+    @property
+    def map_kind(self) -> MapKind:
+        """What the insole is coloured by."""
+        return self._stage.insole_presenter.map_kind
+
+    def show_beside(self, kind: Beside) -> None:
+        """Let something stand beside the foot at hand.
+
+        Raises
+        ------
+        UsageError
+            When the case has nothing of that kind.
+        """
+        if kind is Beside.FOOT and self._case.record.other is None:
+            raise UsageError(
+                tr("The case has one foot only; open the scan of the other, and it is added.")
+            )
+        if kind is Beside.VARIANT and not self._has_variants:
+            raise UsageError(tr("This foot has one variant only; duplicate it first (Ctrl+D)."))
+        self.counterpart.show(kind)
+        if kind is Beside.NOTHING and self.map_kind is MapKind.DIFFERENCE:
+            self._show(MapKind.NONE)
+
+    def show_map(self, kind: MapKind) -> None:
+        """Colour the insole, and for a difference the foot too.
+
+        Raises
+        ------
+        UsageError
+            When there is nothing to differ from.
+        """
+        if kind is MapKind.DIFFERENCE and self.counterpart.kind is Beside.NOTHING:
+            two_feet = self._case.record.other is not None
+            self.show_beside(Beside.FOOT if two_feet else Beside.VARIANT)
+        self._show(kind)
+
+    @property
+    def _has_variants(self) -> bool:
+        foot = self._case.record.current
+        return foot is not None and len(foot.variants) > 1
+
+    def _show(self, kind: MapKind) -> None:
+        self._stage.insole_presenter.show_map(kind)
+        self._stage.foot_presenter.show_difference(kind is MapKind.DIFFERENCE)

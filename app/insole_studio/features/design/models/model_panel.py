@@ -1,0 +1,55 @@
+"""What a 3-D panel can show: the view of foot or insole as its presenter knows it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from insole_core.cases.case_record import ReferencePlane
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_studio.features.design.models.rear_lines import RearLines
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.scene.secondary_mesh import NameLabel
+
+
+class ModelPanel(Protocol):
+    """What a 3-D panel can show."""
+
+    def show_side(self, side: Side | None) -> None: ...  # noqa: D102
+    def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
+    def show_mesh(  # noqa: D102
+        self,
+        mesh: TriangleMesh,
+        coloring: Coloring | None = None,
+    ) -> None: ...
+    def move_mesh(  # noqa: D102
+        self,
+        mesh: TriangleMesh,
+        normals: FloatArray,
+        moved: IntArray | None = None,
+        coloring: Coloring | None = None,
+    ) -> bool: ...
+    def show_wireframe(self, shown: bool) -> None: ...  # noqa: D102
+    def show_ghost(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
+    def show_contours(self, step_mm: float) -> None: ...  # noqa: D102
+    def show_guide(  # noqa: D102
+        self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
+    ) -> None: ...
+    def show_turned(self, step: FloatArray | None) -> None: ...  # noqa: D102
+    def show_axes(self, axes: RearLines | None) -> None: ...  # noqa: D102
+    def show_outlines(  # noqa: D102
+        self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
+    ) -> None: ...
+    def show_handles(self, handles: tuple[Handle, ...]) -> None: ...  # noqa: D102
+    def show_key_points(self, points: Sequence[MarkedPoint]) -> None: ...  # noqa: D102
+    def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None: ...  # noqa: D102
+    def show_section(self, line: FloatArray | None) -> None: ...  # noqa: D102
+    def show_sketch(self, line: FloatArray) -> None: ...  # noqa: D102
+    def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
+    def show_warning(self, text: str) -> None: ...  # noqa: D102
+    def show_companion(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
+    def show_names(self, names: Sequence[NameLabel]) -> None: ...  # noqa: D102
+    def show_numbers(self, text: str) -> None: ...  # noqa: D102

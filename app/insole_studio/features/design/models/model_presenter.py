@@ -1,0 +1,503 @@
+"""What the two 3-D panels show of the case: the foot in colour, and the preview of the insole."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.case_record import ReferencePlane
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import NAMES
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.picking import SurfacePicker
+from insole_core.geometry.side import Side
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.prescription.design import Pelott
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel, section_line
+from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.document.variants import choose_variant
+from insole_studio.features.design.models.color_maps import (
+    MapKind,
+    color_by,
+    color_foot,
+    numbers_text,
+)
+from insole_studio.features.design.models.model_panel import ModelPanel
+from insole_studio.features.design.models.rear_lines import axes_of
+from insole_studio.features.design.models.side_by_side_layout import (
+    NAME_ROOM_MM,
+    is_right,
+    names_over,
+    pair_text,
+    placed_beside,
+)
+from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
+from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance
+from insole_studio.features.design.tools.outline_tool import curve_of
+from insole_studio.features.design.tools.pelott_tool import selected_pelott
+from insole_studio.features.design.tools.tool import ContextMenuItem
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import MarkedPoint, PointerEvent
+from insole_studio.scene.view_camera import Subject
+from insole_studio.texts import tr
+
+OUTLINE_POINTS = 96
+OUTLINE_STRIDE = 3
+CONTOUR_MM = 1.0
+_NOTHING = (object(),) * 7
+
+
+class ModelPresenter:
+    """Keeps one panel in step with case, surface and tool; passes its pointer to the hand."""
+
+    subject: Subject
+
+    def __init__(
+        self,
+        panel: ModelPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
+    ) -> None:
+        self.panel = panel
+        self._counterpart = counterpart
+        self._case = case
+        self._surface = surface
+        self._section = section
+        self._tool_controller = tool_controller
+        self._marked: tuple[object, ...] = _NOTHING
+        """What the marks were drawn for: several facts may change at once."""
+        case.foot_changed.connect(self.show_all)
+        case.changed.connect(self.show_marks)
+        case.preview_changed.connect(self.show_marks)
+        case.selection_changed.connect(self.show_marks)
+        tool_controller.tool_changed.connect(self.show_marks)
+        surface.changed.connect(self.show_surface)
+        section.changed.connect(self.show_marks)
+        tool_controller.gesture_ended.connect(self.rest)
+        counterpart.changed.connect(self.show_counterpart)
+
+    @property
+    def side(self) -> Side:
+        """The side of the open foot."""
+        return self._case.side or Side.LEFT
+
+    @property
+    def mesh(self) -> TriangleMesh | None:
+        """What is shown."""
+        raise NotImplementedError
+
+    @property
+    def bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of the subject."""
+        return None if self.mesh is None else self.mesh.bounds_mm
+
+    @property
+    def whole_bounds_mm(self) -> FloatArray | None:
+        """The box (2, 3) of the subject and of what stands beside it."""
+        bounds, companion = self.bounds_mm, self.companion
+        if bounds is None or companion is None:
+            return bounds
+        both = np.stack([bounds, companion.bounds_mm])
+        low, high = both[:, 0].min(axis=0), both[:, 1].max(axis=0)
+        return np.stack([low, high + np.array([0.0, NAME_ROOM_MM, 0.0])])
+
+    @property
+    def companion(self) -> TriangleMesh | None:
+        """What stands beside the subject, in its place; None for nothing."""
+        foot, mesh = self._case.record.current, self._beside()
+        if self.mesh is None or mesh is None or foot is None:
+            return None
+        return placed_beside(self.mesh, mesh, is_right(foot, self._counterpart))
+
+    def show_counterpart(self) -> None:
+        """Show what stands beside the subject, and the names of both."""
+        foot, companion = self._case.record.current, self.companion
+        self.panel.show_companion(companion)
+        if foot is None or self.mesh is None or companion is None:
+            self.panel.show_names(())
+        else:
+            self.panel.show_names(names_over(foot, self._counterpart, self.mesh, companion))
+
+    def _take_companion(self) -> None:
+        side = self._case.side
+        if self._counterpart.kind is Beside.VARIANT:
+            choose_variant(self._case, self._counterpart.variant)
+        elif side is not None:
+            self._case.take_foot(side.other)
+
+    def _beside(self) -> TriangleMesh | None:
+        """What is to stand beside the subject, in its own place."""
+        raise NotImplementedError
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place of the insole frame onto what is shown."""
+        raise NotImplementedError
+
+    def start(self) -> tuple[float, float, float] | None:
+        """Begin the pointer of the keys where the tool asks, or at what is selected."""
+        pad = selected_pelott(self._case)
+        place = self._tool_controller.tool.start(self._case) or (
+            None if pad is None else pad.centre_mm
+        )
+        return None if place is None else self.place(*place)
+
+    def covers(self, x_mm: float, y_mm: float) -> bool:
+        """Whether the insole lies under a place."""
+        return self._surface.covers(x_mm, y_mm)
+
+    def show_all(self) -> None:
+        """Show another case."""
+        self._marked = _NOTHING
+        self.panel.show_side(self._case.side)
+        self.show_surface()
+
+    def rest(self) -> None:
+        """Do what has waited for the hand to be done."""
+        raise NotImplementedError
+
+    def show_surface(self) -> None:
+        """Show the surface and what is drawn on it."""
+        raise NotImplementedError
+
+    def show_marks(self) -> None:
+        """Show outlines, handles, key points and plane."""
+        if self.mesh is None:
+            return
+        record = self._case.shown
+        tool, plane = self._tool_controller.tool, self._section.plane
+        turn = tool.foot_step
+        state = (
+            record,
+            self._case.selection,
+            tool,
+            tool.sketch,
+            self._surface.contact,
+            plane,
+            turn,
+        )
+        if all(a is b for a, b in zip(state, self._marked, strict=True)):
+            return
+        self._marked = state
+        self.panel.show_outlines(*self._outlines())
+        self.panel.show_handles(self._tool_controller.tool.handles(self._case, self))
+        is_foot = self.subject is Subject.FOOT
+        self.panel.show_key_points(self._points() if is_foot else ())
+        self._show_guide()
+        self.panel.show_axes(axes_of(self._case, tool) if is_foot else None)
+        self.panel.show_turned(tool.foot_step if is_foot else None)
+        self._show_plane(record.annotations.plane)
+        self.panel.show_section(self._section_line())
+        self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
+
+    def press(self, event: PointerEvent) -> bool:
+        """Begin a gesture of the tool."""
+        return self._tool_controller.press(event, self)
+
+    def move(self, event: PointerEvent) -> None:
+        """Continue it."""
+        self._tool_controller.drag(event)
+
+    def release(self, event: PointerEvent) -> None:
+        """End it."""
+        self._tool_controller.drag(event)
+
+    def cancel(self) -> bool:
+        """Give it up."""
+        return self._tool_controller.cancel()
+
+    def double_click(self, event: PointerEvent) -> bool:
+        """Let the tool act on a double click; on what stands beside, take that to hand."""
+        if self._tool_controller.double_click(event, self):
+            return True
+        companion = self.companion
+        if event.surface_mm is not None or companion is None:
+            return False
+        if SurfacePicker(companion).pick(*event.look.ray_at(*event.pixel)) is None:
+            return False
+        self._take_companion()
+        return True
+
+    def offers(self, event: PointerEvent) -> Sequence[ContextMenuItem]:
+        """Give what can be done where the pointer is."""
+        return self._tool_controller.offers(event, self)
+
+    def wheel(self, event: PointerEvent, steps: float) -> bool:
+        """Let the tool act on the wheel."""
+        return self._tool_controller.wheel(event, steps)
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
+        """Let the tool act on an arrow key."""
+        return self._tool_controller.nudge(event, right, up)
+
+    def _show_plane(self, plane: ReferencePlane | None) -> None:
+        size = 0.0
+        if plane is not None and self.bounds_mm is not None:
+            size = 1.15 * float(np.ptp(self.bounds_mm, axis=0).max())
+        self.panel.show_plane(plane, size)
+
+    def _points(self) -> list[MarkedPoint]:
+        """Further points always, landmarks while they are at hand."""
+        wanted = shown_points(self._case)
+        if self._tool_controller.tool.key != "key_point":
+            wanted = {name: place for name, place in wanted.items() if name not in NAMES}
+        return [
+            MarkedPoint(point_text(name), place, confidence(self._case, name))
+            for name, place in wanted.items()
+        ]
+
+    def _show_guide(self) -> None:
+        """Show how far the selected pad ends behind the metatarsal heads."""
+        pad = selected_pelott(self._case)
+        found = clearance(self._case.shown, pad) if pad is not None else None
+        if pad is None or found is None or abs(found.distance_mm) > NEAR_MM:
+            self.panel.show_guide((), "")
+            return
+        way = self._on_surface(np.stack([found.front, found.nearest]))
+        lines = self._on_surface(found.line), way
+        self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
+
+    def _section_line(self) -> FloatArray | None:
+        plane = self._section.plane
+        line = section_line(self._surface, plane) if plane is not None else None
+        return None if line is None else line + np.array([0.0, 0.0, self._lift_mm])
+
+    @property
+    def _lift_mm(self) -> float:
+        """Of what is drawn here over the contact surface."""
+        return self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
+
+    def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
+        design = self._case.shown.design
+        pads = [c for c in design.corrections if isinstance(c, Pelott)] if design else []
+        lines: dict[bool, list[FloatArray]] = {True: [], False: []}
+        for pad in pads:
+            if pad.enabled:
+                lines[pad.id == self._case.selection].append(self._outline(pad))
+        if self._tool_controller.tool.key == "outline":
+            lines[True] = [self._insole_outline()]
+        return lines[False], lines[True]
+
+    def _insole_outline(self) -> FloatArray:
+        curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
+        return self._on_surface(np.concatenate([curve, curve[:1]]))
+
+    def _outline(self, pad: Pelott) -> FloatArray:
+        around = pad_outline(pad, OUTLINE_POINTS)
+        return self._on_surface(np.concatenate([around, around[:1]]))
+
+    def _on_surface(self, xy: FloatArray) -> FloatArray:
+        return np.column_stack([xy, self._surface.heights_mm(xy) + self._lift_mm])
+
+
+class FootPresenter(ModelPresenter):
+    """The coloured foot."""
+
+    subject = Subject.FOOT
+    _is_compared = False
+    _ghost = False
+    """Whether the insole is seen through the foot."""
+
+    @property
+    def mesh(self) -> TriangleMesh | None:
+        """The foot's surface."""
+        return None if self._case.foot is None else self._case.foot.mesh
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place onto the sole: the insole without its thickness lies there."""
+        design = self._case.shown.design
+        thickness = design.thickness_mm if design is not None else 0.0
+        return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm) - thickness
+
+    def show_all(self) -> None:
+        """Show another foot."""
+        super().show_all()
+        foot = self._case.foot
+        if foot is None:
+            self.panel.show_empty(
+                tr("No scan yet. Capture a foot, or open a recorded session or a mesh."),
+                {
+                    "capture": tr("Capture…"),
+                    "open_session": tr("Open session…"),
+                    "open_mesh": tr("Open mesh…"),
+                    "open_example": tr("Open the example"),
+                },
+            )
+            return
+        self._show_foot(foot)
+        self.panel.show_directions(foot.side, foot.mesh.bounds_mm)
+        self.show_marks()
+
+    def show_difference(self, shown: bool) -> None:
+        """Colour the sole by its difference to the other foot, or show it as it is."""
+        self._is_compared = shown
+        if self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
+    def show_counterpart(self) -> None:
+        """Show the other foot, and how this one differs from it."""
+        super().show_counterpart()
+        if self._is_compared and self._case.foot is not None:
+            self._show_foot(self._case.foot)
+
+    def _show_foot(self, foot: Foot) -> None:
+        coloring = color_foot(foot, self._counterpart) if self._is_compared else None
+        self.panel.show_mesh(foot.mesh, coloring)
+        record = self._case.record.current
+        text = ""
+        if coloring is not None and record is not None:
+            text = f"{pair_text(record, self._counterpart)}:  {numbers_text(coloring.values)}"
+        self.panel.show_numbers(text)
+
+    def _beside(self) -> TriangleMesh | None:
+        built = self._counterpart.built
+        if built is None or self._counterpart.kind is not Beside.FOOT:
+            return None
+        return built.foot.mesh
+
+    def rest(self) -> None:
+        """Let the ghost follow what the hand has done."""
+        self._show_ghost()
+
+    def show_surface(self) -> None:
+        """The foot stays; what is drawn on it follows the insole."""
+        self.show_marks()
+        self._show_ghost()
+
+    def show_ghost(self, shown: bool) -> None:
+        """Let the insole be seen through the foot, or not."""
+        self._ghost = shown
+        self._show_ghost()
+
+    def _show_ghost(self) -> None:
+        """Put the insole below the foot; while the hand moves it, it waits."""
+        insole = self._surface.mesh
+        if not self._ghost or insole is None:
+            self.panel.show_ghost(None)
+        elif not self._tool_controller.is_busy:
+            lifted = insole.vertices + np.array([0.0, 0.0, self._lift_mm])
+            self.panel.show_ghost(replace(insole, vertices=lifted))
+
+
+class InsolePresenter(ModelPresenter):
+    """The preview of the insole, shaded or as a map of its height."""
+
+    subject = Subject.INSOLE
+
+    def __init__(
+        self,
+        panel: ModelPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
+        counterpart: SideBySide,
+    ) -> None:
+        super().__init__(
+            panel,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+            counterpart=counterpart,
+        )
+        self._map = MapKind.NONE
+        self._contours = True
+        self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
+        surface.failed.connect(self.panel.show_warning)
+
+    @property
+    def mesh(self) -> TriangleMesh | None:
+        """The insole's surface."""
+        return self._surface.mesh
+
+    def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
+        """Put a place onto the contact surface."""
+        return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm)
+
+    def show_map(self, kind: MapKind) -> None:
+        """Colour the insole by a map."""
+        self._map = kind
+        self._show_mesh_anew()
+
+    def show_counterpart(self) -> None:
+        """Show the other insole, and how this one differs from it."""
+        super().show_counterpart()
+        if self._map is MapKind.DIFFERENCE:
+            self._show_mesh_anew()
+
+    @property
+    def map_kind(self) -> MapKind:
+        """What the insole is coloured by."""
+        return self._map
+
+    def _beside(self) -> TriangleMesh | None:
+        built = self._counterpart.built
+        return None if built is None else built.solid
+
+    def rest(self) -> None:
+        """Draw the lines of equal height again."""
+        self._show_contours()
+
+    def show_contours(self, shown: bool) -> None:
+        """Draw lines of equal height, a millimetre apart, or not."""
+        self._contours = shown
+        self._show_contours()
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show edges alone, or the whole surface."""
+        self.panel.show_wireframe(shown)
+
+    def show_surface(self) -> None:
+        """Follow the surface."""
+        mesh, normals = self._surface.mesh, self._surface.normals
+        if mesh is None or normals is None:
+            self._show_why_empty()
+        elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
+            self._show_contours()
+            self.show_marks()
+        else:
+            self._show_mesh_anew()
+
+    def _show_mesh_anew(self) -> None:
+        mesh, side = self._surface.mesh, self._case.side
+        if mesh is None or side is None:
+            return
+        self.panel.show_mesh(mesh, self._coloring())
+        self.panel.show_directions(side, mesh.bounds_mm)
+        self._show_contours()
+        self.show_marks()
+
+    def _coloring(self) -> Coloring | None:
+        coloring = color_by(self._map, self._surface, self._counterpart)
+        foot, text = self._case.record.current, ""
+        if coloring is not None and foot is not None and self._map is MapKind.DIFFERENCE:
+            bottom = self._surface.bottom_heights_mm
+            top = coloring.values[: 0 if bottom is None else len(bottom)]
+            text = f"{pair_text(foot, self._counterpart)}:  {numbers_text(top)}"
+        self.panel.show_numbers(text)
+        return coloring
+
+    def _show_contours(self) -> None:
+        """Draw the lines, unless the hand is moving the surface."""
+        wanted = self._contours and not self._tool_controller.is_busy
+        if self._contoured == (self._surface.mesh, wanted):
+            return  # they take longer than all else, and several facts change at once
+        self._contoured = self._surface.mesh, wanted
+        self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
+
+    def _show_why_empty(self) -> None:
+        if self._case.foot is None:
+            self.panel.show_empty(tr("The insole appears here as soon as there is a foot."), {})
+        else:
+            self.panel.show_empty(tr("The insole is being built…"), {})

@@ -1,0 +1,164 @@
+"""What the parameters panel offers about the foot: its pose, pen marks, a proposed posting."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from insole_core.cases.case_record import KeyPoint
+from insole_core.errors import InputError
+from insole_core.foot.alignment import PoseAngles, pose_angles
+from insole_core.foot.measures import measure
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import Pelott, Posting
+from insole_core.insole.prescription.design_limits import Range
+from insole_core.insole.prescription.pronation import proposed_post_deg
+from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.foot_pose import turned_record
+from insole_core.workflows.pen_marks import PenMark, PenMarks
+from insole_studio.document.case import Case
+from insole_studio.features.design.correction_names import name_of
+from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
+from insole_studio.features.design.tools.key_point_tool import point_text
+from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
+from insole_studio.texts import tr, translate_core_message
+
+_ANGLE = Range(-45, 45, "degrees")
+
+
+class FootProposals:
+    """The groups of the landmark and pronation tools, and what their buttons do."""
+
+    def __init__(self, case: Case, rules: ClinicRules) -> None:
+        self._case = case
+        self._rules = rules
+        self._marks = PenMarks()
+        self._measured: tuple[object, float | None] = (None, None)
+
+    def landmark_groups(self) -> list[FieldGroup]:
+        """Give the pose of the foot, and each mark of a pen with what it may mean."""
+        marks = self._marks.of(self._case.record)
+        groups = (self._mark_group(number, mark) for number, mark in enumerate(marks))
+        return [self._pose_group(), *groups]
+
+    def pose_groups(self) -> list[FieldGroup]:
+        """Give the pose of the foot alone."""
+        return [self._pose_group()]
+
+    def posting_note(self) -> str:
+        """Say how the Achilles axis leans against the sole; empty where it was not scanned."""
+        lean = self._eversion_deg()
+        if lean is None:
+            return ""
+        kind = tr("valgus") if lean > 0 else tr("varus")
+        return tr("Achilles axis {angle}° {kind} to the sole").format(
+            angle=f"{abs(lean):.1f}", kind=kind
+        )
+
+    def posting_offers(self) -> tuple[Proposal, ...]:
+        """Offer the posting that the clinic's rule suggests, unless it is there."""
+        proposed, design = self._proposed_deg(), self._case.record.design
+        posting = None if design is None else posting_of(design)
+        if not proposed or (posting is not None and posting.rearfoot_deg == proposed):
+            return ()
+        text = tr("Propose {angle}° medial").format(angle=f"{proposed:g}")
+        tip = tr("Post the rearfoot as the rule of the clinic suggests for this axis")
+        return (Proposal("propose.post", text, tip),)
+
+    def choose(self, kind: str, name: str) -> bool:
+        """Do what a button offers; False when it is another's."""
+        act = _ACTS.get(kind)
+        if act is not None:
+            act(self, name)
+        return act is not None
+
+    def turn(self, name: str, value: float) -> None:
+        """Let the foot lie at another angle."""
+        record = self._case.record
+        if record.foot is not None:
+            angles = pose_angles(record.foot, landmarks_of(record))
+            self._lay(replace(angles, **{name: value}), tr("Turn the foot"), f"pose:{name}")
+
+    def _align(self, _name: str) -> None:
+        self._lay(PoseAngles(), tr("Align the foot by the landmarks"))
+
+    def _lay(self, angles: PoseAngles, sentence: str, merge_key: str = "") -> None:
+        """Let the foot lie at other angles."""
+        if self._case.foot is not None:
+            self._case.apply(turned_record(self._case.record, angles), sentence, merge_key)
+
+    def _propose(self, _name: str) -> None:
+        design = self._case.record.design
+        if design is not None:
+            before = posting_of(design) or self._case.stamped(Posting())
+            posting = replace(before, rearfoot_deg=self._proposed_deg(), enabled=True)
+            self._case.apply(with_posting(design, posting), tr("Take the proposed posting"))
+
+    def _use_mark(self, name: str) -> None:
+        number, _, meaning = name.partition(".")
+        point = self._marks.of(self._case.record)[int(number)].mark.point
+        place = (round(float(point[0]), 2), round(float(point[1]), 2), round(float(point[2]), 2))
+        marked = self._case.record.annotations.with_key_point(KeyPoint(meaning, place))
+        sentence = tr("Use a pen mark as: {name}").format(name=point_text(meaning))
+        self._case.apply(marked, sentence)
+
+    def _pad_at_mark(self, name: str) -> None:
+        design = self._case.record.design
+        if design is None:
+            return
+        point = self._marks.of(self._case.record)[int(name)].mark.point
+        centre = (round(float(point[0]), 1), round(float(point[1]), 1))
+        pad = self._case.stamped(Pelott(id=CorrectionBase().id, centre_mm=centre))
+        self._case.apply(design.with_added(pad), tr("Place: {name}").format(name=name_of(pad)))
+        self._case.select(pad.id)
+
+    def _pose_group(self) -> FieldGroup:
+        title, record = tr("Foot against its landmarks"), self._case.record
+        assert record.foot is not None
+        try:
+            angles = pose_angles(record.foot, landmarks_of(record))
+        except InputError as error:
+            return FieldGroup(title, note=translate_core_message(str(error)))
+        fields = (
+            _field("pose.roll_deg", tr("Medial edge up"), angles.roll_deg),
+            _field("pose.pitch_deg", tr("Toe end up"), angles.pitch_deg),
+            _field("pose.yaw_deg", tr("Toes medially"), angles.yaw_deg),
+        )
+        tip = tr("Level the sole and lay the foot axis along the insole by the landmarks")
+        return FieldGroup(title, fields, (Proposal("align.", tr("Align"), tip),))
+
+    def _mark_group(self, number: int, found: PenMark) -> FieldGroup:
+        x, y, _ = found.mark.point
+        title = tr("Pen mark at x {x} mm, y {y} mm").format(x=f"{x:.0f}", y=f"{y:.0f}")
+        uses = [
+            Proposal(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
+            for name in found.meanings
+        ]
+        return FieldGroup(title, offers=(*uses, Proposal(f"mark_pad.{number}", tr("Pelott here"))))
+
+    def _eversion_deg(self) -> float | None:
+        record = self._case.record
+        if record.foot is None:
+            return None
+        key = record.foot, record.annotations
+        if self._measured[0] != key:
+            angle = measure(record.foot, landmarks_of(record))["achilles_angle_deg"]
+            self._measured = key, angle
+        return self._measured[1]
+
+    def _proposed_deg(self) -> float:
+        eversion = self._eversion_deg()
+        return 0.0 if eversion is None else proposed_post_deg(eversion, self._rules.pronation)
+
+
+def _field(key: str, label: str, value: float) -> FieldSpec:
+    return FieldSpec(key, label, "°", round(value, 1) + 0.0, _ANGLE.least, _ANGLE.greatest, 0.5)
+
+
+_ACTS: dict[str, Callable[[FootProposals, str], None]] = {
+    "align": FootProposals._align,
+    "propose": FootProposals._propose,
+    "mark": FootProposals._use_mark,
+    "mark_pad": FootProposals._pad_at_mark,
+}

@@ -1,0 +1,277 @@
+"""Between the parameters panel and the case."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any, Protocol
+
+from insole_core.cases.case_record import ReferencePlane
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.insole.prescription.design import (
+    Correction,
+    InsoleDesign,
+    Pelott,
+    Posting,
+)
+from insole_core.insole.prescription.design_limits import Range
+from insole_core.workflows.pad_library import LibraryPad
+from insole_studio.document.case import Case
+from insole_studio.features.design.correction_names import name_of, pad_text
+from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
+from insole_studio.features.design.parameters.foot_proposals import FootProposals
+from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
+from insole_studio.features.design.tools.brush_tool import BrushTool
+from insole_studio.features.design.tools.outline_tool import with_source
+from insole_studio.features.design.tools.pelott_tool import PelottTool, selected_pelott
+from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
+from insole_studio.features.design.tools.tool import with_number
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.texts import tr
+
+ANGLE = Range(-90, 90, "degrees")
+PLACE = Range(-400, 400)
+TEMPLATE_KEYS = ("height_mm", "length_mm", "width_mm")
+
+
+class ParametersPanel(Protocol):
+    """What the parameters panel shows, and the intents it emits."""
+
+    field_edited: Any
+    offer_chosen: Any
+
+    def show_groups(self, groups: Sequence[FieldGroup]) -> None: ...  # noqa: D102
+
+
+class ParametersPresenter:
+    """Shows the values of the selected correction and of the insole, and takes new ones."""
+
+    def __init__(
+        self,
+        panel: ParametersPanel,
+        case: Case,
+        tool_controller: ToolController,
+        pads: Sequence[LibraryPad],
+        rules: ClinicRules,
+    ) -> None:
+        self._panel = panel
+        self._case = case
+        self._tool_controller = tool_controller
+        self._pads = pads
+        self._foot_offers = FootProposals(case, rules)
+        panel.field_edited.connect(self.edit)
+        panel.offer_chosen.connect(self.choose)
+        case.opened.connect(self.show)
+        case.changed.connect(self.show)
+        case.preview_changed.connect(self.show)
+        case.selection_changed.connect(self.show)
+        tool_controller.tool_changed.connect(self.show)
+        self.show()
+
+    def show(self) -> None:
+        """Show the groups that matter now."""
+        design = self._case.shown.design
+        if design is None:
+            note = tr("The numbers of the design appear here.")
+            self._panel.show_groups([FieldGroup("", note=note)])
+            return
+        make = _make_groups(design)
+        if self._tool_controller.tool.key == "outline":
+            make = [make[-1], *make[:-1]]
+        self._panel.show_groups([*self._groups(design), *make])
+
+    def edit(self, key: str, value: Any) -> None:
+        """Take a value; edits of one field that follow each other are one undo."""
+        group, name = key.split(".", 1)
+        _EDITS[group](self, name, value)
+        self.show()
+
+    def choose(self, key: str) -> None:
+        """Do what a button offers."""
+        kind, name = key.split(".", 1)
+        if self._foot_offers.choose(kind, name):
+            return
+        if kind == "size":
+            self._take_size(self._pads[int(name)].template)
+        elif kind == "remove":
+            self._remove(name)
+
+    def _groups(self, design: InsoleDesign) -> list[FieldGroup]:
+        tool, selected = self._tool_controller.tool, self._selected(design)
+        own = _TOOL_GROUPS.get(tool.key)
+        if own is not None:
+            return own(self)
+        if tool.key == "posting" and not (selected and selected.type != Posting.type):
+            return [self._posting_group(posting_of(design) or Posting())]
+        if selected is not None:
+            return [self._correction_group(selected)]
+        if isinstance(tool, PelottTool):
+            return [self._template_group(tool.template)]
+        if isinstance(tool, BrushTool):
+            title = tr("Next stroke")
+            return [FieldGroup(title, field_specs(tool.template, "template"))]
+        return []
+
+    def _selected(self, design: InsoleDesign) -> Correction | None:
+        selection = self._case.selection
+        return design.correction(selection) if selection is not None else None
+
+    def _correction_group(self, correction: Correction) -> FieldGroup:
+        if isinstance(correction, Posting):
+            return self._posting_group(correction)
+        fields = field_specs(correction, "correction")
+        offers = self._size_offers(correction)
+        return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
+
+    def _posting_group(self, posting: Posting) -> FieldGroup:
+        """The angles, and what the measured axis suggests."""
+        note = self._foot_offers.posting_note()
+        offers = self._foot_offers.posting_offers()
+        title = tr("Pronation / supination (> 0 raises the medial edge)")
+        return FieldGroup(title, field_specs(posting, "posting"), offers, note)
+
+    def _plane_groups(self) -> list[FieldGroup]:
+        return [_plane_group(self._case.shown.annotations.plane)]
+
+    def _template_group(self, template: Pelott) -> FieldGroup:
+        specs = field_specs(template, "template")
+        fields = tuple(spec for spec in specs if spec.key.split(".")[1] in TEMPLATE_KEYS)
+        title = tr("Next: {name}").format(name=name_of(template))
+        offers = self._size_offers(template)
+        return FieldGroup(title, fields, offers, caption=_size_caption(offers))
+
+    def _size_offers(self, correction: Correction) -> tuple[Proposal, ...]:
+        """Give the sizes that the library has of the same shape."""
+        if not isinstance(correction, Pelott):
+            return ()
+        return tuple(
+            Proposal(f"size.{number}", pad.size, pad_text(pad))
+            for number, pad in enumerate(self._pads)
+            if pad.template.shape == correction.shape
+        )
+
+    def _take_size(self, size: Pelott) -> None:
+        pad, design = selected_pelott(self._case), self._case.record.design
+        if pad is not None and design is not None:
+            changed = design.with_changed(_sized(pad, size))
+            self._case.apply(changed, tr("Take a size of the library"))
+        elif isinstance(self._tool_controller.tool, PelottTool):
+            self._tool_controller.tool.template = _sized(self._tool_controller.tool.template, size)
+            self.show()
+
+    def _remove(self, name: str) -> None:
+        if name == "plane":
+            self._case.apply(
+                replace(self._case.record.annotations, plane=None), tr("Remove the reference plane")
+            )
+
+    def _edit_correction(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        selected = self._selected(design) if design is not None else None
+        if design is None or selected is None:
+            return
+        sentence = tr("Edit: {name}").format(name=name_of(selected))
+        changed = design.with_changed(with_value(selected, name, value))
+        self._case.apply(changed, sentence, f"{selected.id}:{name}")
+
+    def _edit_template(self, name: str, value: Any) -> None:
+        tool = self._tool_controller.tool
+        if isinstance(tool, PelottTool | BrushTool):
+            tool.template = with_value(tool.template, name, value)
+
+    def _edit_posting(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            before = posting_of(design) or self._case.stamped(Posting())
+            changed = with_posting(design, with_value(before, name, value))
+            self._case.apply(changed, tr("Edit the posting"), f"posting:{name}")
+
+    def _edit_insole(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            self._case.apply(
+                with_value(design, name, value), tr("Edit the insole"), f"insole:{name}"
+            )
+
+    def _edit_layers(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            changed = replace(design, layers=with_value(design.layers, name, value))
+            self._case.apply(changed, tr("Edit the layers"), f"layers:{name}")
+
+    def _edit_outline(self, name: str, value: Any) -> None:
+        design = self._case.record.design
+        if design is not None:
+            outline = (
+                with_source(self._case.record, value)
+                if name == "source"
+                else with_value(design.outline, name, value)
+            )
+            changed = replace(design, outline=outline)
+            self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
+
+    def _edit_plane(self, name: str, value: float) -> None:
+        annotations = self._case.record.annotations
+        plane = annotations.plane
+        if plane is None:
+            return
+        x, y, _ = plane.origin_mm
+        turned = (
+            replace(plane, origin_mm=(x, y, value))
+            if name == "z"
+            else with_number(plane, name, value)
+        )
+        changed = replace(annotations, plane=turned)
+        self._case.apply(changed, tr("Turn the reference plane"), f"plane:{name}")
+
+
+def _size_caption(offers: tuple[Proposal, ...]) -> str:
+    return tr("Size") if offers else ""
+
+
+def _sized(pad: Pelott, size: Pelott) -> Pelott:
+    return replace(pad, length_mm=size.length_mm, width_mm=size.width_mm, height_mm=size.height_mm)
+
+
+def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
+    if plane is None:
+        return FieldGroup(tr("Reference plane"), note=tr("Click on the foot to place it."))
+    fields = (
+        _field("plane.z", tr("Height"), plane.origin_mm[2], PLACE),
+        _field("plane.pitch_deg", tr("Toe end up"), plane.pitch_deg, ANGLE),
+        _field("plane.roll_deg", tr("Sideways"), plane.roll_deg, ANGLE),
+    )
+    return FieldGroup(tr("Reference plane"), fields, (Proposal("remove.plane", tr("Remove")),))
+
+
+def _make_groups(design: InsoleDesign) -> list[FieldGroup]:
+    """How the insole is made: always at hand."""
+    return [
+        FieldGroup(tr("Insole"), field_specs(design, "insole")),
+        FieldGroup(tr("Layers"), field_specs(design.layers, "layers")),
+        FieldGroup(tr("Outline"), field_specs(design.outline, "outline")),
+    ]
+
+
+def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:
+    unit = "°" if allowed.unit == "degrees" else allowed.unit
+    return FieldSpec(key, label, unit, value, allowed.least, allowed.greatest, step=0.5)
+
+
+_TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
+    "outline": lambda _presenter: [],
+    "plane": ParametersPresenter._plane_groups,
+    "turn": lambda presenter: presenter._foot_offers.pose_groups(),
+    "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
+}
+"""Of the tools that show their own values, whatever is selected."""
+_EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
+    "correction": ParametersPresenter._edit_correction,
+    "template": ParametersPresenter._edit_template,
+    "posting": ParametersPresenter._edit_posting,
+    "insole": ParametersPresenter._edit_insole,
+    "layers": ParametersPresenter._edit_layers,
+    "outline": ParametersPresenter._edit_outline,
+    "plane": ParametersPresenter._edit_plane,
+    "pose": lambda presenter, name, value: presenter._foot_offers.turn(name, value),
+}

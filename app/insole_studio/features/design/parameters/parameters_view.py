@@ -1,0 +1,182 @@
+"""The parameters panel: the numbers of what is selected, and those of the insole."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.finger_scroll import scroll_by_finger
+from insole_studio.widgets.flow import FlowLayout
+from insole_studio.widgets.number_field import NumberField
+
+ROWS, TOUCH_ROWS = 3, 2
+"""Fields above each other: what a low screen has room for with a mouse, and with fingers."""
+ROW_HEIGHT_PX = 26
+FIELD_PX = 88
+SHORT_TEXT, SHORT_PX, TOUCH_SHORT_PX = 3, 32, 46
+CHOICE_PX = 116
+LEAST_PX, MOST_PX = 112, 176
+
+
+class ParametersView(QScrollArea):
+    """Lays out groups of number fields beside each other, in lines as wide as the panel."""
+
+    field_edited = Signal(str, object)
+    offer_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shape: tuple[object, ...] = ()
+        self._fields: dict[str, NumberField | ComboBox] = {}
+        self._rows = ROWS
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumHeight(LEAST_PX)
+        scroll_by_finger(self)
+
+    def show_groups(self, groups: Sequence[FieldGroup]) -> None:
+        """Show groups; while only values differ, the fields stay where they are."""
+        shape = tuple(group.shape for group in groups)
+        if shape != self._shape:
+            self._shape = shape
+            self._lay_out(groups)
+        for group in groups:
+            for spec in group.fields:
+                self._show_value(spec)
+
+    def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
+        field = self._fields[spec.key]
+        if isinstance(field, NumberField):
+            assert isinstance(spec, FieldSpec)
+            field.show_range(spec.least, spec.greatest)
+            field.show_value(spec.value)
+        else:
+            field.show_value(str(spec.value))
+
+    def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
+        self._fields = {}
+        self._rows = TOUCH_ROWS if self._for_fingers else ROWS
+        content = QWidget()
+        flow = FlowLayout(content, margin_px=4, gap_px=12)
+        flow.setContentsMargins(8, 4, 4, 4)  # in line with the titles of the panels
+        for group in groups:
+            flow.addWidget(self._group(group))
+        self.setWidget(content)
+        for widget in content.findChildren(QWidget):
+            widget.ensurePolished()  # its size for fingers is that of the style
+        # The first line is always whole, also with targets for fingers.
+        self.setMinimumHeight(min(max(flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
+
+    def _group(self, group: FieldGroup) -> QWidget:
+        widget = QWidget()
+        column = QVBoxLayout(widget)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addLayout(_heading(group))
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(6)
+        grid.setVerticalSpacing(4)
+        for row in range(self._rows):
+            grid.setRowMinimumHeight(row, ROW_HEIGHT_PX)
+        before = self._add_offers(grid, group)
+        for number, spec in enumerate(group.fields):
+            self._add_field(grid, spec, number, before)
+        grid.setColumnStretch(grid.columnCount(), 1)
+        column.addLayout(grid)
+        column.addStretch(1)
+        return widget
+
+    @property
+    def _for_fingers(self) -> bool:
+        return NumberField("", least=0, greatest=1, step=1).is_for_fingers
+
+    def _add_field(
+        self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
+    ) -> None:
+        field = _make_field(spec)
+        field.setProperty("key", spec.key)
+        field.setAccessibleName(spec.label)
+        width = field.room_px(FIELD_PX) if isinstance(field, NumberField) else CHOICE_PX
+        field.setFixedWidth(width)
+        field.edited.connect(self._edited)
+        self._fields[spec.key] = field
+        label = QLabel(spec.label)
+        label.setBuddy(field)
+        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row, column = number % self._rows, before + 2 * (number // self._rows)
+        grid.addWidget(label, row, column)
+        grid.addWidget(field, row, column + 1)
+
+    def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> int:
+        """Put the buttons before the fields; give the columns that they take."""
+        buttons = [self._button(offer) for offer in group.offers]
+        short = bool(buttons) and all(len(offer.text) <= SHORT_TEXT for offer in group.offers)
+        cells: list[QWidget] = [QLabel(group.caption)] if group.caption else []
+        cells += [_row(buttons)] if short else buttons
+        for number, cell in enumerate(cells):
+            grid.addWidget(cell, number % self._rows, number // self._rows)
+        return (len(cells) + self._rows - 1) // self._rows
+
+    def _button(self, offer: Proposal) -> QPushButton:
+        button = QPushButton(offer.text)
+        button.setToolTip(offer.tip)
+        button.setAccessibleName(offer.tip or offer.text)
+        button.setProperty("offer", offer.key)
+        if len(offer.text) <= SHORT_TEXT:
+            button.setFixedWidth(TOUCH_SHORT_PX if self._rows == TOUCH_ROWS else SHORT_PX)
+        button.clicked.connect(self._choose)
+        return button
+
+    def _edited(self, value: object) -> None:
+        self.field_edited.emit(self.sender().property("key"), value)
+
+    def _choose(self) -> None:
+        self.offer_chosen.emit(self.sender().property("offer"))
+
+
+def _heading(group: FieldGroup) -> QHBoxLayout:
+    """The title and what is to be known, in one line: the fields of all groups begin alike."""
+    row = QHBoxLayout()
+    row.setSpacing(8)
+    for text, name in ((group.title, "heading"), (group.note, "quiet")):
+        if text:
+            label = QLabel(text)
+            label.setObjectName(name)
+            row.addWidget(label)
+    row.addStretch(1)
+    return row
+
+
+def _row(widgets: Sequence[QWidget]) -> QWidget:
+    whole = QWidget()
+    row = QHBoxLayout(whole)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(4)
+    for widget in widgets:
+        row.addWidget(widget)
+    return whole
+
+
+def _make_field(spec: FieldSpec | ChoiceSpec) -> NumberField | ComboBox:
+    if isinstance(spec, ChoiceSpec):
+        return ComboBox(spec.options)
+    return NumberField(
+        spec.unit,
+        least=spec.least,
+        greatest=spec.greatest,
+        step=spec.step,
+        decimals=spec.decimals,
+    )

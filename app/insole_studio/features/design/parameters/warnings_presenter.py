@@ -1,0 +1,89 @@
+"""Between the rules of the clinic and the panel that shows what breaks them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
+
+from insole_core.insole.build import Insole
+from insole_core.insole.prescription.clinic_rules import ClinicRules, DesignWarning, design_warnings
+from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.features.design.correction_names import PAD_NAMES
+from insole_studio.features.design.rows import WarningRow
+from insole_studio.features.design.tools.key_point_tool import point_text
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.texts import translated
+
+
+class WarningsPanel(Protocol):
+    """What shows warnings, and tells which one was chosen."""
+
+    warning_chosen: Any
+
+    def show_warnings(self, rows: Sequence[WarningRow]) -> None: ...  # noqa: D102
+
+
+class WarningsPresenter:
+    """Holds the insole against the rules whenever it is another one and the hand rests."""
+
+    def __init__(
+        self,
+        panel: WarningsPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        tool_controller: ToolController,
+        rules: ClinicRules,
+        look_at: Callable[[tuple[float, float]], None],
+    ) -> None:
+        self._panel = panel
+        self._case = case
+        self._surface = surface
+        self._tool_controller = tool_controller
+        self._rules = rules
+        self._look_at = look_at
+        self._warnings: tuple[DesignWarning, ...] = ()
+        panel.warning_chosen.connect(self.lead_to)
+        surface.changed.connect(self.show)
+        case.changed.connect(self.show)
+        tool_controller.gesture_ended.connect(self.show)
+
+    def show(self) -> None:
+        """Show what is unusual now."""
+        if self._tool_controller.is_busy:
+            return
+        self._warnings = self._found()
+        self._panel.show_warnings(
+            [WarningRow(_text(w), bool(w.correction_id or w.place_mm)) for w in self._warnings]
+        )
+
+    def lead_to(self, number: int) -> None:
+        """Select what causes a warning, and look there."""
+        warning = self._warnings[number]
+        if warning.correction_id:
+            self._case.select(warning.correction_id)
+        if warning.place_mm is not None:
+            self._look_at(warning.place_mm)
+
+    def _found(self) -> tuple[DesignWarning, ...]:
+        record, base, contact = self._case.record, self._surface.base, self._surface.contact
+        if record.design is None or record.foot is None or base is None or contact is None:
+            return ()
+        if not self._surface.is_current:
+            return self._warnings
+        insole = Insole(record.design, record.foot, contact, base.measured)
+        return design_warnings(insole, landmarks_of(record), self._rules)
+
+
+def _text(warning: DesignWarning) -> str:
+    """Say a warning in the language of the window."""
+    values = dict(warning.values)
+    for name in ("pad", "other_pad"):
+        if name in values:
+            values[name] = PAD_NAMES[values[name]]().lower()
+    for name in ("landmark", "other_landmark"):
+        if name in values:
+            values[name] = point_text(values[name])
+    return translated(warning.sentence).format(**values)

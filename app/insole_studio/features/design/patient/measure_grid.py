@@ -1,0 +1,80 @@
+"""The table of measures: one foot, or left and right beside each other with the asymmetry."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+
+from insole_core.geometry.side import Side
+from insole_studio.features.design.rows import Measure
+from insole_studio.texts import tr
+from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.side_badge import side_letter
+
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_BOTH = 4
+
+
+class MeasureGrid(QWidget):
+    """Lays out the measures, a line each; a click on a name leads to its place."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(6)
+        self._grid.setVerticalSpacing(4)
+        self._grid.setColumnStretch(0, 1)
+
+    def show_measures(self, measures: Sequence[Measure]) -> None:
+        """Show these measures and no others."""
+        while (item := self._grid.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        first = 0
+        if measures and len(measures[0].values) == _BOTH:
+            self._add_heads()
+            first = 1
+        for row, measure in enumerate(measures, first):
+            self._add(row, measure)
+
+    def _add_heads(self) -> None:
+        unit = QLabel("mm")
+        unit.setObjectName("quiet")
+        self._grid.addWidget(unit, 0, 0)
+        difference = QLabel(tr("L − R"))
+        difference.setToolTip(tr("Left minus right"))
+        percent = QLabel("%")
+        percent.setToolTip(tr("The difference in per cent of the mean of both"))
+        heads = (side_letter(Side.LEFT), side_letter(Side.RIGHT), difference, percent)
+        for column, head in enumerate(heads, 1):
+            self._grid.addWidget(head, 0, column, _RIGHT)
+
+    def _add(self, row: int, measure: Measure) -> None:
+        both = len(measure.values) == _BOTH
+        is_angle = both and measure.unit == "°"
+        name = self._name(f"{measure.name} (°)" if is_angle else measure.name, measure.key)
+        name.setWordWrap(True)
+        name.setToolTip(measure.tip)
+        self._grid.addWidget(name, row, 0)
+        for column, value in enumerate(measure.values, 1):
+            text = value if both or not measure.unit else f"{value} {measure.unit}"
+            number = QLabel(text)
+            number.setToolTip(measure.tip)
+            if column > _BOTH - 2:
+                number.setObjectName("quiet")
+            self._grid.addWidget(number, row, column, _RIGHT)
+
+    def _name(self, words: str, key: str) -> QLabel:
+        """A name that leads to the place of its measure, where it has one."""
+        if not key:
+            return QLabel(words)
+        name = LinkLabel(words, key, underlined=False)
+        name.setCursor(Qt.CursorShape.PointingHandCursor)
+        name.linkActivated.connect(self.chosen)
+        return name

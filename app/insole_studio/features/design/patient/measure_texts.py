@@ -1,0 +1,88 @@
+"""The measures of the foot as a table: names in the language of the window, units, numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.foot.measure_table import MeasureRow, measure_table
+from insole_core.foot.measures import DEFINITIONS, doubts, measure
+from insole_core.geometry.side import Side
+from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.features.design.rows import Measure
+from insole_studio.features.design.tools.key_point_tool import distances
+from insole_studio.texts import tr, translate_core_message
+
+_ABOUT = "≈"  # before a number that is rather a guess; its tip says why
+_NAMES: dict[str, Callable[[], str]] = {
+    "foot_length": lambda: tr("Foot length"),
+    "ball_width": lambda: tr("Ball width"),
+    "ball_width_across": lambda: tr("Ball width across"),
+    "ball_length": lambda: tr("Ball length"),
+    "heel_width": lambda: tr("Heel width"),
+    "ball_girth": lambda: tr("Ball girth"),
+    "instep_height": lambda: tr("Instep height"),
+    "arch_height": lambda: tr("Arch height"),
+    "arch_height_index": lambda: tr("Arch height index"),
+    "arch_index": lambda: tr("Arch index"),
+    "navicular_height": lambda: tr("Navicular height"),
+    "rearfoot_angle_deg": lambda: tr("Rearfoot angle"),
+    "achilles_angle_deg": lambda: tr("Achilles to sole"),
+    "achilles_lean_deg": lambda: tr("Achilles lean"),
+    "forefoot_angle_deg": lambda: tr("Forefoot angle"),
+    "shoe_size_eu": lambda: tr("Shoe size EU"),
+    "shoe_size_uk": lambda: tr("Shoe size UK"),
+    "shoe_size_us": lambda: tr("Shoe size US"),
+    "mondopoint": lambda: tr("Mondopoint"),
+}
+
+
+def table_of(record: CaseRecord) -> list[MeasureRow]:
+    """Measure the feet of a case; no rows before there is one."""
+    return measure_table({f.side: measure(f.foot, landmarks_of(f)) for f in record.feet})
+
+
+def measures_of(record: CaseRecord) -> list[Measure]:
+    """Give all measures that the scans allow: of one foot, or of both with their asymmetry."""
+    if not record.feet:
+        return []
+    both = len(record.feet) == 2
+    doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in record.feet}
+    return [_measure(row, both, doubtful) for row in table_of(record)]
+
+
+def distances_of(record: CaseRecord) -> list[Measure]:
+    """Give the distances between the further points of the foot at hand."""
+    found = distances(record.annotations)
+    rows = []
+    for a, b, distance in found:
+        value = f"{distance:.1f}"
+        values: tuple[str, ...] = (value,)
+        if len(record.feet) == 2:
+            values = (value, "", "", "") if record.side is Side.LEFT else ("", value, "", "")
+        rows.append(Measure(f"{a} – {b}", values, "mm"))
+    return rows
+
+
+def _measure(row: MeasureRow, both: bool, doubtful: Mapping[Side, Mapping[str, str]]) -> Measure:
+    doubt = {side: reasons[row.key] for side, reasons in doubtful.items() if row.key in reasons}
+    decimals = 2 if "index" in row.key else 1
+    left, right = (
+        f"{_ABOUT} {_number(value, decimals)}" if side in doubt else _number(value, decimals)
+        for side, value in ((Side.LEFT, row.left), (Side.RIGHT, row.right))
+    )
+    name = _NAMES[row.key]() if row.key in _NAMES else row.key
+    unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
+    values: tuple[str, ...] = (left or right,)
+    if both:
+        values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
+    said = map(translate_core_message, (DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
+    tip = "\n".join(said)
+    return Measure(name, values, unit, tip, row.key)
+
+
+def _number(value: float | None, decimals: int, sign: str = "") -> str:
+    if value is None:
+        return ""
+    rounded = round(value, decimals) + 0.0  # never "-0.0"
+    return f"{rounded:{sign}.{decimals}f}" if rounded else f"{rounded:.{decimals}f}"

@@ -1,0 +1,277 @@
+"""The patient panel: fields of the case, measures, and the list of corrections."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSignalBlocker, QSize, Signal
+from PySide6.QtGui import QFocusEvent
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.side import Side
+from insole_studio.features.design.patient.measure_grid import MeasureGrid
+from insole_studio.features.design.patient.variant_row import VariantRow
+from insole_studio.features.design.rows import CorrectionRow, Measure, WarningRow
+from insole_studio.texts import tr
+from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.icons import icon
+from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.side_badge import side_letter
+from insole_studio.widgets.side_switch import SideSwitch
+from insole_studio.widgets.vertical_scroll import VerticalScroll
+
+LEAST_PX = 216
+
+
+class PatientView(VerticalScroll):
+    """Lays out the patient panel."""
+
+    field_edited = Signal(str, str)
+    side_chosen = Signal(object)
+    variant_chosen = Signal(str)
+    action_requested = Signal(str)
+    correction_selected = Signal(str)
+    correction_toggled = Signal(str)
+    correction_removed = Signal(str)
+    correction_moved = Signal(str, int)
+    correction_copied = Signal(str)
+    warning_chosen = Signal(int)
+    measure_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._fields = {key: QLineEdit() for key in ("name", "born", "visit")}
+        self._fields["born"].setPlaceholderText(tr("YYYY-MM-DD"))
+        self._fields["visit"].setPlaceholderText(tr("YYYY-MM-DD"))
+        for key, field in self._fields.items():
+            field.setProperty("key", key)
+            field.editingFinished.connect(self._line_edited)
+        self._notes = _Notes()
+        self._notes.left.connect(self._notes_edited)
+        self.sides = SideSwitch()
+        self.sides.chosen.connect(self.side_chosen)
+        self.sides.offer_chosen.connect(self.action_requested)
+        self._no_side = QLabel(tr("comes with the scan"))
+        self._no_side.setObjectName("quiet")
+        self._later = QLabel(tr("Corrections and measures come with the scan."))
+        self._later.setObjectName("quiet")
+        self._later.setWordWrap(True)
+        self._of_foot = QWidget()
+        """What there is only with a foot: corrections, warnings, measures."""
+        self.variants = VariantRow()
+        self.variants.chosen.connect(self.variant_chosen)
+        self.variants.action_requested.connect(self.action_requested)
+        self._measures = MeasureGrid()
+        self._measures.chosen.connect(self.measure_chosen)
+        self._corrections = QVBoxLayout()
+        self._corrections.setSpacing(2)
+        self._warnings = QVBoxLayout()
+        self._warnings.setSpacing(4)
+        self.setWidget(self._content())
+
+    def minimumSizeHint(self) -> QSize:
+        """Be a panel, also with short lines."""
+        hint = super().minimumSizeHint()
+        return QSize(max(LEAST_PX, hint.width()), hint.height())
+
+    def show_fields(self, values: dict[str, str]) -> None:
+        """Show the fields; what is being typed stays."""
+        for key, field in self._fields.items():
+            if field.text() != values[key]:
+                field.setText(values[key])
+        if self._notes.toPlainText() != values["notes"]:
+            with QSignalBlocker(self._notes):
+                self._notes.setPlainText(values["notes"])
+
+    def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
+        """Show which feet there are, and which is at hand."""
+        self.sides.show_feet(at_hand, present)
+        self._form.setRowVisible(self._no_side, at_hand is None)
+        self._of_foot.setVisible(at_hand is not None)
+        self._later.setVisible(at_hand is None)
+
+    def show_variants(self, names: Sequence[str], chosen: str) -> None:
+        """Show the variants of the foot at hand."""
+        self.variants.show_variants(names, chosen)
+
+    def show_measures(self, measures: Sequence[Measure]) -> None:
+        """Show the measures of the foot."""
+        self._measures.show_measures(measures)
+        self.updateGeometry()  # two feet need a wider panel than one
+
+    def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
+        """Show the corrections, a line each."""
+        while (item := self._corrections.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for row in rows:
+            self._corrections.addWidget(self._correction_line(row))
+        if not rows:
+            empty = QLabel(tr("None yet. Choose the pelott tool and click on the sole."))
+            empty.setWordWrap(True)
+            empty.setObjectName("quiet")
+            self._corrections.addWidget(empty)
+
+    def show_warnings(self, rows: Sequence[WarningRow]) -> None:
+        """Show what is unusual; a click leads to it."""
+        while (item := self._warnings.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for number, row in enumerate(rows):
+            label = LinkLabel(row.text, str(number)) if row.leads else QLabel(row.text)
+            label.setObjectName("warning")
+            label.setWordWrap(True)
+            label.linkActivated.connect(self._choose_warning)
+            self._warnings.addWidget(label)
+
+    def _choose_warning(self, number: str) -> None:
+        self.warning_chosen.emit(int(number))
+
+    def _content(self) -> QWidget:
+        self._form = form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setVerticalSpacing(8)
+        form.addRow(tr("Name"), self._fields["name"])
+        form.addRow(tr("Born"), self._fields["born"])
+        form.addRow(tr("Side"), self._no_side)
+        form.addRow(tr("Visit"), self._fields["visit"])
+        form.addRow(tr("Notes"), self._notes)
+        mark_labels(form)
+        content = QWidget()
+        layout = QVBoxLayout(content)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(8)
+        layout.addWidget(self.sides)
+        layout.addLayout(form)
+        layout.addWidget(self._later)
+        layout.addWidget(self._of_foot)
+        layout.addStretch(1)
+        self._lay_out_of_foot()
+        return content
+
+    def _lay_out_of_foot(self) -> None:
+        layout = QVBoxLayout(self._of_foot)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(8)
+        layout.addWidget(_heading(tr("Corrections")))
+        layout.addWidget(self.variants)
+        layout.addLayout(self._corrections)
+        layout.addLayout(self._warnings)
+        layout.addWidget(_heading(tr("Measures")))
+        layout.addWidget(self._measures)
+
+    def _correction_line(self, row: CorrectionRow) -> QWidget:
+        eye = _button(row, "eye" if row.enabled else "eye-off", tr("Switch on or off"))
+        eye.clicked.connect(self._toggle)
+        name = QPushButton(row.text)
+        name.setProperty("correction", row.id)
+        name.setCheckable(True)
+        name.setChecked(row.selected)
+        name.setFlat(True)
+        name.setObjectName("row")
+        name.setToolTip(row.text)
+        name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
+        name.clicked.connect(self._select)
+        remove = _button(row, "remove", tr("Remove"))
+        remove.clicked.connect(self._remove)
+        line = QWidget()
+        rows = QVBoxLayout(line)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(0)
+        layout = QHBoxLayout()
+        layout.setSpacing(2)
+        layout.addWidget(eye)
+        layout.addWidget(side_letter(row.side))
+        layout.addWidget(name, 1)
+        layout.addWidget(remove)
+        rows.addLayout(layout)
+        if row.selected:
+            rows.addLayout(self._more_buttons(row))
+        return line
+
+    def _more_buttons(self, row: CorrectionRow) -> QHBoxLayout:
+        """What else can be done to the selected correction, in a line of its own."""
+        copy = _button(row, "copy", tr("Copy"))
+        copy.clicked.connect(self._copy)
+        buttons = [copy]
+        if row.ordered:
+            up, down = _button(row, "up", tr("Move up")), _button(row, "down", tr("Move down"))
+            up.clicked.connect(self._move_up)
+            down.clicked.connect(self._move_down)
+            buttons = [up, down, copy]
+        layout = QHBoxLayout()
+        layout.setSpacing(2)
+        layout.addStretch(1)
+        for button in buttons:
+            layout.addWidget(button)
+        return layout
+
+    def _line_edited(self) -> None:
+        field = self.sender()
+        assert isinstance(field, QLineEdit)
+        self.field_edited.emit(field.property("key"), field.text())
+
+    def _notes_edited(self) -> None:
+        self.field_edited.emit("notes", self._notes.toPlainText())
+
+    def _select(self) -> None:
+        self.correction_selected.emit(self.sender().property("correction"))
+
+    def _toggle(self) -> None:
+        self.correction_toggled.emit(self.sender().property("correction"))
+
+    def _move_up(self) -> None:
+        self.correction_moved.emit(self.sender().property("correction"), -1)
+
+    def _move_down(self) -> None:
+        self.correction_moved.emit(self.sender().property("correction"), 1)
+
+    def _copy(self) -> None:
+        self.correction_copied.emit(self.sender().property("correction"))
+
+    def _remove(self) -> None:
+        self.correction_removed.emit(self.sender().property("correction"))
+
+
+class _Notes(QPlainTextEdit):
+    """A few lines of text; Tab leaves them."""
+
+    left = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabChangesFocus(True)
+        self.setFixedHeight(64)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Tell that the text may be another one."""
+        super().focusOutEvent(event)
+        self.left.emit()
+
+
+def _heading(text: str) -> QLabel:
+    heading = QLabel(text)
+    heading.setObjectName("heading")
+    return heading
+
+
+def _button(row: CorrectionRow, icon_name: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(icon_name))
+    button.setAutoRaise(True)
+    button.setToolTip(tip)
+    button.setAccessibleName(f"{tip}: {row.text}")
+    button.setProperty("correction", row.id)
+    return button

@@ -1,0 +1,300 @@
+"""The design stage: four panels of thesis 6.3.3, their presenters, and the link of the cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QWidget
+
+from insole_core.insole.prescription.clinic_rules import ClinicRules
+from insole_core.workflows.pad_library import LibraryPad
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel
+from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.features.design.models.model_presenter import (
+    FootPresenter,
+    InsolePresenter,
+    ModelPresenter,
+)
+from insole_studio.features.design.models.section_presenter import SectionPresenter
+from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
+from insole_studio.features.design.parameters.parameters_view import ParametersView
+from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
+from insole_studio.features.design.patient.measure_places import place_of
+from insole_studio.features.design.patient.patient_presenter import PatientPresenter
+from insole_studio.features.design.patient.patient_view import PatientView
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
+from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
+from insole_studio.texts import tr
+from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.notice_bar import NoticeBar
+from insole_studio.widgets.section_chart import SectionChart
+from insole_studio.widgets.step_strip import StepStrip
+
+
+class DesignStage(QObject):
+    """Owns the panels; the window only gives them their places."""
+
+    offer_chosen = Signal(str)
+    pointed = Signal(str)
+    hint_changed = Signal(str)
+    section_wanted = Signal(bool)
+    """Whether there is a section to look at, or the hand holds the tool that cuts one."""
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        counterpart: SideBySide,
+        tool_controller: ToolController,
+        pads: Sequence[LibraryPad],
+        rules: ClinicRules,
+        dark: bool,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._case = case
+        self._tool_controller = tool_controller
+        self._cut = section
+        self.linked = True
+        self.steps = StepStrip()
+        self.patient = PatientView()
+        self.patient.action_requested.connect(self.offer_chosen)
+        self.patient.measure_chosen.connect(self.look_at_measure)
+        self.notices = NoticeBar()
+        self.parameters = ParametersView()
+        self.section = SectionChart()
+        self.foot = ModelView(Subject.FOOT, "", dark)
+        self.insole = ModelView(Subject.INSOLE, tr("Insole"), dark)
+        self.foot_presenter = FootPresenter(
+            self.foot,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+            counterpart=counterpart,
+        )
+        self.insole_presenter = InsolePresenter(
+            self.insole,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+            counterpart=counterpart,
+        )
+        self._presenters: dict[Subject, tuple[ModelView, ModelPresenter]] = {
+            Subject.FOOT: (self.foot, self.foot_presenter),
+            Subject.INSOLE: (self.insole, self.insole_presenter),
+        }
+        self._patient_presenter = PatientPresenter(self.patient, case)
+        self._warnings_presenter = WarningsPresenter(
+            self.patient,
+            case=case,
+            surface=surface,
+            tool_controller=tool_controller,
+            rules=rules,
+            look_at=self.look_at,
+        )
+        self._parameters_presenter = ParametersPresenter(
+            self.parameters, case, tool_controller, pads, rules
+        )
+        self._section_presenter = SectionPresenter(self.section, case, surface, section)
+        for view, presenter in self._presenters.values():
+            self._connect(view, presenter)
+        self._fit_when_shown = False
+        self._fitted: ViewCamera | None = None
+        """What `look` has chosen, until the hand moves it: it follows the size of the views."""
+        self._counterpart = counterpart
+        self._shown_beside = Beside.NOTHING
+        counterpart.changed.connect(self._fit_counterpart)
+        counterpart.failed.connect(self.insole.show_warning)
+        case.opened.connect(self._fit_later)
+        surface.changed.connect(self._fit_insole_once)
+        case.selection_changed.connect(self._show_hint)
+        case.changed.connect(self._show_hint)
+        case.preview_changed.connect(self._show_hint)
+        tool_controller.tool_changed.connect(self._show_hint)
+        tool_controller.tool_changed.connect(self._forget_highlight)
+        case.changed.connect(self._forget_highlight)
+        case.opened.connect(self._forget_highlight)
+        section.changed.connect(self._show_hint)
+        section.changed.connect(self._ask_for_section)
+        tool_controller.tool_changed.connect(self._ask_for_section)
+        case.opened.connect(self._forget_section)
+
+    @property
+    def panels(self) -> tuple[QWidget, ...]:
+        """The panels in the order of reading."""
+        return (
+            self.steps,
+            self.notices,
+            self.patient,
+            self.insole,
+            self.foot,
+            self.parameters,
+            self.section,
+        )
+
+    def focus_view(self) -> None:
+        """Give the keys to the foot; to the insole while the foot is hidden."""
+        shown = self.foot if self.foot.isVisible() else self.insole
+        shown.scene.surface.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def look(self, preset: Preset) -> None:
+        """Look at both subjects from a named direction, whole."""
+        for view, presenter in self._presenters.values():
+            if presenter.whole_bounds_mm is not None:
+                view.scene.set_camera(view.scene.aim_at(preset, presenter.whole_bounds_mm))
+        if self.linked:
+            self._link_to_larger()
+        self._fitted = self.foot.scene.camera if self.linked else None
+        self._announce_cameras()
+
+    def look_at(self, place_mm: tuple[float, float]) -> None:
+        """Put a place into the middle of both views."""
+        for view, presenter in self._presenters.values():
+            self._fitted = None
+            there = np.array(presenter.place(*place_mm))
+            view.scene.set_camera(view.scene.camera.centred(there))
+
+    def look_at_measure(self, key: str) -> None:
+        """Turn to where a measure is taken, and mark it on the foot until something changes."""
+        found = place_of(key, self._case.record)
+        if found is None:
+            return
+        points, preset = found
+        self.look(preset)
+        self._fitted = None
+        for view, _ in self._presenters.values():
+            view.scene.set_camera(view.scene.camera.centred(points.mean(axis=0)))
+        self.foot.show_highlight(points)
+
+    def _forget_highlight(self) -> None:
+        self.foot.show_highlight(np.empty((0, 3)))
+
+    def fit(self) -> None:
+        """Show everything from where one looks now."""
+        self.look(self.foot.scene.camera.preset)
+
+    def end_keys(self) -> None:
+        """Let what the arrow keys have begun be done."""
+        for view, _ in self._presenters.values():
+            view.scene.keys.let_go()
+
+    def set_linked(self, linked: bool) -> None:
+        """Let the cameras move together, or each for itself."""
+        self.linked = linked
+        if linked:
+            self.insole.scene.set_camera(self.foot.scene.camera)
+
+    def set_touch(self, touch: bool) -> None:
+        """Let handles be met by a finger, or by a mouse."""
+        for view, _ in self._presenters.values():
+            view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
+
+    def set_dark(self, dark: bool) -> None:
+        """Change the scheme of the scenes."""
+        for view, presenter in self._presenters.values():
+            view.scene.painter.set_dark(dark)
+            presenter.show_all()
+            view.scene.request_render()
+        self.patient.variants.renew_icons()
+        self._patient_presenter.show()
+
+    def close(self) -> None:
+        """Free the renderers."""
+        for view, _ in self._presenters.values():
+            view.scene.close_scene()
+
+    def _connect(self, view: ModelView, presenter: ModelPresenter) -> None:
+        view.scene.sink = presenter
+        view.scene.start = presenter.start
+        self._tool_controller.tool_changed.connect(view.scene.keys.forget)
+        view.scene.camera_changed.connect(self._follow)
+        view.scene.hovered.connect(self._point)
+        view.scene.left.connect(self._point_nowhere)
+        view.preset_requested.connect(self.look)
+        view.offer_chosen.connect(self.offer_chosen)
+        presenter.show_all()
+
+    def _follow(self, camera: ViewCamera) -> None:
+        if camera == self._fitted:  # the view has another size, nobody has turned it
+            self.fit()
+            return
+        self._fitted = None
+        if not self.linked:
+            return
+        for view, _ in self._presenters.values():
+            if view.scene is not self.sender():
+                view.scene.set_camera(camera)
+
+    def _link_to_larger(self) -> None:
+        """One camera for both that shows the larger of the two whole."""
+        cameras = [
+            view.scene.camera for view, p in self._presenters.values() if p.bounds_mm is not None
+        ]
+        if cameras:
+            widest = max(cameras, key=lambda camera: camera.height_mm)
+            for view, _ in self._presenters.values():
+                view.scene.set_camera(widest)
+
+    def _fit_later(self) -> None:
+        self._fit_when_shown = True
+        self.look(Preset.PLANTAR)
+        self.focus_view()
+        self._show_hint()
+
+    def _fit_insole_once(self) -> None:
+        if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:
+            self._fit_when_shown = False
+            self.look(Preset.PLANTAR)
+
+    def _fit_counterpart(self) -> None:
+        """Make room when something else comes to stand beside; not when it only changes."""
+        kind = self._counterpart.kind
+        is_there = kind is Beside.NOTHING or self._counterpart.built is not None
+        if is_there and kind is not self._shown_beside:
+            self._shown_beside = kind
+            self.fit()
+
+    def _announce_cameras(self) -> None:
+        for view, _ in self._presenters.values():
+            view.show_scale()
+
+    def _ask_for_section(self) -> None:
+        wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
+        self.section_wanted.emit(wanted)
+
+    def _forget_section(self) -> None:
+        self._cut.show(None)
+
+    def _show_hint(self) -> None:
+        hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""
+        self.hint_changed.emit(hint)
+
+    def _point(self, event: PointerEvent) -> None:
+        self.pointed.emit(_describe(event))
+        view, _ = self._presenters[event.subject]
+        grabbed = next((h for h in view.scene.handles if h.name == event.handle), None)
+        if grabbed is not None and not self._tool_controller.is_busy:
+            self.hint_changed.emit(grabbed.hint)
+        else:
+            self._show_hint()
+
+    def _point_nowhere(self) -> None:
+        self.pointed.emit("")
+        self._show_hint()
+
+
+def _describe(event: PointerEvent) -> str:
+    if event.surface_mm is None:
+        return ""
+    x, y, z = np.round(event.surface_mm, 1) + 0.0
+    return f"x {x:.1f}   y {y:.1f}   " + tr("height") + f" {z:.1f} mm"

@@ -1,0 +1,69 @@
+"""The brush: raise, lower or smooth the surface where the hand goes; each stroke is logged."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import BrushStroke, Place
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.pelott_tool import seen_from_above
+from insole_studio.features.design.tools.tool import Gesture, SurfaceContext, Tool, place_at
+from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.texts import tr
+
+LEAST_STEP_SHARE = 0.15
+"""Of the radius: nearer places add nothing to a stroke."""
+
+
+class BrushTool(Tool):
+    """A drag is a stroke of the template's kind."""
+
+    key = "brush"
+
+    def __init__(self) -> None:
+        self.template = BrushStroke(points_mm=((0.0, 0.0),))
+
+    def hint(self, _case: Case) -> str:
+        """Say in one short sentence what one can do now."""
+        return _HINTS[self.template.mode]()
+
+    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+        """Begin a stroke."""
+        place = event.surface_mm
+        if case.record.design is None or place is None or seen_from_above(event):
+            return None
+        return self._stroke(case, event) if ground.covers(place[0], place[1]) else None
+
+    def _stroke(self, case: Case, event: PointerEvent) -> Gesture:
+        design = case.record.design
+        assert design is not None
+        points: tuple[Place, ...] = ()
+        fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
+        while True:
+            if event.surface_mm is not None and self._goes_on(points, place_at(event.surface_mm)):
+                points = (*points, place_at(event.surface_mm))
+                case.preview(design.with_added(replace(fresh, points_mm=points)))
+            if event.phase is Phase.RELEASE:
+                break
+            event = yield
+        stroke = replace(fresh, points_mm=points)
+        case.apply(design.with_added(stroke), _SENTENCES[stroke.mode]())
+
+    def _goes_on(self, points: tuple[Place, ...], place: Place) -> bool:
+        if not points:
+            return True
+        dx, dy = place[0] - points[-1][0], place[1] - points[-1][1]
+        return bool(dx * dx + dy * dy >= (LEAST_STEP_SHARE * self.template.radius_mm) ** 2)
+
+
+_HINTS = {
+    "push": lambda: tr("Drag over the sole to raise the surface there"),
+    "pull": lambda: tr("Drag over the sole to lower the surface there"),
+    "smooth": lambda: tr("Drag over the sole to smooth the surface there"),
+}
+_SENTENCES = {
+    "push": lambda: tr("Raise with the brush"),
+    "pull": lambda: tr("Lower with the brush"),
+    "smooth": lambda: tr("Smooth with the brush"),
+}

@@ -1,0 +1,120 @@
+"""The free-hand tool: draw the closed outline of a pad with mouse, pen or finger."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.outline.outline_curve import crosses_itself, inside_curve
+from insole_core.insole.prescription.design import Pelott, Place
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.pelott_tool import pelott_handles, seen_from_above
+from insole_studio.features.design.tools.tool import Gesture, SurfaceContext, Tool, place_at
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.texts import tr
+
+CORNERS = 14
+LEAST_LENGTH_MM = 30.0
+HEIGHT_MM = 4.0
+
+
+class FreeHandTool(Tool):
+    """A drag round a place makes a pad there."""
+
+    key = "free_hand"
+
+    def __init__(self) -> None:
+        self._sketch: tuple[Place, ...] = ()
+        self._refusal = ""
+
+    def hint(self, _case: Case) -> str:
+        """Say in one short sentence what one can do now, or why the last drawing made no pad."""
+        return self._refusal or tr("Draw the outline of a pad round its place, in one go")
+
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+        """Show the handles of what was drawn."""
+        return pelott_handles(case, ground)
+
+    @property
+    def sketch(self) -> tuple[Place, ...]:
+        """What is drawn so far."""
+        return self._sketch
+
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+        """Begin to draw."""
+        if event.surface_mm is None or case.record.design is None or seen_from_above(event):
+            return None
+        return self._draw(case, event)
+
+    def _draw(self, case: Case, event: PointerEvent) -> Gesture:
+        design = case.record.design
+        assert design is not None
+        self._refusal = ""
+        case.select(None)
+        try:
+            while event.phase is not Phase.RELEASE:
+                if event.surface_mm is not None:
+                    self._sketch = (*self._sketch, place_at(event.surface_mm))
+                    case.preview(design)
+                event = yield
+            drawn = np.array(self._sketch)
+        finally:
+            self._sketch = ()
+        self._refusal = why_no_pad(drawn)
+        if self._refusal:
+            case.end_preview()
+            return
+        pad = case.stamped(drawn_pad(drawn))
+        case.select(pad.id)
+        case.apply(design.with_added(pad), tr("Draw a pad"))
+
+
+def why_no_pad(drawn: FloatArray) -> str:
+    """Say what is wrong with a drawing; empty when nothing."""
+    if len(drawn) < 3 or _way(drawn)[-1] < LEAST_LENGTH_MM:
+        return tr("That outline is too small for a pad; draw round its place")
+    corners = _corners(drawn)
+    if crosses_itself(corners):
+        return tr("That outline crosses itself; draw it again in one round")
+    return ""
+
+
+def drawn_pad(drawn: FloatArray) -> Pelott:
+    """Make a pad of a drawn outline (n, 2), its apex in the middle."""
+    corners = _corners(drawn)
+    centre = _middle(corners)
+    around = tuple(place_at(corner - centre) for corner in corners)
+    return Pelott(
+        shape="outline", centre_mm=place_at(centre), height_mm=HEIGHT_MM, outline_mm=around
+    )
+
+
+def _corners(drawn: FloatArray) -> FloatArray:
+    """Few places at equal distances along the closed drawing."""
+    closed = np.concatenate([drawn, drawn[:1]])
+    way = _way(closed)
+    stops = np.linspace(0, way[-1], CORNERS, endpoint=False)
+    return np.stack([np.interp(stops, way, closed[:, i]) for i in range(2)], axis=1)
+
+
+def _way(drawn: FloatArray) -> FloatArray:
+    """Length of the drawing up to each of its points."""
+    steps = np.hypot(*np.diff(drawn, axis=0).T)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _middle(corners: FloatArray) -> FloatArray:
+    """The centre of the area; where that lies outside, the inner place farthest from the edge."""
+    x, y = corners.T
+    cross = x * np.roll(y, -1) - y * np.roll(x, -1)
+    if abs(cross.sum()) > 1e-6:
+        centre = ((corners + np.roll(corners, -1, axis=0)) * cross[:, None]).sum(axis=0)
+        centre /= 3 * cross.sum()
+        if inside_curve(corners, centre):
+            return np.asarray(centre)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    steps = [np.linspace(a, b, 24) for a, b in zip(low, high, strict=True)]
+    places = np.stack(np.meshgrid(*steps), axis=-1).reshape(-1, 2)
+    inner = places[inside_curve(corners, places)]
+    away = np.hypot(*np.moveaxis(inner[:, None] - corners, -1, 0)).min(axis=1)
+    return np.asarray(inner[away.argmax()])

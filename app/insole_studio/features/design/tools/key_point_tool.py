@@ -1,0 +1,176 @@
+"""The landmark tool: put right what was found, and mark further places on the skin."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.case_record import Annotations, KeyPoint
+from insole_core.foot.landmarks import NAMES
+from insole_core.geometry.arrays import FloatArray
+from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.tool import (
+    ContextMenuItem,
+    Gesture,
+    SurfaceContext,
+    Tool,
+    rounded,
+)
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import Subject
+from insole_studio.texts import tr
+
+PREFIX = "point:"
+TOUCHED_MM = 12.0
+"""A landmark nearer than this to the skin under the pointer is dragged over the skin."""
+_NAMES: dict[str, Callable[[], str]] = {
+    "pternion": lambda: tr("Rearmost point"),
+    "heel_centre": lambda: tr("Heel centre"),
+    "metatarsal_head_1": lambda: tr("1st head"),
+    "metatarsal_head_2": lambda: tr("2nd head"),
+    "metatarsal_head_5": lambda: tr("5th head"),
+    "toe_tip_1": lambda: tr("1st toe"),
+    "toe_tip_2": lambda: tr("2nd toe"),
+    "arch_apex": lambda: tr("Arch apex"),
+    "achilles_lower": lambda: tr("Achilles, lower"),
+    "achilles_upper": lambda: tr("Achilles, upper"),
+    "calcaneus_lower": lambda: tr("Calcaneus, lower"),
+    "calcaneus_upper": lambda: tr("Calcaneus, upper"),
+}
+
+
+class KeyPointTool(Tool):
+    """Landmarks can be dragged; a click elsewhere marks a further point."""
+
+    key = "key_point"
+
+    def hint(self, _case: Case) -> str:
+        """Say in one short sentence what one can do now."""
+        return tr("Drag a landmark to where it belongs; click on the skin to mark a further point")
+
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+        """Give the landmarks and points that can be grabbed."""
+        if ground.subject is not Subject.FOOT:
+            return ()
+        return tuple(
+            Handle(PREFIX + name, place, landmark_hint(case, name))
+            for name, place in shown_points(case).items()
+        )
+
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+        """Grab a landmark or mark a point."""
+        if event.subject is not Subject.FOOT:
+            return None
+        if event.handle is not None:
+            name = event.handle.removeprefix(PREFIX)
+            sentence = tr("Move: {name}").format(name=point_text(name))
+            return _carry(case, event, name, sentence)
+        if event.surface_mm is None:
+            return None
+        return _carry(case, event, next_name(case.record.annotations), tr("Mark a point"))
+
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
+        """Offer to forget the point under the pointer."""
+        if event.handle is None or event.subject is not Subject.FOOT:
+            return ()
+        return _forget_offers(case, event.handle.removeprefix(PREFIX))
+
+
+def _forget_offers(case: Case, name: str) -> tuple[ContextMenuItem, ...]:
+    """Offer to take away a further point, or to let a landmark be found again."""
+    annotations = case.record.annotations
+    kept = tuple(point for point in annotations.key_points if point.name != name)
+    if kept == annotations.key_points:
+        return ()
+    text = tr("Find this landmark anew") if name in NAMES else tr("Remove this point")
+
+    def forget() -> None:
+        case.apply(replace(annotations, key_points=kept), text)
+
+    return (ContextMenuItem(text, forget, removes=True),)
+
+
+def shown_points(case: Case) -> dict[str, tuple[float, float, float]]:
+    """Give the places of the landmarks and of the further points, by name."""
+    record = case.shown
+    points = {
+        name: _place(landmark.point)
+        for name, landmark in landmarks_of(record).items()
+        if name in SHOWN
+    }
+    points.update({p.name: p.position_mm for p in record.annotations.key_points})
+    return points
+
+
+def point_text(name: str) -> str:
+    """Give the name of a landmark or point to be read."""
+    return _NAMES[name]() if name in _NAMES else name
+
+
+def confidence(case: Case, name: str) -> float:
+    """Give how sure a landmark is, 0 to 1; a point set by hand is sure."""
+    landmark = landmarks_of(case.shown).get(name)
+    return 1.0 if landmark is None else landmark.confidence
+
+
+def landmark_hint(case: Case, name: str) -> str:
+    """Say how sure a landmark is."""
+    sure = round(100 * confidence(case, name))
+    return tr("{name}: {sure} % sure. Drag to move it").format(name=point_text(name), sure=sure)
+
+
+def next_name(annotations: Annotations) -> str:
+    """Name the next further point."""
+    count = sum(point.name not in NAMES for point in annotations.key_points)
+    return tr("Point {number}").format(number=count + 1)
+
+
+def distances(annotations: Annotations) -> list[tuple[str, str, float]]:
+    """Give the straight distance of each two further points, mm."""
+    points = [point for point in annotations.key_points if point.name not in NAMES]
+    return [
+        (a.name, b.name, float(np.linalg.norm(np.subtract(a.position_mm, b.position_mm))))
+        for i, a in enumerate(points)
+        for b in points[i + 1 :]
+    ]
+
+
+def _carry(case: Case, press: PointerEvent, name: str, sentence: str) -> Gesture:
+    annotations, event = case.record.annotations, press
+    start = shown_points(case).get(name)
+    on_skin = _is_touched(press, start)
+    while True:
+        place = event.surface_mm if on_skin else _shifted(start, press, event)
+        if place is not None:
+            marked = annotations.with_key_point(KeyPoint(name, _place(place)))
+            case.preview(marked)
+        if event.phase is Phase.RELEASE:
+            break
+        event = yield
+    case.apply(marked, sentence)
+
+
+def _is_touched(press: PointerEvent, start: tuple[float, float, float] | None) -> bool:
+    """Whether the skin under the pointer is that of the point: it may lie behind, or at the rim."""
+    if start is None:
+        return True
+    hit = press.surface_mm
+    return hit is not None and bool(np.linalg.norm(hit - np.array(start)) < TOUCHED_MM)
+
+
+def _shifted(
+    start: tuple[float, float, float] | None, press: PointerEvent, event: PointerEvent
+) -> FloatArray:
+    """Move a point along the picture, as far as the pointer went."""
+    look = press.look
+    return np.array(start) + look.point_at(*event.pixel) - look.point_at(*press.pixel)
+
+
+def _place(point: FloatArray) -> tuple[float, float, float]:
+    x, y, z = (rounded(float(value), 0.01) for value in point)
+    return x, y, z

@@ -1,0 +1,45 @@
+"""Pads and the line of the metatarsal heads: how far behind it they end, and where they snap."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.insole.pads.clearance import Clearance
+from insole_core.insole.pads.clearance import clearance as pad_clearance
+from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.prescription.design import Pelott, Place
+from insole_core.workflows.foot_landmarks import landmarks_of, metatarsal_line
+from insole_studio.features.design.tools.tool import place_at
+
+USUAL_MM = 8.0
+"""Front edge behind the heads 2 – 4, where FIELD.md puts a pelott by default."""
+SNAP_MM = 1.5
+NEAR_MM = 30.0
+SNAPPING = ("egg", "drop", "bar")
+
+
+def clearance(record: CaseRecord, pad: Pelott) -> Clearance | None:
+    """Measure a pad against the line of the heads; None where it has nothing to do with it."""
+    line = metatarsal_line(record) if pad.shape in SNAPPING else None
+    return None if line is None else pad_clearance(pad, line[:, :2])
+
+
+def usual_place(record: CaseRecord, pad: Pelott) -> Place | None:
+    """Give where a pad lies by default, behind the middle heads; None before there is a foot."""
+    landmarks, side = landmarks_of(record), record.side
+    if not landmarks or side is None:
+        return None
+    return placed_pad(pad, "metatarsal_line", side, landmarks, USUAL_MM).centre_mm
+
+
+def snapped(record: CaseRecord, pad: Pelott) -> Pelott:
+    """Put a pad that is nearly at the usual distance behind the heads exactly there."""
+    found = clearance(record, pad)
+    if found is None or abs(found.distance_mm - USUAL_MM) > SNAP_MM:
+        return pad
+    ahead = (found.nearest - found.front) / (found.distance_mm or 1.0)
+    moved = np.array(pad.centre_mm) + (found.distance_mm - USUAL_MM) * ahead
+    return replace(pad, centre_mm=place_at(moved, 0.01))

@@ -1,0 +1,232 @@
+"""The outline tool: the edge of the insole as a closed curve through points that can be dragged."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.foot.measures import shoe_size_eu
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.outline.insole_outline import insole_outline, outline_points
+from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
+from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
+from insole_core.insole.prescription.design_limits import LEAST_DRAWN_POINTS
+from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.tool import (
+    ContextMenuItem,
+    Gesture,
+    SurfaceContext,
+    Tool,
+    nudge_mm,
+    place_at,
+)
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.texts import tr
+
+PREFIX = "outline:"
+NEAR_MM = 12.0
+"""So near to the outline a double click adds a point."""
+_STRIDE = 4
+
+
+class OutlineTool(Tool):
+    """The points of the outline can be dragged, added and taken away."""
+
+    key = "outline"
+
+    def __init__(self) -> None:
+        self._refusal = ""
+        self._last: int | None = None
+        """The point that was dragged last: the arrow keys move it."""
+
+    def hint(self, _case: Case) -> str:
+        """Say in one short sentence what one can do now, or why the last wish was refused."""
+        return self._refusal or tr(
+            "Drag a point of the outline; double click adds one on the line, or takes one away"
+        )
+
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+        """Give the points of the outline."""
+        points = points_of(case.shown)
+        hint = tr("Drag to change the outline of the insole; double click takes the point away")
+        places = (ground.place(*point) for point in points)
+        return tuple(Handle(f"{PREFIX}{i}", place, hint) for i, place in enumerate(places))
+
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+        """Grab a point."""
+        number = _number(event)
+        if number is None or case.record.design is None:
+            return None
+        return self._carry(case, case.record.design, number, event)
+
+    def double_click(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> bool:
+        """Take the point under the pointer away, or add one on the line."""
+        number = _number(event)
+        if number is not None:
+            self._remove(case, number)
+            return True
+        place = event.place_mm(0.0)
+        if place is None or not is_near(points_of(case.record), place[:2]):
+            return False
+        self._add(case, place_at(place))
+        return True
+
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
+        """Offer what a double click would do, and to begin anew."""
+        number, place = _number(event), event.place_mm(0.0)
+        found = []
+        if number is not None:
+            text = tr("Remove this point")
+            found.append(ContextMenuItem(text, lambda: self._remove(case, number), removes=True))
+        elif place is not None and is_near(points_of(case.record), place[:2]):
+            here = place_at(place)
+            found.append(ContextMenuItem(tr("Add a point here"), lambda: self._add(case, here)))
+        design = case.record.design
+        if design is not None and design.outline.source == "drawn":
+            found.append(
+                ContextMenuItem(tr("Back to the outline of the foot"), lambda: _to_foot(case))
+            )
+        return tuple(found)
+
+    def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
+        """Move the point that was dragged last by a little."""
+        points, design = points_of(case.record), case.record.design
+        if design is None or self._last is None or self._last >= len(points):
+            return False
+        moved = np.array(points[self._last]) + nudge_mm(event, right, up)
+        wanted = _with_point(points, self._last, place_at(moved, 0.01))
+        sentence, key = tr("Move a point of the outline"), f"{PREFIX}{self._last}:nudge"
+        return self._refuse_crossing(wanted) or self._apply(case, wanted, sentence, key)
+
+    def _carry(self, case: Case, design: InsoleDesign, number: int, event: PointerEvent) -> Gesture:
+        """Let a point follow the pointer; where the outline would cross itself it waits."""
+        points = kept = points_of(case.record)
+        start = event.place_mm(0.0)
+        self._refusal, self._last = "", number
+        while event.phase is not Phase.RELEASE:
+            event = yield
+            now = event.place_mm(0.0)
+            if start is None or now is None:
+                continue
+            shift = (now - start)[:2]
+            moved = place_at(np.array(points[number]) + shift)
+            wanted = _with_point(points, number, moved) if shift.any() else points
+            if not self._refuse_crossing(wanted):
+                kept = wanted
+            case.preview(with_drawn(design, kept))
+        if kept == points:
+            case.end_preview()
+        else:
+            case.apply(with_drawn(design, kept), tr("Move a point of the outline"))
+
+    def _add(self, case: Case, place: Place) -> None:
+        wanted = with_added(points_of(case.record), place)
+        if not self._refuse_crossing(wanted):
+            self._apply(case, wanted, tr("Add a point to the outline"))
+
+    def _remove(self, case: Case, number: int) -> None:
+        points = points_of(case.record)
+        wanted = points[:number] + points[number + 1 :]
+        self._last = None
+        if len(wanted) < LEAST_DRAWN_POINTS:
+            self._refusal = tr("An outline needs at least {count} points; this one stays").format(
+                count=LEAST_DRAWN_POINTS
+            )
+            case.end_preview()
+        elif not self._refuse_crossing(wanted):
+            self._apply(case, wanted, tr("Remove a point of the outline"))
+
+    def _refuse_crossing(self, points: tuple[Place, ...]) -> bool:
+        crosses = crosses_itself(closed_curve(points)[::_STRIDE])
+        self._refusal = ""
+        if crosses:
+            self._refusal = tr("There the outline would cross itself; the last good place is kept")
+        return crosses
+
+    def _apply(
+        self, case: Case, points: tuple[Place, ...], sentence: str, merge_key: str = ""
+    ) -> bool:
+        design = case.record.design
+        assert design is not None
+        case.apply(with_drawn(design, points), sentence, merge_key)
+        return True
+
+
+def points_of(record: CaseRecord) -> tuple[Place, ...]:
+    """Give the points that the insole's outline is dragged by; none before there is a foot."""
+    if record.foot is None or record.design is None:
+        return ()
+    return outline_points(record.foot, record.design.outline, landmarks_of(record))
+
+
+def curve_of(record: CaseRecord) -> FloatArray:
+    """Give the insole's outline, (n, 2), mm; nothing before there is a foot."""
+    if record.foot is None or record.design is None:
+        return np.zeros((0, 2))
+    return insole_outline(record.foot, record.design, landmarks_of(record))
+
+
+def with_drawn(design: InsoleDesign, points: tuple[Place, ...]) -> InsoleDesign:
+    """Give the design with an outline through these points."""
+    return replace(design, outline=replace(design.outline, source="drawn", points_mm=points))
+
+
+def with_source(record: CaseRecord, source: str) -> Outline:
+    """Give the outline from another source: drawing begins with what there is.
+
+    The shoe's size is proposed from the length of the foot.
+    """
+    assert record.design is not None
+    assert record.foot is not None
+    outline = record.design.outline
+    if source == "drawn":
+        return replace(outline, source=source, points_mm=points_of(record))
+    size = outline.shoe_size_eu or shoe_size_eu(record.foot.length_mm)
+    return replace(
+        outline,
+        source=source,
+        points_mm=None,
+        shoe_size_eu=size if source == "shoe_size" else outline.shoe_size_eu,
+    )
+
+
+def with_added(points: tuple[Place, ...], place: Place) -> tuple[Place, ...]:
+    """Put a point between the two that the curve runs from and to about it."""
+    number = _span(points, np.array(place)) + 1
+    return (*points[:number], place, *points[number:])
+
+
+def is_near(points: tuple[Place, ...], place: FloatArray) -> bool:
+    """Whether a place (2,) lies on the outline, nearly."""
+    return bool(points) and bool(np.hypot(*(closed_curve(points) - place).T).min() < NEAR_MM)
+
+
+def _span(points: tuple[Place, ...], place: FloatArray) -> int:
+    """Number of the point that the curve last passed before a place."""
+    curve = closed_curve(points)
+    nearest = int(np.hypot(*(curve - place).T).argmin())
+    return nearest * len(points) // len(curve)
+
+
+def _to_foot(case: Case) -> None:
+    design = case.record.design
+    assert design is not None
+    changed = replace(design, outline=with_source(case.record, "foot"))
+    case.apply(changed, tr("Back to the outline of the foot"))
+
+
+def _with_point(points: tuple[Place, ...], number: int, place: Place) -> tuple[Place, ...]:
+    return (*points[:number], place, *points[number + 1 :])
+
+
+def _number(event: PointerEvent) -> int | None:
+    """Number of the point under the pointer."""
+    handle = event.handle
+    if handle is None or not handle.startswith(PREFIX):
+        return None
+    return int(handle.removeprefix(PREFIX))

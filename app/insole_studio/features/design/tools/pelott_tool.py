@@ -1,0 +1,365 @@
+"""The pad tool: click to place, drag to move, handles to stretch, turn and raise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.outline.outline_curve import inside_curve
+from insole_core.insole.pads.pad_heights import pad_outline
+from insole_core.insole.pads.pad_shapes import local_outline, pad2insole
+from insole_core.insole.prescription.corrections import CorrectionBase
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Place
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
+from insole_studio.document.case import Case
+from insole_studio.features.design.correction_names import name_of
+from insole_studio.features.design.tools.metatarsal_line import (
+    NEAR_MM,
+    clearance,
+    snapped,
+    usual_place,
+)
+from insole_studio.features.design.tools.tool import (
+    ContextMenuItem,
+    Gesture,
+    SurfaceContext,
+    Tool,
+    nudge_mm,
+    place_at,
+    rise_mm,
+    rounded,
+)
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.view_camera import Subject
+from insole_studio.texts import tr
+
+HEIGHT_STEP_MM = 0.5
+TURN_STEP_DEG = 0.5
+TURN_HANDLE_GAP_MM = 12.0
+OUTLINE_POINTS = 120
+
+Reshape = Callable[[Pelott, PointerEvent, PointerEvent], Pelott]
+
+
+class PelottTool(Tool):
+    """Places pads of the template shape and reshapes the selected one."""
+
+    key = "pelott"
+
+    def __init__(self) -> None:
+        self.template = Pelott(centre_mm=(0.0, 0.0))
+
+    def hint(self, case: Case) -> str:
+        """Say in one short sentence what one can do now."""
+        if selected_pelott(case) is None:
+            return tr("Click on the sole to place: {name}").format(name=name_of(self.template))
+        distance = clearance_text(case)
+        if distance:
+            return distance
+        return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
+
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+        """Give the spots that can be grabbed."""
+        return pelott_handles(case, ground)
+
+    def start(self, case: Case) -> Place | None:
+        """Begin where such a pad usually lies."""
+        return usual_place(case.record, self.template)
+
+    def offers(
+        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+    ) -> tuple[ContextMenuItem, ...]:
+        """Offer to remove the pad at a place."""
+        return pelott_offers(case, event)
+
+    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+        """Grab a handle or a pad, or place a new one."""
+        return grab_pelott(case, event) or self._place(case, event, ground)
+
+    def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
+        """Raise the pad under the pointer."""
+        return raise_pelott(case, event, steps)
+
+    def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
+        """Move the selected pad by a little."""
+        return nudge_pelott(case, event, right, up)
+
+    def _place(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+        place = event.surface_mm
+        if case.record.design is None or place is None or seen_from_above(event):
+            return None
+        if not ground.covers(place[0], place[1]):
+            return None
+        fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
+        new = replace(fresh, centre_mm=place_at(place))
+        sentence = tr("Place: {name}").format(name=name_of(new))
+        return _follow(case, event, new, case.record.design.with_added, sentence)
+
+
+def selected_pelott(case: Case) -> Pelott | None:
+    """Give the selected correction if it is a pad of the shown design."""
+    design = case.shown.design
+    if design is None or case.selection is None:
+        return None
+    correction = design.correction(case.selection)
+    return correction if isinstance(correction, Pelott) else None
+
+
+def pelott_handles(case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    """Give the handles of the selected pad; the corners of a free outline are among them."""
+    pad = selected_pelott(case)
+    if pad is None:
+        return ()
+    return tuple(
+        Handle(name, ground.place(*spot), _hint(name), "move" if name == "move" else "size")
+        for name, spot in _spots(pad).items()
+    )
+
+
+def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
+    """Begin to drag the handle or the pad under the pointer; None where there is neither."""
+    design = case.record.design
+    if design is None:
+        return None
+    pad = selected_pelott(case)
+    if pad is not None and event.handle in _spots(pad):
+        reshape, sentence = _reshape_of(event.handle)
+        return _reshape(case, event, pad, reshape, sentence)
+    pad = pelott_at(design, event)
+    if pad is None:
+        return None
+    case.select(pad.id)
+    return _reshape(case, event, pad, _moved, tr("Move the pad"))
+
+
+def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
+    """Give the last switched-on pad whose outline holds the touched place."""
+    if event.surface_mm is None or seen_from_above(event):
+        return None
+    place = event.surface_mm[:2]
+    pads = [c for c in design.active if isinstance(c, Pelott)]
+    outlines = ((pad, pad_outline(pad, OUTLINE_POINTS)) for pad in reversed(pads))
+    return next((pad for pad, outline in outlines if inside_curve(outline, place)), None)
+
+
+def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
+    """Raise the selected pad by half a millimetre a step; the wheel only where it lies."""
+    design = case.record.design
+    pad = selected_pelott(case)
+    if design is None or pad is None:
+        return False
+    if not event.by_key and pelott_at(design, event) != pad:
+        return False
+    step = 0.1 if event.fine else HEIGHT_STEP_MM
+    raised = replace(
+        pad, height_mm=_within("height_mm", rounded(pad.height_mm + steps * step, 0.1))
+    )
+    case.apply(design.with_changed(raised), tr("Raise the pad"), f"{pad.id}:wheel")
+    return True
+
+
+def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
+    """Move the selected pad along the picture by half a millimetre."""
+    design = case.record.design
+    pad = selected_pelott(case)
+    if design is None or pad is None:
+        return False
+    moved = _at(pad, np.array(pad.centre_mm) + nudge_mm(event, right, up), 0.01)
+    case.apply(design.with_changed(moved), tr("Move the pad"), f"{pad.id}:nudge")
+    return True
+
+
+def pelott_offers(case: Case, event: PointerEvent) -> tuple[ContextMenuItem, ...]:
+    """Offer to remove the pad at a place, or the selected one where a handle was chosen."""
+    design = case.record.design
+    if design is None:
+        return ()
+    pad = pelott_at(design, event) if event.handle is None else selected_pelott(case)
+    if pad is None:
+        return ()
+    return (ContextMenuItem(tr("Remove the pad"), partial(_remove, case, pad), removes=True),)
+
+
+def clearance_text(case: Case) -> str:
+    """Say how far behind the metatarsal heads the selected pad ends; empty far from them."""
+    pad = selected_pelott(case)
+    found = clearance(case.shown, pad) if pad is not None else None
+    if found is None or abs(found.distance_mm) > NEAR_MM:
+        return ""
+    return tr("Front edge {distance} mm behind the metatarsal heads").format(
+        distance=f"{found.distance_mm:.1f}"
+    )
+
+
+def seen_from_above(event: PointerEvent) -> bool:
+    """Whether the back of the foot is in front, where nothing of the insole can lie."""
+    return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
+
+
+def _remove(case: Case, pad: Pelott) -> None:
+    design = case.record.design
+    if design is not None:
+        case.apply(design.with_removed(pad.id), tr("Remove a correction"))
+
+
+def _spots(pad: Pelott) -> dict[str, FloatArray]:
+    """Places of the handles, by name."""
+    front, back = _reach(pad)
+    along, across = _axes(pad)
+    centre = np.array(pad.centre_mm)
+    spots = {
+        "move": centre,
+        "turn": centre + (front + TURN_HANDLE_GAP_MM) * along,
+        "height": centre - (back if pad.outline_mm is None else back + 6.0) * along,
+    }
+    if pad.outline_mm is None:
+        spots["length"] = centre + front * along
+        spots["width"] = centre + float(local_outline(pad)[:, 0].max()) * across
+    else:
+        corners = np.array(pad.outline_mm) @ pad2insole(pad).T + centre
+        spots.update({f"corner:{number}": corner for number, corner in enumerate(corners)})
+    return spots
+
+
+def _follow(
+    case: Case,
+    event: PointerEvent,
+    pad: Pelott,
+    into: Callable[[Pelott], InsoleDesign],
+    sentence: str,
+) -> Gesture:
+    """Place a new pad where the pointer is until it is let go."""
+    case.select(pad.id)
+    case.preview(into(pad))
+    while event.phase is not Phase.RELEASE:
+        event = yield
+        if event.surface_mm is not None:
+            pad = _settled(case, _at(pad, event.surface_mm[:2]), event)
+            case.preview(into(pad))
+    case.apply(into(pad), sentence)
+
+
+def _reshape(
+    case: Case, press: PointerEvent, pad: Pelott, reshape: Reshape, sentence: str
+) -> Gesture:
+    """Drag: the pad of the press, changed by what the pointer did since."""
+    design = case.record.design
+    assert design is not None
+    changed, event = pad, press
+    while event.phase is not Phase.RELEASE:
+        event = yield
+        changed = reshape(pad, press, event)
+        if reshape is _moved and changed != pad:
+            changed = _settled(case, changed, event)
+        case.preview(design.with_changed(changed))
+    case.apply(design.with_changed(changed), sentence)
+
+
+def _moved(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
+    start, now = press.place_mm(0.0), event.place_mm(0.0)
+    if start is None or now is None:
+        return pad
+    return _at(pad, np.array(pad.centre_mm) + (now - start)[:2])
+
+
+def _settled(case: Case, pad: Pelott, event: PointerEvent) -> Pelott:
+    """Let a moved pad snap to the metatarsal line; Ctrl holds it free."""
+    return pad if event.fine else snapped(case.record, pad)
+
+
+def _lengthened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
+    offset = _offset(pad, event)
+    if offset is None:
+        return pad
+    share = float(offset @ _axes(pad)[0]) / _reach(pad)[0]
+    length = rounded(pad.length_mm * share, HEIGHT_STEP_MM)
+    return replace(pad, length_mm=_within("length_mm", length))
+
+
+def _widened(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
+    offset = _offset(pad, event)
+    if offset is None:
+        return pad
+    share = float(offset @ _axes(pad)[1]) / float(local_outline(pad)[:, 0].max())
+    width = rounded(pad.width_mm * share, HEIGHT_STEP_MM)
+    return replace(pad, width_mm=_within("width_mm", width))
+
+
+def _turned(pad: Pelott, _press: PointerEvent, event: PointerEvent) -> Pelott:
+    offset = _offset(pad, event)
+    if offset is None:
+        return pad
+    turn = float(np.degrees(np.arctan2(-offset[0], offset[1])))
+    return replace(pad, turn_deg=rounded(turn, TURN_STEP_DEG))
+
+
+def _raised(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
+    height = rounded(pad.height_mm + rise_mm(press, event) * 0.25, 0.1)
+    return replace(pad, height_mm=_within("height_mm", height))
+
+
+def _with_corner(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
+    offset = _offset(pad, event)
+    if offset is None or pad.outline_mm is None or press.handle is None:
+        return pad
+    number = int(press.handle.removeprefix("corner:"))
+    corners = list(pad.outline_mm)
+    corners[number] = place_at(offset @ pad2insole(pad))
+    return replace(pad, outline_mm=tuple(corners))
+
+
+def _offset(pad: Pelott, event: PointerEvent) -> FloatArray | None:
+    place = event.place_mm(0.0)
+    return None if place is None else np.asarray(place[:2] - np.array(pad.centre_mm))
+
+
+def _at(pad: Pelott, xy: FloatArray, step_mm: float = 0.1) -> Pelott:
+    return replace(pad, centre_mm=place_at(xy, step_mm))
+
+
+def _axes(pad: Pelott) -> tuple[FloatArray, FloatArray]:
+    """Unit vectors along the pad (to its blunt end) and across."""
+    across, along = pad2insole(pad).T
+    return along, across
+
+
+def _reach(pad: Pelott) -> tuple[float, float]:
+    """How far the outline lies before and behind the apex."""
+    y = local_outline(pad)[:, 1]
+    return float(y.max()), float(-y.min())
+
+
+def _within(name: str, value: float) -> float:
+    allowed = CORRECTION_RANGES[Pelott][name]
+    return float(np.clip(value, allowed.least, allowed.greatest))
+
+
+def _hint(name: str) -> str:
+    return _HINTS[name.partition(":")[0]]()
+
+
+def _reshape_of(handle: str) -> tuple[Reshape, str]:
+    reshape, sentence = _RESHAPES[handle.partition(":")[0]]
+    return reshape, sentence()
+
+
+_HINTS: dict[str, Callable[[], str]] = {
+    "move": lambda: tr("Drag to move the pad"),
+    "length": lambda: tr("Drag to make it longer or shorter"),
+    "width": lambda: tr("Drag to make it wider or narrower"),
+    "turn": lambda: tr("Drag to turn the pad"),
+    "height": lambda: tr("Drag up to raise the pad, down to lower it"),
+    "corner": lambda: tr("Drag to change the outline"),
+}
+_RESHAPES: dict[str, tuple[Reshape, Callable[[], str]]] = {
+    "move": (_moved, lambda: tr("Move the pad")),
+    "length": (_lengthened, lambda: tr("Stretch the pad")),
+    "width": (_widened, lambda: tr("Widen the pad")),
+    "turn": (_turned, lambda: tr("Turn the pad")),
+    "height": (_raised, lambda: tr("Raise the pad")),
+    "corner": (_with_corner, lambda: tr("Change the outline of the pad")),
+}

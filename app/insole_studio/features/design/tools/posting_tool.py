@@ -1,0 +1,121 @@
+"""The pronation/supination tool: raise the medial or the lateral edge by degrees."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from insole_core.insole.prescription.design import InsoleDesign, Posting
+from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
+from insole_core.insole.surface.posting import posting_angles
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.tool import (
+    Gesture,
+    SurfaceContext,
+    Tool,
+    rise_mm,
+    rounded,
+    with_number,
+)
+from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.texts import tr
+
+ANGLE_STEP_DEG = 0.5
+DEG_PER_MM = 0.2
+REARFOOT_SHARE = 0.15
+FOREFOOT_SHARE = 0.68
+BORDER_SHARE = 0.42
+EDGE_MM = 30.0
+
+
+class PostingTool(Tool):
+    """Rear- and forefoot angle, each by a handle at the medial edge."""
+
+    key = "posting"
+
+    def hint(self, _case: Case) -> str:
+        """Say in one short sentence what one can do now."""
+        return tr("Drag heel or forefoot up to raise the medial edge, down to raise the lateral")
+
+    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+        """Give the spots that can be grabbed."""
+        if case.foot is None:
+            return ()
+        x = ground.side.medial_sign * EDGE_MM
+        return tuple(
+            Handle(name, ground.place(x, share * case.foot.length_mm), _HINTS[name](), "move")
+            for name, share in (("rearfoot", REARFOOT_SHARE), ("forefoot", FOREFOOT_SHARE))
+        )
+
+    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+        """Grab the heel or the forefoot."""
+        part = event.handle or self._part(case, event)
+        if part not in _HINTS or case.record.design is None:
+            return None
+        return _tilt(case, case.record.design, part, event)
+
+    def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
+        """Change the angle of the part under the pointer."""
+        part = event.handle or self._part(case, event)
+        design = case.record.design
+        if part not in _HINTS or design is None:
+            return False
+        changed = tilted(design, part, steps * ANGLE_STEP_DEG)
+        case.apply(changed, _SENTENCES[part](), f"posting:{part}")
+        return True
+
+    def _part(self, case: Case, event: PointerEvent) -> str:
+        if event.by_key:
+            return "rearfoot"
+        if event.surface_mm is None or case.foot is None:
+            return ""
+        behind = event.surface_mm[1] < BORDER_SHARE * case.foot.length_mm
+        return "rearfoot" if behind else "forefoot"
+
+
+def posting_of(design: InsoleDesign) -> Posting | None:
+    """Give the design's posting, or None."""
+    return next((c for c in design.corrections if isinstance(c, Posting)), None)
+
+
+def with_posting(design: InsoleDesign, posting: Posting) -> InsoleDesign:
+    """Add the posting, or put it in the place of the one there is."""
+    if design.correction(posting.id) is None:
+        return design.with_added(posting)
+    return design.with_changed(posting)
+
+
+def tilted(
+    design: InsoleDesign, part: str, by_deg: float, new: Posting | None = None
+) -> InsoleDesign:
+    """Add degrees to the rear- or forefoot angle."""
+    posting = posting_of(design) or new or Posting()
+    name = f"{part}_deg"
+    allowed = CORRECTION_RANGES[Posting][name]
+    angle = rounded(getattr(posting, name) + by_deg, ANGLE_STEP_DEG)
+    angle = float(np.clip(angle, allowed.least, allowed.greatest))
+    return with_posting(design, with_number(posting, name, angle))
+
+
+def _tilt(case: Case, design: InsoleDesign, part: str, press: PointerEvent) -> Gesture:
+    new = Posting()
+    changed, event = design, press
+    while event.phase is not Phase.RELEASE:
+        event = yield
+        changed = tilted(design, part, rise_mm(press, event) * DEG_PER_MM, new)
+        case.preview(changed)
+    if posting_angles(changed) != posting_angles(design):
+        case.apply(changed, _SENTENCES[part]())
+    else:
+        case.end_preview()
+
+
+_HINTS: dict[str, Callable[[], str]] = {
+    "rearfoot": lambda: tr("Drag up or down to change the rearfoot angle"),
+    "forefoot": lambda: tr("Drag up or down to change the forefoot angle"),
+}
+_SENTENCES: dict[str, Callable[[], str]] = {
+    "rearfoot": lambda: tr("Tilt the rearfoot"),
+    "forefoot": lambda: tr("Tilt the forefoot"),
+}

@@ -1,0 +1,76 @@
+"""The hand holds one tool and leads its gestures from press to release."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, Signal
+
+from insole_studio.document.case import Case
+from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
+from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.running_gesture import RunningGesture
+
+
+class ToolController(QObject):
+    """The tool in use, shared by all views."""
+
+    tool_changed = Signal()
+    gesture_ended = Signal()
+
+    def __init__(self, case: Case, tools: Sequence[Tool], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._case = case
+        self.tools = {tool.key: tool for tool in tools}
+        self._gesture = RunningGesture()
+        self.tool = tools[0]
+        case.foot_changed.connect(self.cancel)
+
+    def take(self, key: str) -> None:
+        """Take another tool."""
+        self.cancel()
+        self.tool = self.tools[key]
+        self.tool_changed.emit()
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a gesture is under way."""
+        return bool(self._gesture)
+
+    def press(self, event: PointerEvent, ground: SurfaceContext) -> bool:
+        """Begin a gesture; False leaves the press to the camera."""
+        self.cancel()
+        gesture = self.tool.press(self._case, event, ground)
+        if gesture is None:
+            return False
+        self._gesture.begin(gesture)
+        return True
+
+    def drag(self, event: PointerEvent) -> None:
+        """Continue or, with a release, end the gesture."""
+        if self._gesture.send(event):
+            self.gesture_ended.emit()
+
+    def cancel(self) -> bool:
+        """Give the gesture up, as if it had never begun; False when there is none."""
+        if not self._gesture.close():
+            return False
+        self._case.end_preview()
+        self.gesture_ended.emit()
+        return True
+
+    def double_click(self, event: PointerEvent, ground: SurfaceContext) -> bool:
+        """Act on a double click; False leaves it to the camera."""
+        return not self.is_busy and self.tool.double_click(self._case, event, ground)
+
+    def offers(self, event: PointerEvent, ground: SurfaceContext) -> tuple[ContextMenuItem, ...]:
+        """Give the lines of the menu under the pointer."""
+        return () if self.is_busy else self.tool.offers(self._case, event, ground)
+
+    def wheel(self, event: PointerEvent, steps: float) -> bool:
+        """Act on the wheel; False leaves it to the camera."""
+        return not self.is_busy and self.tool.wheel(self._case, event, steps)
+
+    def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
+        """Act on an arrow key; False when there is nothing to nudge."""
+        return not self.is_busy and self.tool.nudge(self._case, event, right, up)
