@@ -20,9 +20,9 @@ from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_studio.bootstrap import UserPaths
+from insole_studio.features.foot.rows import FootMap
+from insole_studio.features.foot.stage import ReconstructStage
 from insole_studio.scripted import ScriptedStudio, grab
-from insole_studio.stages.reconstruct.rows import FootMap
-from insole_studio.stages.reconstruct.stage import ReconstructStage
 
 DOCS = Path(__file__).parent
 EXAMPLE = resource_path("example/example.insole")

@@ -31,6 +31,13 @@ from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import SideBySide
+from insole_studio.features.calibrate.stage import CalibrateStage
+from insole_studio.features.capture.capture_window import CaptureWindow
+from insole_studio.features.capture.stage import CaptureStage
+from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.save_actions import SaveActions
+from insole_studio.features.case_files.scan_monitor import ScanMonitor
+from insole_studio.features.compare.stage import CompareStage
 from insole_studio.features.design.actions.edit_actions import EditActions
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.actions.measure_actions import MeasureActions
@@ -53,33 +60,26 @@ from insole_studio.features.design.tools.section_tool import SectionTool
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.features.design.tools.turn_tool import TurnTool
+from insole_studio.features.export.export_actions import AskPath, ExportActions, MayReplace
+from insole_studio.features.export.stage import ExportStage
+from insole_studio.features.foot.foot_window import FootWindow
+from insole_studio.features.foot.stage import ReconstructStage
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.desk import AppServices
 from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.exporting import AskPath, ExportActions, MayReplace
-from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import HelpActions
 from insole_studio.shell.keys import key_sections
 from insole_studio.shell.main_window import MainWindow
 from insole_studio.shell.navigating import KeyboardNavigation
 from insole_studio.shell.notices import Notices
-from insole_studio.shell.opening import OpenActions
 from insole_studio.shell.recent import RecentFiles
 from insole_studio.shell.rooms import ActionContext
-from insole_studio.shell.saving import SaveActions
 from insole_studio.shell.stage_window import StageWindow
 from insole_studio.shell.status_bar import StatusBar
 from insole_studio.shell.studio import MainController
 from insole_studio.shell.theme import apply_theme, is_dark
-from insole_studio.shell.vigilance import ScanMonitor
-from insole_studio.stages.calibrate.stage import CalibrateStage
-from insole_studio.stages.capture.stage import CaptureStage
-from insole_studio.stages.compare.stage import CompareStage
-from insole_studio.stages.export.stage import ExportStage
-from insole_studio.stages.reconstruct.stage import ReconstructStage
 from insole_studio.texts import load_language
 
 log = logging.getLogger(__name__)

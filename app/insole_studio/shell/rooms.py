@@ -6,6 +6,11 @@ from dataclasses import dataclass
 
 from PySide6.QtWidgets import QMainWindow
 
+from insole_studio.features.calibrate.stage import CalibrateStage
+from insole_studio.features.capture.capture_window import CaptureWindow
+from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.save_actions import SaveActions
+from insole_studio.features.compare.stage import CompareStage
 from insole_studio.features.design.actions.edit_actions import EditActions
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.actions.measure_actions import MeasureActions
@@ -15,19 +20,14 @@ from insole_studio.features.design.actions.repeat_actions import RepeatActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
 from insole_studio.features.design.stage import DesignStage
+from insole_studio.features.export.export_actions import ExportActions
+from insole_studio.features.foot.foot_window import FootWindow
 from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.capture_window import CaptureWindow
 from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.exporting import ExportActions
-from insole_studio.shell.foot_window import FootWindow
 from insole_studio.shell.guide import HelpActions
 from insole_studio.shell.navigating import KeyboardNavigation
 from insole_studio.shell.notices import Notices
-from insole_studio.shell.opening import OpenActions
-from insole_studio.shell.saving import SaveActions
 from insole_studio.shell.stage_window import StageWindow
-from insole_studio.stages.calibrate.stage import CalibrateStage
-from insole_studio.stages.compare.stage import CompareStage
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_studio.bootstrap import Application, UserPaths, build_application
-from insole_studio.shell.capture_window import CaptureWindow
-from insole_studio.stages.capture.stage import CaptureStage
+from insole_studio.features.capture.capture_window import CaptureWindow
+from insole_studio.features.capture.stage import CaptureStage
 
 PATIENCE_MS = 60_000
 

@@ -23,9 +23,9 @@ from insole_studio.acquisition.unfinished_captures import (
     UnfinishedCapture,
     newest_unfinished_capture,
 )
+from insole_studio.features.capture.presenter import CapturePresenter
+from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.jobs import Jobs
-from insole_studio.stages.capture.presenter import CapturePresenter
-from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
 
 SERIALS = ("A1", "B2")
 

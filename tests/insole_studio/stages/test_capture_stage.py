@@ -17,9 +17,9 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
-from insole_studio.stages.capture.rows import CaptureOptions
-from insole_studio.stages.capture.sensor_card import MIME, SensorCard
-from insole_studio.stages.capture.stage import CaptureStage, first_options
+from insole_studio.features.capture.rows import CaptureOptions
+from insole_studio.features.capture.sensor_card import MIME, SensorCard
+from insole_studio.features.capture.stage import CaptureStage, first_options
 
 PATIENCE_MS = 30_000
 

@@ -6,10 +6,10 @@ import pytest
 from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
-from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
-from insole_studio.stages.capture.sensor_card import SensorCard
-from insole_studio.stages.capture.view import CaptureView
-from insole_studio.stages.capture.view_names import view_text, views_text
+from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
+from insole_studio.features.capture.sensor_card import SensorCard
+from insole_studio.features.capture.view import CaptureView
+from insole_studio.view_names import view_text, views_text
 
 
 @pytest.fixture

@@ -21,9 +21,9 @@ from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
 from insole_core.workflows.open_scan import ScannedFoot
+from insole_studio.features.foot.presenter import MAKING, ReconstructPresenter
+from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
 from insole_studio.jobs import Jobs
-from insole_studio.stages.reconstruct.presenter import MAKING, ReconstructPresenter
-from insole_studio.stages.reconstruct.rows import FootMap, Limits, Mark, ViewRow
 
 
 class Intent:
@@ -395,7 +395,7 @@ def test_a_stage_that_was_left_comes_back_when_its_foot_cannot_be_made(
     def fail(*_args: object, **_options: object) -> None:
         raise ReconstructionError("No view can be used; correct the markers.")
 
-    monkeypatch.setattr("insole_studio.stages.reconstruct.presenter.make_foot", fail)
+    monkeypatch.setattr("insole_studio.features.foot.presenter.make_foot", fail)
     opened.settle()
     opened.presenter.make()
     opened.presenter.go_on()

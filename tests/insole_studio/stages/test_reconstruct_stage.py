@@ -18,9 +18,9 @@ from insole_core.recording.hand_edits import Pixel
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
 from insole_studio.bootstrap import Application
+from insole_studio.features.foot.rows import Mark
+from insole_studio.features.foot.stage import ReconstructStage
 from insole_studio.scene.view_camera import Preset
-from insole_studio.stages.reconstruct.rows import Mark
-from insole_studio.stages.reconstruct.stage import ReconstructStage
 
 LEFT = Qt.MouseButton.LeftButton
 PATIENCE_MS = 60_000

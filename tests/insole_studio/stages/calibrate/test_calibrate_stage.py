@@ -15,8 +15,8 @@ from simulated_folders import BOARD, write_boards, write_walls
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.bootstrap import Application
-from insole_studio.stages.calibrate.rows import BoardSize
-from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.features.calibrate.rows import BoardSize
+from insole_studio.features.calibrate.stage import CalibrateStage
 
 pytestmark = pytest.mark.usefixtures("undrawn_reports")
 

@@ -21,8 +21,8 @@ from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
 from insole_studio.acquisition.sensor_source import SensorSource
-from insole_studio.stages.calibrate.rows import BoardSize
-from insole_studio.stages.calibrate.stage import CalibrateStage
+from insole_studio.features.calibrate.rows import BoardSize
+from insole_studio.features.calibrate.stage import CalibrateStage
 
 PATIENCE_MS = 40_000
 WALL_MM = 700.0

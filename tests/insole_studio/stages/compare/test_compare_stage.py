@@ -21,10 +21,10 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
 from insole_studio.document.case import Case
+from insole_studio.features.compare.point_picker import PointPicker
+from insole_studio.features.compare.stage import CompareStage
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject, ViewCamera, look
-from insole_studio.stages.compare.point_picker import PointPicker
-from insole_studio.stages.compare.stage import CompareStage
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 B2A = rigid(rotation_about(np.array([0.0, 0, 1]), 3.0), np.array([6.0, -4.0, 1.25]))

@@ -21,8 +21,8 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.document.case import Case
-from insole_studio.stages.export.rows import CheckState
-from insole_studio.stages.export.stage import ExportStage
+from insole_studio.features.export.rows import CheckState
+from insole_studio.features.export.stage import ExportStage
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")

@@ -1,0 +1,177 @@
+"""Shows the live picture in the open step, and lets pictures be taken; knows no widget."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Protocol
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray
+from insole_core.workflows.calibration.picture_folders import LiveKind, folder_of_today
+from insole_studio.features.calibrate.live_pictures import LiveInspection, LivePictures
+from insole_studio.features.calibrate.presenter import CalibratePresenter
+from insole_studio.features.calibrate.rows import LiveRow
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+
+_GLANCE, _KEEP = "calibrate glance", "calibrate keep"
+
+
+class LivePanel(Protocol):
+    """What the panel shows of the live picture, and the intents it emits."""
+
+    live_toggled: Any
+    automatic_toggled: Any
+    take_requested: Any
+    step_chosen: Any
+
+    def show_live(self, row: LiveRow) -> None: ...  # noqa: D102
+    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
+    def show_serial(self, serial: str) -> None: ...  # noqa: D102
+
+
+class LivePresenter:
+    """Follows the sensor that the calibrate presenter is about.
+
+    Parameters
+    ----------
+    panel
+    presenter
+        Knows sensor, step and board; looks at the folder when a picture was added.
+    live
+    jobs
+    root
+        Where the pictures are kept: a folder for sensor, day and step.
+    """
+
+    def __init__(
+        self,
+        panel: LivePanel,
+        presenter: CalibratePresenter,
+        live: LivePictures,
+        jobs: Jobs,
+        root: Path,
+    ) -> None:
+        self._panel, self._presenter = panel, presenter
+        self._live, self._jobs, self._root = live, jobs, root
+        self._automatic = True
+        self._sentence = ""
+        self._goes_to: tuple[Path, LiveKind] | None = None
+        """Where what is being taken belongs, also when another step is opened meanwhile."""
+        panel.live_toggled.connect(self.toggle)
+        panel.automatic_toggled.connect(self.set_automatic)
+        panel.take_requested.connect(self.take)
+        panel.step_chosen.connect(lambda _key: self._begin_step())
+        self._show()
+
+    def toggle(self, on: bool) -> None:
+        """Take the sensors into use, or switch them off."""
+        if on:
+            self._live.start()
+            self._begin_step()
+        else:
+            self.close()
+        self._show()
+
+    def set_automatic(self, on: bool) -> None:
+        """Take a picture by itself, or not, when the board or wall stands still in a new place."""
+        self._automatic = on
+
+    def take(self) -> None:
+        """Take a picture now."""
+        folder, kind = self._folder(), self._presenter.live_kind
+        if folder is None or self._live.taking or self._jobs.is_running(_KEEP):
+            return
+        if kind == "infrared":
+            work = self._live.take_infrared(folder)
+            if work is not None:
+                self._jobs.start(_KEEP, work, self._kept, self._fail)
+        else:
+            self._goes_to = folder, kind
+            self._live.take(self._presenter.serial)
+        self._show()
+
+    def tick(self) -> None:
+        """Take what has come; called many times a second."""
+        if not self._live.running:
+            return
+        states = self._live.states
+        if states and not self._presenter.serial:
+            self._panel.show_serial(states[0].serial)
+            self._presenter.choose_serial(states[0].serial)
+            self._begin_step()
+        taken = self._live.poll(self._presenter.serial, self._presenter.live_kind)
+        if taken is not None:
+            self._keep(taken)
+        self._glance()
+        self._show()
+
+    def close(self) -> None:
+        """Switch the sensors off."""
+        self._jobs.cancel(_GLANCE)
+        self._live.stop()
+        self._sentence = ""
+
+    def _begin_step(self) -> None:
+        self._jobs.cancel(_GLANCE)
+        self._live.forget_places()
+        self._sentence = ""
+        folder = self._folder()
+        if self._live.running and folder is not None and folder.is_dir():
+            self._presenter.look_at(folder)
+
+    def _folder(self) -> Path | None:
+        presenter = self._presenter
+        if not presenter.serial:
+            return None
+        return folder_of_today(self._root, presenter.serial, presenter.step_key)
+
+    def _glance(self) -> None:
+        kind, sensor = self._presenter.live_kind, self._presenter.sensor
+        if sensor is None or self._jobs.is_running(_GLANCE):
+            return
+        board, known = self._presenter.board, self._presenter.readiness
+        task = self._live.glance_task(kind, sensor, board, known)
+        if task is not None:
+            self._jobs.start(_GLANCE, task, self._show_glance, self._fail)
+
+    def _show_glance(self, glance: LiveInspection) -> None:
+        if not self._live.running:
+            return
+        self._panel.show_picture(glance.picture)
+        self._sentence = glance.sentence
+        if self._live.is_worth_taking(glance) and self._automatic:
+            self.take()
+        self._show()
+
+    def _keep(self, taken: Path) -> None:
+        assert self._goes_to is not None
+        work = self._live.keep_task(taken, *self._goes_to)
+        self._jobs.start(_KEEP, work, self._kept, self._fail)
+
+    def _kept(self, folder: Path) -> None:
+        self._live.end_taking()
+        if folder == self._folder():  # else another step was opened meanwhile
+            self._presenter.look_at(folder)
+
+    def _fail(self, error: Exception) -> None:
+        self._live.end_taking()
+        unexpected = tr("Something unexpected happened; nothing was changed. Please report it.")
+        self._live.problem = str(error) if isinstance(error, InsoleError) else unexpected
+
+    def _show(self) -> None:
+        running = self._live.running
+        self._panel.show_live(
+            LiveRow(
+                running=running,
+                sentence=self._told() if running else "",
+                can_take=running and not self._live.taking and bool(self._sentence),
+            )
+        )
+
+    def _told(self) -> str:
+        if self._live.problem:
+            return self._live.problem
+        if self._live.taking:
+            return tr("Taking the picture: hold still.")
+        return self._sentence or tr("Waiting for the first picture.")

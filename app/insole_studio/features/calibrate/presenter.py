@@ -1,0 +1,284 @@
+"""Leads the technician through the calibration of one sensor; knows no widget."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Protocol
+
+from insole_core.calibration.boards.board import Board, Chequerboard
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray
+from insole_core.progress import Progress
+from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.calibration_storage import keep_step, step_date
+from insole_core.workflows.calibration.picture_folders import LiveKind
+from insole_core.workflows.calibration.picture_readiness import Readiness
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.calibration.steps import StepResult
+from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep
+from insole_studio.features.calibrate.rows import BoardSize, Buttons, LookRow, StepRow
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.texts import tr
+
+CHANNEL = "calibrate"
+
+
+class CalibratePanel(Protocol):
+    """What the panel shows, and the intents it emits."""
+
+    serial_edited: Any
+    step_chosen: Any
+    board_edited: Any
+    folder_requested: Any
+    look_chosen: Any
+    calibrate_requested: Any
+    save_requested: Any
+
+    def show_serials(self, serials: Sequence[str]) -> None: ...  # noqa: D102
+    def show_steps(self, rows: Sequence[StepRow]) -> None: ...  # noqa: D102
+    def show_step(self, title: str, instruction: str, uses_board: bool) -> None: ...  # noqa: D102
+    def show_board(self, board: BoardSize) -> None: ...  # noqa: D102
+    def show_looks(self, rows: Sequence[LookRow]) -> None: ...  # noqa: D102
+    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
+    def show_no_picture(self, sentence: str) -> None: ...  # noqa: D102
+    def show_next(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
+    def show_error(self, sentence: str) -> None: ...  # noqa: D102
+    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
+    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+
+
+class CalibratePresenter:
+    """One sensor, one step, one folder of images at a time.
+
+    Parameters
+    ----------
+    panel
+    store
+        Keeps the sensors.
+    jobs
+        Runs the long work.
+    ask_folder
+        Lets the user choose a folder; None is "never mind".
+    """
+
+    def __init__(
+        self,
+        panel: CalibratePanel,
+        store: SensorStore,
+        jobs: Jobs,
+        ask_folder: Callable[[], Path | None],
+    ) -> None:
+        self._panel, self._store, self._jobs = panel, store, jobs
+        self._ask_folder = ask_folder
+        self._serial = ""
+        self._sensor: Sensor | None = None
+        self._step = STEPS[0]
+        self._board = BoardSize()
+        self._folder: Path | None = None
+        self._readiness: Readiness | None = None
+        self._result: StepResult | None = None
+        panel.serial_edited.connect(self.choose_serial)
+        panel.step_chosen.connect(self.choose_step)
+        panel.board_edited.connect(self.edit_board)
+        panel.folder_requested.connect(self.ask_folder)
+        panel.look_chosen.connect(self.show_look)
+        panel.calibrate_requested.connect(self.calibrate)
+        panel.save_requested.connect(self.save)
+        jobs.progressed.connect(self._show_progress)
+        jobs.ended.connect(self._show_buttons)
+        panel.show_serials(store.serials())
+        panel.show_board(self._board)
+        self._open(self._step)
+
+    @property
+    def serial(self) -> str:
+        """Of the sensor that is calibrated; empty while none is chosen."""
+        return self._serial if self._sensor is not None else ""
+
+    @property
+    def sensor(self) -> Sensor | None:
+        """The sensor as it is known so far."""
+        return self._sensor
+
+    @property
+    def step_key(self) -> str:
+        """Of the open step."""
+        return self._step.key
+
+    @property
+    def live_kind(self) -> LiveKind:
+        """What the open step needs live pictures of."""
+        return self._step.live
+
+    @property
+    def board(self) -> Board:
+        """The board in use."""
+        return Chequerboard(self._board.columns, self._board.rows, self._board.square_mm)
+
+    @property
+    def readiness(self) -> Readiness | None:
+        """What the folder of the step shows so far."""
+        return self._readiness
+
+    def choose_serial(self, serial: str) -> None:
+        """Take up a sensor; one that was never calibrated begins with the usual numbers."""
+        if serial.strip() == self._serial:
+            return  # a field also tells when it is merely left
+        self._serial, self._sensor = serial.strip(), None
+        try:
+            if self._serial:
+                known = self._store.load(self._serial)
+                self._sensor = known or nominal_kinect(self._serial)
+        except InsoleError as error:
+            self._open(self._step)
+            self._panel.show_error(str(error))
+            return
+        self._open(self._first_undone())
+
+    def choose_step(self, key: str) -> None:
+        """Open a step."""
+        self._open(next(step for step in STEPS if step.key == key))
+
+    def edit_board(self, board: BoardSize) -> None:
+        """Take another board; what was looked at is looked at again."""
+        self._board = board
+        if self._folder is not None and self._step.uses_board:
+            self.look_at(self._folder)
+
+    def ask_folder(self) -> None:
+        """Let the user choose the folder of images, and look at it."""
+        folder = self._ask_folder()
+        if folder is not None:
+            self.look_at(folder)
+
+    def look_at(self, folder: Path) -> None:
+        """Look at every image of a folder, beside the window."""
+        self._forget()
+        self._folder = folder
+        step, sensor = self._step, self._sensor
+
+        def inspect(progress: Progress) -> Readiness:
+            assert sensor is not None
+            return step.inspect(folder, self.board, sensor, progress)
+
+        self._start(inspect, self._show_readiness)
+
+    def show_look(self, index: int) -> None:
+        """Show one of the images that were looked at."""
+        if self._readiness is not None and 0 <= index < len(self._readiness.looks):
+            self._panel.show_picture(self._readiness.looks[index].picture)
+
+    def calibrate(self) -> None:
+        """Run the step, beside the window."""
+        folder, sensor, step = self._folder, self._sensor, self._step
+        if folder is None or sensor is None:
+            return
+
+        def work(progress: Progress) -> StepResult:
+            return step.calibrate(folder, self.board, sensor, progress)
+
+        self._start(work, self._show_result)
+
+    def save(self) -> None:
+        """Keep the result for this sensor, with its reports."""
+        result = self._result
+        if result is None:
+            return
+
+        def keep(progress: Progress) -> Path:
+            progress.step(0.1, tr("Writing the calibration and its reports"))
+            return keep_step(result, self._store)
+
+        self._start(keep, lambda _folder: self._saved(result))
+
+    def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
+        self._panel.show_error("")
+        self._jobs.start(CHANNEL, work, done, self._show_failure)
+        self._show_buttons()
+
+    def _open(self, step: CalibrationStep) -> None:
+        self._jobs.cancel(CHANNEL)
+        self._step, self._folder = step, None
+        self._forget()
+        self._panel.show_step(step.title(), step.instruction(), step.uses_board)
+        self._panel.show_error("")
+        self._panel.show_steps([self._row(one) for one in STEPS])
+        first = tr("Give the serial number of the sensor, as it stands on its label.")
+        then = tr("Start the live picture, or choose the folder with these images.")
+        self._panel.show_next([then if self._sensor is not None else first])
+
+    def _row(self, step: CalibrationStep) -> StepRow:
+        done = step_date(self._store, self._serial, step.key) if self._sensor is not None else ""
+        title = step.title() + (" – " + tr("optional") if step.optional else "")
+        return StepRow(step.key, title, done, step is self._step)
+
+    def _first_undone(self) -> CalibrationStep:
+        if self._sensor is None:
+            return STEPS[0]
+        undone = [
+            step
+            for step in STEPS
+            if not step.optional and not step_date(self._store, self._serial, step.key)
+        ]
+        return undone[0] if undone else self._step
+
+    def _forget(self) -> None:
+        self._readiness = self._result = None
+        self._panel.show_looks([])
+        self._panel.show_no_picture(
+            tr("No picture yet: start the live picture, or choose a folder.")
+        )
+        self._show_buttons()
+
+    def _show_readiness(self, readiness: Readiness) -> None:
+        self._readiness = readiness
+        rows = [LookRow(look.name, look.usable, look.sentence) for look in readiness.looks]
+        self._panel.show_looks(rows)
+        self.show_look(0)
+        usable = tr("{usable} of {count} can be used.").format(
+            usable=readiness.usable, count=len(rows)
+        )
+        enough = () if readiness.missing else (tr("Nothing is missing: calibrate."),)
+        self._panel.show_next([usable, *readiness.missing, *enough])
+        self._show_buttons()
+
+    def _show_result(self, result: StepResult) -> None:
+        self._result = result
+        question = tr("Save it, if this is what you expect.")
+        self._panel.show_next([*result.sentences, *result.advice, question])
+        self._show_buttons()
+
+    def _saved(self, result: StepResult) -> None:
+        self._sensor = result.sensor
+        self._panel.show_serials(self._store.serials())
+        done, following = self._step.title(), self._first_undone()
+        self._open(following)
+        saved = tr("{step} is saved for sensor {serial}.").format(step=done, serial=self._serial)
+        if following.title() == done:
+            self._panel.show_next([saved, tr("The sensor is calibrated.")])
+        else:
+            after = tr("Next: {step}.").format(step=following.title())
+            self._panel.show_next([saved, after])
+
+    def _show_failure(self, error: Exception) -> None:
+        sentence = tr("Something unexpected happened; nothing was changed. Please report it.")
+        self._panel.show_error(str(error) if isinstance(error, InsoleError) else sentence)
+        self._show_buttons()
+
+    def _show_progress(self, news: JobProgress) -> None:
+        self._panel.show_progress(news.fraction, news.text)
+
+    def _show_buttons(self, _channel: str = CHANNEL) -> None:
+        idle = not self._jobs.is_running(CHANNEL)
+        if idle:
+            self._panel.show_progress(0.0, "")
+        usable = self._readiness is not None and self._readiness.usable > 0
+        self._panel.show_buttons(
+            Buttons(
+                choose=idle and self._sensor is not None,
+                calibrate=idle and usable,
+                save=idle and self._result is not None,
+            )
+        )

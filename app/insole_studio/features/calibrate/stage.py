@@ -1,0 +1,79 @@
+"""The calibrate stage as a window of its own: view and presenters while it is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QFileDialog, QVBoxLayout
+
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
+from insole_studio.features.calibrate.live_pictures import LivePictures
+from insole_studio.features.calibrate.live_presenter import LivePresenter
+from insole_studio.features.calibrate.presenter import CalibratePresenter
+from insole_studio.features.calibrate.view import CalibrateView
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
+
+_SIZE = (1180, 680)
+_TICK_MS = 50
+
+
+class CalibrateStage(StageFrame):
+    """Leads through the calibration of a sensor with live pictures, or pictures from folders.
+
+    Parameters
+    ----------
+    store
+        Keeps the sensors.
+    place
+        Where the live sensors are.
+    folder
+        Keeps the pictures that are taken of them.
+    ask_folder
+        Lets the user choose a folder; by default in a dialog.
+    """
+
+    closed = Signal()
+
+    def __init__(
+        self,
+        store: SensorStore,
+        place: SensorSource,
+        folder: Path,
+        ask_folder: Callable[[], Path | None] | None = None,
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(tr("Calibrate sensors") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = CalibrateView()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self.jobs = Jobs(self)
+        self.presenter = CalibratePresenter(
+            self.view, store, self.jobs, ask_folder or self._ask_folder
+        )
+        live = LivePictures(lambda: CaptureService(place), place.workplace().system)
+        self.live = LivePresenter(self.view, self.presenter, live, self.jobs, folder)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self.live.tick)
+        self._timer.start()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Switch the sensors off and stop what runs; nothing that was not saved is kept."""
+        self._timer.stop()
+        self.live.close()
+        self.jobs.close()
+        event.accept()
+        self.closed.emit()
+
+    def _ask_folder(self) -> Path | None:
+        name = QFileDialog.getExistingDirectory(self, tr("Folder with the images"))
+        return Path(name) if name else None

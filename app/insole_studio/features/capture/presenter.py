@@ -1,0 +1,460 @@
+"""Between the capture stage and the capture service."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, Protocol
+
+from insole_core.errors import InsoleError, UsageError
+from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.recording.session import CaptureCondition, Manifest
+from insole_studio.acquisition.capture_plan import CapturePlan
+from insole_studio.acquisition.capture_setup import CaptureSetup
+from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.messages import (
+    Cancel,
+    Command,
+    Event,
+    Find,
+    Identify,
+    Message,
+    Placed,
+    Sensors,
+    SensorState,
+    Start,
+    Tilt,
+)
+from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
+from insole_studio.acquisition.unfinished_captures import UnfinishedCapture
+from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
+from insole_studio.features.capture.sensor_watch import SensorWatch
+from insole_studio.features.capture.view_assignment import ViewAssignment, options_of
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+from insole_studio.view_names import views_text
+
+TILT_STEP_DEG = 2.0
+_PUBLISHING = "publish"
+
+
+class CapturePanel(Protocol):
+    """What the stage shows, and the intents it emits."""
+
+    capture_requested: Any
+    cancel_requested: Any
+    placed_requested: Any
+    retake_requested: Any
+    use_requested: Any
+    other_foot_requested: Any
+    find_requested: Any
+    view_chosen: Any
+    views_swapped: Any
+    tilt_requested: Any
+    level_requested: Any
+    identify_requested: Any
+    options_edited: Any
+    resume_requested: Any
+    discard_requested: Any
+
+    def show_sensors(self, rows: Sequence[SensorRow]) -> None: ...  # noqa: D102
+    def show_pictures(  # noqa: D102
+        self, serial: str, depth: ByteArray | None, color: ByteArray | None
+    ) -> None: ...
+    def show_capture(self, row: CaptureRow) -> None: ...  # noqa: D102
+    def show_options(self, options: CaptureOptions) -> None: ...  # noqa: D102
+    def show_empty(self, sentence: str) -> None: ...  # noqa: D102
+    def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
+
+
+class Service(Protocol):
+    """What the presenter needs of the capture service."""
+
+    def send(self, command: Command) -> None: ...  # noqa: D102
+    def news(self) -> list[Event]: ...  # noqa: D102
+    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None: ...  # noqa: D102
+
+
+class CapturePresenter:
+    """Shows the sensors live, captures, and hands the session over.
+
+    Parameters
+    ----------
+    panel
+    service
+    workplace
+    jobs
+        For guidance and for writing; apart from the window's, whose progress is shown.
+    assignment
+        View and serial number as they were last time.
+    folder
+        For drafts and finished sessions.
+    options
+        What is chosen at first.
+    left
+        What an unfinished capture has left, if anything.
+    remember
+        Is told a new assignment.
+    kept
+        Is given the path of each session, to be opened in the end.
+    finished
+        Is called when nothing more is to be captured.
+    """
+
+    def __init__(
+        self,
+        *,
+        panel: CapturePanel,
+        service: Service,
+        workplace: CaptureSetup,
+        jobs: Jobs,
+        assignment: Sequence[tuple[str, str]],
+        folder: Path,
+        options: CaptureOptions,
+        left: UnfinishedCapture | None,
+        remember: Callable[[Sequence[tuple[str, str]]], None],
+        kept: Callable[[Path], None],
+        finished: Callable[[], object],
+    ) -> None:
+        self._panel = panel
+        self._service = service
+        self._workplace = workplace
+        self._jobs = jobs
+        self._assignment = ViewAssignment(assignment)
+        self._folder = folder
+        self._remember = remember
+        self._kept = kept
+        self._finish = finished
+        self._sensors = Sensors(())
+        self._watches: dict[str, SensorWatch] = {}
+        self._status: CaptureStatus | None = None
+        self._finished: tuple[str, ...] = ()
+        self._order: tuple[str, ...] = ()
+        self._draft: Path | None = None
+        self._left = left
+        self.options = options
+        self._connect(panel)
+        panel.show_options(self.options)
+        self._show()
+
+    def _connect(self, panel: CapturePanel) -> None:
+        panel.capture_requested.connect(self.capture)
+        panel.cancel_requested.connect(lambda: self._service.send(Cancel()))
+        panel.placed_requested.connect(lambda: self._service.send(Placed()))
+        panel.retake_requested.connect(self.retake)
+        panel.use_requested.connect(self.use)
+        panel.other_foot_requested.connect(self.turn_to_other_foot)
+        panel.find_requested.connect(lambda: self._service.send(Find()))
+        panel.view_chosen.connect(self.name_view)
+        panel.views_swapped.connect(self.swap_views)
+        panel.tilt_requested.connect(lambda s, by: self._service.send(Tilt(s, by)))
+        panel.level_requested.connect(lambda s: self._service.send(Tilt(s, None)))
+        panel.identify_requested.connect(lambda s, on: self._service.send(Identify(s, on)))
+        panel.options_edited.connect(self.edit_options)
+        panel.resume_requested.connect(self.resume)
+        panel.discard_requested.connect(self.discard)
+
+    @property
+    def is_capturing(self) -> bool:
+        """Whether a capture runs."""
+        return self._status is not None and not self._status.phase.is_end
+
+    def tick(self) -> None:
+        """Take the news and the newest pictures; called many times a second."""
+        news = self._service.news()
+        for event in news:
+            self._take(event)
+        self._welcome()
+        for state in self._sensors.states:
+            watch = self._watches[state.serial]
+            depth, color = watch.look(state, self._service)
+            if depth is not None or color is not None:
+                self._panel.show_pictures(state.serial, depth, color)
+        if not self.is_capturing or self._waits_for_hand:
+            self._guide()
+        if news:
+            self._show()
+
+    def capture(self) -> None:
+        """Capture all views, or those that are missing after a failure."""
+        plan = self._plan(self._panel.show_sentence)
+        if plan is None:
+            return
+        missing = [view for view in plan.views if view not in self._finished]
+        if self._draft is None or not missing or self._order != plan.views:
+            self._begin_draft(plan)
+            missing = list(plan.views)
+        self._start(plan.only(missing))
+
+    def retake(self, view: str) -> None:
+        """Capture one view again, with its bursts."""
+        plan = self._plan(self._panel.show_sentence)
+        if plan is not None and self._draft is not None:
+            self._start(plan.only([shot.view for shot in plan.shots if shot.place == view]))
+
+    def resume(self) -> None:
+        """Go on with what an unfinished capture has left."""
+        left, self._left = self._left, None
+        if left is None or self.is_capturing:
+            return
+        self._draft, self._order, self._status = left.folder, left.order, None
+        self._finished = left.manifest.views
+        self._assignment.take(left.request.assignment)
+        condition = left.manifest.capture_condition or CaptureCondition()
+        self._choose(
+            replace(
+                options_of(left.request, self.options),
+                side=left.manifest.side,
+                weight_bearing=condition.weight_bearing,
+                held=condition.held,
+                notes=condition.notes,
+            )
+        )
+
+    def discard(self) -> None:
+        """Throw away what an unfinished capture has left."""
+        left, self._left = self._left, None
+        if left is not None:
+            left.discard()
+        self._show()
+
+    def use(self) -> None:
+        """Put the session where sessions are kept, and hand it over."""
+        self._publish(self._finish)
+
+    def turn_to_other_foot(self) -> None:
+        """Keep the session of this foot, and begin with the other."""
+        other = Side.RIGHT if self.options.side is Side.LEFT else Side.LEFT
+        self._publish(lambda: self._turn_to(other))
+
+    def name_view(self, serial: str, view: str) -> None:
+        """Give a sensor a view; the one that had it gets this one's."""
+        self._assignment.name(serial, view)
+        self._assigned()
+
+    def swap_views(self, one: str, other: str) -> None:
+        """Exchange the views of two sensors."""
+        if one != other and not self.is_capturing:
+            self._assignment.swap(one, other)
+            self._assigned()
+
+    def edit_options(self, options: CaptureOptions) -> None:
+        """Take what the user chose; another side begins a capture of its own."""
+        if options.side is not self.options.side:
+            self._forget_draft()
+        self.options = options
+        self._show()
+
+    def _take(self, event: Event) -> None:
+        if isinstance(event, Sensors):
+            self._sensors = event
+        elif isinstance(event, CaptureStatus):
+            self._status = event
+            done = (view.view for view in event.views if view.finished)
+            self._finished = tuple(dict.fromkeys((*self._finished, *done)))
+            if event.phase is Phase.FAILED:
+                self._panel.show_sentence(event.sentence)
+        elif isinstance(event, Message):
+            self._panel.show_sentence(event.sentence)
+
+    def _welcome(self) -> None:
+        """Give sensors that are new a view, and watch each for the one it is to give now."""
+        serials = [state.serial for state in self._sensors.states]
+        for serial in serials:
+            self._assignment.welcome(serial, serials)
+            view, watch = self._view_of(serial), self._watches.get(serial)
+            if watch is None or watch.view != view:
+                self._watches[serial] = SensorWatch(self._workplace, serial, view)
+
+    def _view_of(self, serial: str) -> str:
+        """Give the view that a sensor is to give now; one that is moved gives several."""
+        running = self._status.views if self._status is not None and self.is_capturing else ()
+        coming = (view for view in running if view.serial == serial and not view.finished)
+        return next((view.place for view in coming), self._assignment.view(serial))
+
+    def _guide(self) -> None:
+        """Judge the pictures of one sensor after the other, beside the window."""
+        if self._jobs.is_running("guide"):
+            return
+        waiting = [self._watches[s.serial] for s in self._sensors.states if s.problem is None]
+        watch = min(waiting, key=lambda w: w.guided_at_s, default=None)
+        task = watch.guidance_task() if watch is not None else None
+        if watch is not None and task is not None:
+            self._jobs.start("guide", task, watch.take_guidance, self._told)
+
+    @property
+    def _request(self) -> PlanRequest:
+        ready = [state.serial for state in self._sensors.states if state.problem is None]
+        return self._assignment.request(ready, self.options)
+
+    def _plan(self, tell: Callable[[str], None] = lambda _sentence: None) -> CapturePlan | None:
+        try:
+            return self._request.plan()
+        except UsageError as error:
+            tell(str(error))
+            return None
+
+    def _begin_draft(self, plan: CapturePlan) -> None:
+        stamp = datetime.now().strftime("%Y-%m-%d-%H%M%S")
+        self._draft = self._folder / "captures" / f"{stamp}-{self.options.side.value}"
+        self._order = plan.views
+        self._finished = ()
+        self._left = None
+
+    def _start(self, plan: CapturePlan) -> None:
+        if self._draft is None or self.is_capturing:
+            return
+        self._finished = tuple(view for view in self._finished if view not in plan.views)
+        self._status = CaptureStatus(Phase.SETTLING, (), tr("Starting"))
+        self._service.send(Start(plan, self._draft, self._manifest(), self._order))
+        self._show()
+
+    def _manifest(self) -> Manifest:
+        options, place = self.options, self._workplace
+        return Manifest(
+            recorded_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            side=options.side,
+            reference_system=place.system,
+            views=(),
+            volume_of_interest=place.volume_of_interest,
+            capture_condition=CaptureCondition(options.weight_bearing, options.held, options.notes),
+            extra=self._request.as_extra(),
+        )
+
+    def _publish(self, then: Callable[[], object]) -> None:
+        if self._draft is None or not self._finished or self.is_capturing:
+            return
+        draft, order = self._draft, self._order
+        path = self._folder / "sessions" / draft.name
+
+        def write(progress: Progress) -> Path:
+            progress.step(0.0, tr("Checking the session"))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            Draft.reopen(draft, order).publish(path)
+            return path
+
+        def written(done: Path) -> None:
+            self._forget_draft()
+            self._show()
+            self._kept(done)
+            then()
+
+        self._jobs.start(_PUBLISHING, write, written, self._told)
+
+    def _forget_draft(self) -> None:
+        self._draft, self._status, self._finished = None, None, ()
+
+    def _turn_to(self, side: Side) -> None:
+        self._choose(replace(self.options, side=side))
+
+    def _choose(self, options: CaptureOptions) -> None:
+        self.options = options
+        self._panel.show_options(options)
+        self._show()
+
+    def _assigned(self) -> None:
+        self._remember(self._assignment.pairs)
+        self._show()
+
+    def _told(self, error: Exception) -> None:
+        if not isinstance(error, InsoleError):
+            raise error
+        self._panel.show_sentence(str(error))
+
+    def _show(self) -> None:
+        self._welcome()
+        states = sorted(self._sensors.states, key=lambda state: self._assignment.view(state.serial))
+        if states:
+            self._panel.show_sensors([self._row(state) for state in states])
+        else:
+            self._panel.show_empty(self._sensors.problem or tr("Looking for sensors"))
+        self._panel.show_capture(self._capture_row())
+
+    def _row(self, state: SensorState) -> SensorRow:
+        watch = self._watches[state.serial]
+        return SensorRow(
+            serial=state.serial,
+            view=self._assignment.view(state.serial),
+            title=watch.title(),
+            facts=watch.facts(state),
+            hints=watch.hints,
+            problem=state.problem,
+            progress=self._progress_of(state.serial),
+            retakes=() if self.is_capturing else self._retakes(state.serial),
+        )
+
+    def _retakes(self, serial: str) -> tuple[str, ...]:
+        """Give the views of a sensor that are whole, by the place it stood at."""
+        plan = self._plan() if self._finished else None
+        shots = [shot for shot in plan.shots if shot.serial == serial] if plan is not None else []
+        missing = {shot.place for shot in shots if shot.view not in self._finished}
+        return tuple(dict.fromkeys(s.place for s in shots if s.place not in missing))
+
+    def _progress_of(self, serial: str) -> str:
+        views = self._status.views if self._status is not None else ()
+        own = [view for view in views if view.serial == serial]
+        if not own:
+            return ""
+        taken, wanted = sum(view.frames for view in own), sum(view.wanted for view in own)
+        return tr("{taken} of {wanted}").format(taken=taken, wanted=wanted)
+
+    def _capture_row(self) -> CaptureRow:
+        status, running = self._status, self.is_capturing
+        return CaptureRow(
+            running=running,
+            fraction=status.fraction if status is not None else 0.0,
+            sentence=_describe(status) if status is not None else "",
+            button=self._button(),
+            can_capture=not running and any(s.problem is None for s in self._sensors.states),
+            can_use=not running and bool(self._finished),
+            is_whole=not running and self._is_whole,
+            waits_for_hand=self._waits_for_hand,
+            offer=_offer(self._left) if self._left is not None and not running else "",
+        )
+
+    @property
+    def _waits_for_hand(self) -> bool:
+        return self._status is not None and self._status.phase is Phase.MOVING
+
+    def _button(self) -> str:
+        if not self._finished:
+            return tr("Capture")
+        return tr("Capture anew") if self._is_whole else tr("Capture missing views")
+
+    @property
+    def _is_whole(self) -> bool:
+        return bool(self._finished) and set(self._order) <= set(self._finished)
+
+
+def _offer(left: UnfinishedCapture) -> str:
+    """Say what an unfinished capture has left."""
+    begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
+    return tr(
+        "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."
+    ).format(
+        time=begun.strftime("%Y-%m-%d %H:%M"),
+        side={Side.LEFT: tr("left"), Side.RIGHT: tr("right")}[left.manifest.side],
+        there=len(left.manifest.views),
+        wanted=len(left.order),
+    )
+
+
+def _describe(status: CaptureStatus) -> str:
+    if status.phase is Phase.DONE:
+        warned = [text for view in status.views for text in view.warnings]
+        return " ".join(dict.fromkeys(warned)) or tr("All views are captured.")
+    sentences = {
+        Phase.MOVING: tr("Put the sensor in its place for view {view}, then say that it stands."),
+        Phase.TILTING: tr("Tilting the sensor for view {view}"),
+        Phase.SETTLING: tr("Waiting for steady depth of view {view}"),
+        Phase.CAPTURING: tr("Capturing view {view}"),
+        Phase.VERIFYING: tr("Checking view {view}"),
+        Phase.CANCELLED: tr("The capture was stopped."),
+    }
+    return sentences.get(status.phase, status.sentence).format(view=views_text(status.names))

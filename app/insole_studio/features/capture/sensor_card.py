@@ -1,0 +1,178 @@
+"""The card of one sensor: depth above, colour below, and what can be done with it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QMimeData, Qt, Signal
+from PySide6.QtGui import (
+    QDrag,
+    QDragEnterEvent,
+    QDropEvent,
+    QMouseEvent,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.arrays import ByteArray
+from insole_studio.features.capture.rows import SensorRow
+from insole_studio.texts import tr
+from insole_studio.view_names import view_text
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.picture_view import PictureView
+
+MIME = "application/x-insole-studio-sensor"
+VIEWS = ("left", "right", "top", *(f"view_{number}" for number in range(4, 9)))
+
+
+class SensorCard(QFrame):
+    """Lays out one sensor; drag a card onto another one to exchange their views."""
+
+    view_chosen = Signal(str, str)
+    dropped = Signal(str, str)
+    tilt_requested = Signal(str, float)
+    level_requested = Signal(str)
+    identify_requested = Signal(str, bool)
+    retake_requested = Signal(str)
+
+    def __init__(self, serial: str, tilt_step_deg: float, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.serial = serial
+        self._tilt_step_deg = tilt_step_deg
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAcceptDrops(True)
+        self._title = _Grip(serial)
+        self._depth, self._color = PictureView(), PictureView()
+        self._facts, self._hints = QLabel(), QLabel()
+        self._facts.setObjectName("quiet")
+        self._hints.setWordWrap(True)
+        self._view = ComboBox([(view, view_text(view)) for view in VIEWS])
+        self._view.setAccessibleName(tr("View of sensor {serial}").format(serial=serial))
+        self._view.edited.connect(self._choose_view)
+        self._retake = QToolButton()
+        self._retake.setText(tr("Capture again"))
+        self._retake.clicked.connect(self._retake_view)
+        self._retakes: tuple[str, ...] = ()
+        self._lay_out()
+
+    def show_row(self, row: SensorRow) -> None:
+        """Show everything but the pictures."""
+        self._title.setText(f"{row.title}   {row.progress}".rstrip())
+        self._facts.setText(row.facts)
+        told = row.problem or " · ".join(row.hints)
+        self._hints.setText(told)
+        self._hints.setObjectName("warning" if told else "")
+        self._hints.setStyle(self._hints.style())
+        if self._view.findData(row.view) < 0:
+            self._view.addItem(view_text(row.view), row.view)
+        self._view.show_value(row.view)
+        self._retakes = row.retakes
+        self._retake.setEnabled(bool(row.retakes))
+
+    def show_pictures(self, depth: ByteArray | None, color: ByteArray | None) -> None:
+        """Show new pictures (height, width, 3) uint8, RGB; None leaves the one before."""
+        if depth is not None:
+            self._depth.show_picture(depth)
+        if color is not None:
+            self._color.show_picture(color)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take other cards."""
+        if event.mimeData().hasFormat(MIME):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Exchange views with the card that was dropped."""
+        other = bytes(event.mimeData().data(MIME).data()).decode()
+        event.acceptProposedAction()
+        self.dropped.emit(other, self.serial)
+
+    def _lay_out(self) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(8)
+        head = QHBoxLayout()
+        head.addWidget(self._title, 1)
+        head.addWidget(self._view)
+        layout.addLayout(head)
+        layout.addWidget(self._depth, 1)
+        layout.addWidget(self._color, 1)
+        layout.addWidget(self._facts)
+        layout.addWidget(self._hints)
+        layout.addLayout(self._buttons())
+
+    def _buttons(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        for text, tip, turn in (
+            (tr("Tilt −"), tr("Tilt the sensor down"), -self._tilt_step_deg),
+            (tr("Tilt +"), tr("Tilt the sensor up"), self._tilt_step_deg),
+        ):
+            button = _button(text, tip)
+            button.clicked.connect(lambda _on, by=turn: self.tilt_requested.emit(self.serial, by))
+            row.addWidget(button)
+        level = _button(tr("Level"), tr("Level the sensor by its accelerometer"))
+        level.clicked.connect(lambda: self.level_requested.emit(self.serial))
+        row.addWidget(level)
+        identify = _button(tr("Identify"), tr("Let the light of this sensor blink"))
+        identify.setCheckable(True)
+        identify.toggled.connect(lambda on: self.identify_requested.emit(self.serial, on))
+        row.addWidget(identify)
+        row.addStretch(1)
+        row.addWidget(self._retake)
+        return row
+
+    def _retake_view(self) -> None:
+        """Order a view anew; of a sensor that gave several, the one that is chosen."""
+        if len(self._retakes) == 1:
+            self._emit_retake(self._retakes[0])
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for view in self._retakes:
+            menu.addAction(view_text(view)).triggered.connect(partial(self._emit_retake, view))
+        menu.popup(self._retake.mapToGlobal(self._retake.rect().bottomLeft()))
+
+    def _emit_retake(self, view: str, _on: bool = False) -> None:
+        self.retake_requested.emit(view)
+
+    def _choose_view(self, view: str) -> None:
+        self.view_chosen.emit(self.serial, view)
+
+
+class _Grip(QLabel):
+    """The title of a card, by which it is dragged."""
+
+    def __init__(self, serial: str) -> None:
+        super().__init__()
+        self._serial = serial
+        self.setObjectName("heading")
+        self.setCursor(Qt.CursorShape.OpenHandCursor)
+        self.setToolTip(
+            tr("Sensor {serial}. Drag onto another to exchange views.").format(serial=serial)
+        )
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Begin to drag."""
+        if not event.buttons() & Qt.MouseButton.LeftButton or QApplication.activeModalWidget():
+            return
+        data = QMimeData()
+        data.setData(MIME, self._serial.encode())
+        drag = QDrag(self)
+        drag.setMimeData(data)
+        drag.exec(Qt.DropAction.MoveAction)
+
+
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    return button

@@ -1,0 +1,126 @@
+"""One sensor as the stage follows it: its newest pictures and what they say."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Protocol
+
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.progress import Progress
+from insole_core.reconstruct.volume import enclosed_volume
+from insole_studio.acquisition.capture_plan import view_faces
+from insole_studio.acquisition.capture_setup import CaptureSetup
+from insole_studio.acquisition.capture_status import Phase
+from insole_studio.acquisition.factory_calibration import usual_sensor
+from insole_studio.acquisition.guidance import (
+    FrameSnapshot,
+    Guidance,
+    centre_depth_mm,
+    depth_colors,
+    guide,
+)
+from insole_studio.acquisition.messages import WARM_UP_S, SensorState
+from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
+from insole_studio.features.capture.hints import hint_text
+from insole_studio.texts import tr
+from insole_studio.view_names import view_text
+
+_FULL_COLOR = (1280, 1024)
+
+
+class Pictures(Protocol):
+    """Where the newest pictures are."""
+
+    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
+        """Give the newest picture of a sensor if it is newer than number `after`."""
+        ...
+
+
+class SensorWatch:
+    """Follows one sensor.
+
+    Parameters
+    ----------
+    workplace
+    serial
+    view
+        Tells which markers it should see.
+    """
+
+    def __init__(self, workplace: CaptureSetup, serial: str, view: str) -> None:
+        self.view = view
+        faces = view_faces(view, workplace.system)
+        known = workplace.known(serial, view)
+        self._sensor = known.sensor if known else usual_sensor(serial, faces, _FULL_COLOR)
+        self._system = workplace.system
+        self._volume = workplace.volume_of_interest or enclosed_volume(workplace.system)
+        self._colors = depth_colors(self._sensor.disparity)
+        self._depth: RawArray | None = None
+        self._guided_depth: RawArray | None = None
+        self._color: ByteArray | None = None
+        self._numbers: dict[Kind, int] = {"depth": 0, "color": 0}
+        self._centre_mm: float | None = None
+        self._guidance: Guidance | None = None
+        self.guided_at_s = 0.0
+
+    def look(
+        self, state: SensorState, pictures: Pictures
+    ) -> tuple[ByteArray | None, ByteArray | None]:
+        """Give the newest depth, coloured and half the size, and colour; None where none is new."""
+        depth, color = (self._newest(state, kind, pictures) for kind in ("depth", "color"))
+        if depth is not None:
+            self._depth = depth.image
+            self._centre_mm = centre_depth_mm(self._sensor.disparity, depth.image)
+        if color is not None:
+            self._color = color.image
+        colored = self._colors[depth.image[::2, ::2]] if depth is not None else None
+        return colored, color.image if color is not None else None
+
+    def _newest(self, state: SensorState, kind: Kind, pictures: Pictures) -> Picture | None:
+        found = pictures.picture(state.slot, kind, self._numbers[kind])
+        if found is not None:
+            self._numbers[kind] = found.number
+        return found
+
+    def guidance_task(self) -> Callable[[Progress], Guidance] | None:
+        """Give the work of judging the pictures, if there are two to compare."""
+        depth, color = self._depth, self._color
+        before, self._guided_depth = self._guided_depth, depth
+        self.guided_at_s = time.monotonic()
+        if depth is None or before is None or color is None or before is depth:
+            return None
+        glimpse = FrameSnapshot(depth, before, color)
+        sensor, system, volume = self._sensor, self._system, self._volume
+        return lambda _progress: guide(sensor, system, volume, glimpse)
+
+    def take_guidance(self, guidance: Guidance) -> None:
+        """Take the judgement of the pictures."""
+        self._guidance = guidance
+
+    @property
+    def hints(self) -> tuple[str, ...]:
+        """What to change, the most urgent first."""
+        return tuple(map(hint_text, self._guidance.hints)) if self._guidance is not None else ()
+
+    def title(self) -> str:
+        """Name the view with the depth in the middle of its picture."""
+        depth = f"{self._centre_mm:.0f} mm" if self._centre_mm is not None else "– mm"
+        return f"{view_text(self.view)} · {depth}"
+
+    def facts(self, state: SensorState) -> str:
+        """Say frame rate and losses, valid pixels and markers."""
+        rate = tr("{fps:.0f} frames/s, {lost} lost").format(fps=state.fps, lost=state.discarded)
+        if state.phase is Phase.WARMING_UP:
+            minutes = tr("warm in {minutes:.0f} min").format(
+                minutes=(WARM_UP_S - state.warm_s) / 60
+            )
+            rate = f"{rate} · {minutes}"
+        found = self._guidance
+        if found is None:
+            return rate
+        markers = tr("markers {seen} of {wanted}").format(
+            seen=found.markers_seen, wanted=found.markers_wanted
+        )
+        measured = tr("{share:.0%} measured").format(share=found.valid_share)
+        return f"{rate} · {measured} · {markers}"

@@ -1,0 +1,116 @@
+"""The capture stage as a window of its own: service, view and presenter while it is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QLockFile, QTimer, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QVBoxLayout
+
+from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.service_client import CaptureService
+from insole_studio.acquisition.unfinished_captures import newest_unfinished_capture
+from insole_studio.features.capture.presenter import TILT_STEP_DEG, CapturePresenter
+from insole_studio.features.capture.rows import CaptureOptions
+from insole_studio.features.capture.view import CaptureView
+from insole_studio.features.capture.view_assignment import options_of
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
+
+_TICK_MS = 50
+_SIZE = (1200, 720)
+
+
+class CaptureStage(StageFrame):
+    """Sensors are in use, and their emitters on, from construction to closing.
+
+    Parameters
+    ----------
+    place
+        Where the sensors are.
+    assignment
+        View and serial number as they were last time.
+    folder
+        For drafts and finished sessions.
+    remember
+        Is told a new assignment.
+
+    Raises
+    ------
+    InputError
+        When the reference system or the emulated session cannot be read.
+    """
+
+    kept = Signal(object)
+    """The path of a session that is to be opened once this window is closed."""
+    closed = Signal()
+
+    def __init__(
+        self,
+        *,
+        place: SensorSource,
+        assignment: Sequence[tuple[str, str]],
+        folder: Path,
+        remember: Callable[[Sequence[tuple[str, str]]], None],
+    ) -> None:
+        super().__init__()
+        workplace = place.workplace()
+        self.setWindowTitle(tr("Capture") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = CaptureView(TILT_STEP_DEG)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self._jobs = Jobs(self)
+        self._service = CaptureService(place)
+        self._lock = _lock_drafts(folder)
+        self.presenter = CapturePresenter(
+            panel=self.view,
+            service=self._service,
+            workplace=workplace,
+            jobs=self._jobs,
+            assignment=assignment or place.usual_views(),
+            folder=folder,
+            options=first_options(place),
+            left=newest_unfinished_capture(folder / "captures") if self._lock.isLocked() else None,
+            remember=remember,
+            kept=self.kept.emit,
+            finished=self.close,
+        )
+        self._timer = QTimer(self)
+        self._timer.setInterval(_TICK_MS)
+        self._timer.timeout.connect(self.presenter.tick)
+        self._timer.start()
+
+    def end(self) -> None:
+        """Switch the sensors off; a capture that runs keeps its finished views."""
+        self._timer.stop()
+        self._jobs.close()
+        self._service.close()
+        self._lock.unlock()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Switch the sensors off."""
+        self.end()
+        event.accept()
+        self.closed.emit()
+
+
+def first_options(place: SensorSource) -> CaptureOptions:
+    """Give what is chosen at first: emulated sensors are captured as they were recorded."""
+    if place.session is None:
+        return CaptureOptions()
+    request = PlanRequest(place.usual_views(), bursts=place.usual_bursts())
+    return options_of(request, CaptureOptions(place.session.manifest.side))
+
+
+def _lock_drafts(folder: Path) -> QLockFile:
+    """Take the drafts for this window; another one's are in use, so they are not offered."""
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = QLockFile(str(folder / "captures.lock"))
+    lock.tryLock(0)
+    return lock

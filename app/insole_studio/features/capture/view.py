@@ -1,0 +1,303 @@
+"""The capture stage: a card for each sensor, the choices, and one large button."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QProgressBar,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.side import Side
+from insole_studio.features.capture.rows import (
+    CaptureOptions,
+    CaptureRow,
+    SensorRow,
+    depth_coloring,
+)
+from insole_studio.features.capture.sensor_card import SensorCard
+from insole_studio.texts import tr
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.empty_page import EmptyPage
+from insole_studio.widgets.legend import Legend
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.side_badge import SideBadge
+
+_FIND = "find"
+
+
+class CaptureView(QWidget):
+    """Lays out the stage."""
+
+    capture_requested = Signal()
+    cancel_requested = Signal()
+    placed_requested = Signal()
+    retake_requested = Signal(str)
+    use_requested = Signal()
+    other_foot_requested = Signal()
+    find_requested = Signal()
+    view_chosen = Signal(str, str)
+    views_swapped = Signal(str, str)
+    tilt_requested = Signal(str, float)
+    level_requested = Signal(str)
+    identify_requested = Signal(str, bool)
+    options_edited = Signal(object)
+    resume_requested = Signal()
+    discard_requested = Signal()
+
+    def __init__(self, tilt_step_deg: float, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tilt_step_deg = tilt_step_deg
+        self._options = CaptureOptions()
+        self._cards: dict[str, SensorCard] = {}
+        self._empty = EmptyPage()
+        self._empty.chosen.connect(self.find_requested)
+        self._card_row = QHBoxLayout()
+        self._card_row.setSpacing(8)
+        cards = QWidget()
+        cards.setLayout(self._card_row)
+        self._legend = Legend()
+        self._legend.show_coloring(depth_coloring())
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(cards)
+        self._make_options()
+        self._make_buttons()
+        self._make_offer()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(8)
+        layout.addWidget(self._offer)
+        layout.addWidget(self._legend)
+        layout.addWidget(self._pages, 1)
+        layout.addLayout(self._option_row())
+        layout.addWidget(self._sentence)
+        layout.addLayout(self._button_row())
+
+    def show_sensors(self, rows: Sequence[SensorRow]) -> None:
+        """Show a card for each sensor, in this order."""
+        for serial in set(self._cards) - {row.serial for row in rows}:
+            card = self._cards.pop(serial)
+            card.hide()
+            card.deleteLater()
+        for place, row in enumerate(rows):
+            card = self._cards.get(row.serial) or self._new_card(row.serial)
+            self._card_row.insertWidget(place, card, 1)
+            card.show_row(row)
+        self._pages.setCurrentIndex(1)
+        self._legend.show()
+
+    def show_pictures(self, serial: str, depth: ByteArray | None, color: ByteArray | None) -> None:
+        """Show new pictures of a sensor."""
+        if serial in self._cards:
+            self._cards[serial].show_pictures(depth, color)
+
+    def show_capture(self, row: CaptureRow) -> None:
+        """Show how far the capture is, and what can be done."""
+        self._capture.setText(row.button)
+        self._capture.setEnabled(row.can_capture)
+        self._capture.setVisible(not row.waits_for_hand)
+        self._cancel.setVisible(row.running)
+        self._placed.setVisible(row.waits_for_hand)
+        self._use.setEnabled(row.can_use)
+        self._use.setDefault(row.is_whole)
+        self._capture.setDefault(not row.is_whole)
+        self._other.setEnabled(row.can_use)
+        self._progress.setValue(round(100 * row.fraction))
+        self._progress.setVisible(row.running)
+        self._sentence.setText(row.sentence)
+        self._offered.setText(row.offer)
+        self._offer.setVisible(bool(row.offer))
+        for field in self._fields:
+            field.setEnabled(not row.running)
+
+    def show_options(self, options: CaptureOptions) -> None:
+        """Show other choices."""
+        self._options = options
+        self._badge.show_side(options.side)
+        self._side.show_value(options.side.value)
+        self._weight.show_value(options.weight_bearing)
+        self._mode.show_value(options.mode)
+        self._frames.show_value(options.frames)
+        self._bursts.show_value(options.bursts)
+        with QSignalBlocker(self._held):
+            self._held.setChecked(options.held)
+        self._notes.setText(options.notes)
+        self._show_views(options)
+
+    def _show_views(self, options: CaptureOptions) -> None:
+        self._views.setText(" ".join(options.views))
+        self._views.setVisible(options.mode == "moved")
+
+    def show_empty(self, sentence: str) -> None:
+        """Say why no sensor is there."""
+        self.show_sensors([])
+        self._empty.show_offers(sentence, {_FIND: tr("Look again")})
+        self._pages.setCurrentIndex(0)
+        self._legend.hide()
+
+    def show_sentence(self, sentence: str) -> None:
+        """Show a sentence that has to be read."""
+        self._warning.setText(sentence)
+        self._warning.setVisible(bool(sentence))
+
+    def _new_card(self, serial: str) -> SensorCard:
+        card = SensorCard(serial, self._tilt_step_deg)
+        card.view_chosen.connect(self.view_chosen)
+        card.dropped.connect(self.views_swapped)
+        card.tilt_requested.connect(self.tilt_requested)
+        card.level_requested.connect(self.level_requested)
+        card.identify_requested.connect(self.identify_requested)
+        card.retake_requested.connect(self.retake_requested)
+        self._cards[serial] = card
+        return card
+
+    def _make_options(self) -> None:
+        self._badge = SideBadge()
+        self._side = ComboBox([(Side.LEFT.value, tr("left")), (Side.RIGHT.value, tr("right"))])
+        self._side.edited.connect(lambda word: self._edit(side=Side(word)))
+        self._weight = ComboBox(
+            [
+                ("none", tr("Not weight-bearing")),
+                ("semi", tr("Semi weight-bearing")),
+                ("full", tr("Weight-bearing")),
+            ]
+        )
+        self._weight.edited.connect(lambda word: self._edit(weight_bearing=word))
+        self._held = QCheckBox(tr("Held"))
+        self._held.setToolTip(tr("Somebody holds the foot"))
+        self._held.toggled.connect(lambda on: self._edit(held=on))
+        self._notes = QLineEdit()
+        self._notes.setPlaceholderText(tr("Notes"))
+        self._notes.editingFinished.connect(lambda: self._edit(notes=self._notes.text()))
+        self._mode = ComboBox(
+            [
+                ("turns", tr("One after the other")),
+                ("together", tr("All at once")),
+                ("moved", tr("Moved by hand")),
+            ]
+        )
+        self._mode.edited.connect(lambda word: self._edit(mode=word))
+        self._views = QLineEdit()
+        self._views.setToolTip(tr("All views in order; a sensor is moved to those that have none"))
+        self._views.setAccessibleName(tr("Views"))
+        self._views.hide()
+        self._views.editingFinished.connect(
+            lambda: self._edit(views=tuple(self._views.text().replace(",", " ").split()))
+        )
+        self._frames = NumberField(tr("frames"), least=1, greatest=200, step=1, decimals=0)
+        self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
+        self._bursts = NumberField("", least=1, greatest=9, step=1, decimals=0)
+        self._bursts.setPrefix(tr("Bursts: "))
+        self._bursts.setToolTip(tr("Series a view, between which the sensor tilts by a degree"))
+        self._bursts.edited.connect(lambda number: self._edit(bursts=round(number)))
+
+    def _option_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for foot in (self._badge, self._side, self._weight, self._held):
+            row.addWidget(foot)
+        row.addWidget(self._notes, 1)
+        for number in (self._mode, self._views, self._frames, self._bursts):
+            row.addWidget(number)
+        return row
+
+    @property
+    def _fields(self) -> tuple[QWidget, ...]:
+        """What cannot be changed while a capture runs."""
+        foot = (self._side, self._weight, self._held)
+        return (*foot, self._mode, self._views, self._frames, self._bursts)
+
+    def _make_offer(self) -> None:
+        self._offer, self._offered = QFrame(), QLabel()
+        self._offer.setFrameShape(QFrame.Shape.StyledPanel)
+        self._offered.setWordWrap(True)
+        go_on, discard = QPushButton(tr("Go on with it")), QPushButton(tr("Discard it"))
+        delete, keep = QPushButton(tr("Delete the views for good")), QPushButton(tr("Keep them"))
+        self._first, self._second = (go_on, discard), (delete, keep)
+        go_on.clicked.connect(self.resume_requested)
+        discard.clicked.connect(lambda: self._ask_to_discard(True))
+        delete.clicked.connect(self.discard_requested)
+        keep.clicked.connect(lambda: self._ask_to_discard(False))
+        row = QHBoxLayout(self._offer)
+        row.setContentsMargins(8, 4, 8, 4)
+        row.addWidget(self._offered, 1)
+        for button in (*self._first, *self._second):
+            row.addWidget(button)
+        self._ask_to_discard(False)
+        self._offer.hide()
+
+    def _ask_to_discard(self, asking: bool) -> None:
+        """What is deleted does not come back: this is asked once, where it was ordered."""
+        for button in self._first:
+            button.setVisible(not asking)
+        for button in self._second:
+            button.setVisible(asking)
+        if asking:
+            self._second[1].setFocus()
+
+    def _make_buttons(self) -> None:
+        self._sentence, self._warning = QLabel(), QLabel()
+        self._sentence.setWordWrap(True)
+        self._warning.setWordWrap(True)
+        self._warning.setObjectName("warning")
+        self._warning.hide()
+        self._capture = QPushButton(tr("Capture"))
+        self._capture.setToolTip(tr("Capture all views (F5)"))
+        self._cancel = QPushButton(tr("Cancel"))
+        self._placed = QPushButton(tr("The sensor stands"))
+        self._placed.setToolTip(tr("Capture the view (F5)"))
+        for large in (self._capture, self._placed):  # only one of them is seen
+            large.setMinimumHeight(48)
+            large.setShortcut(Qt.Key.Key_F5)
+        self._use = QPushButton(tr("Use this scan"))
+        self._other = QPushButton(tr("Keep, and capture the other foot"))
+        self._progress = QProgressBar()
+        for button, signal in (
+            (self._capture, self.capture_requested),
+            (self._cancel, self.cancel_requested),
+            (self._placed, self.placed_requested),
+            (self._use, self.use_requested),
+            (self._other, self.other_foot_requested),
+        ):
+            button.clicked.connect(lambda _on=False, s=signal: self._order(s))
+
+    def _button_row(self) -> QVBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        for large in (self._capture, self._placed):
+            row.addWidget(large, 1)
+        for button in (self._cancel, self._use, self._other):
+            row.addWidget(button)
+        column = QVBoxLayout()
+        column.setSpacing(8)
+        column.addWidget(self._warning)
+        column.addWidget(self._progress)
+        column.addLayout(row)
+        return column
+
+    def _order(self, signal: Any) -> None:
+        """Take the last warning away; what follows may bring another one."""
+        self.show_sentence("")
+        signal.emit()
+
+    def _edit(self, **changes: Any) -> None:
+        options = replace(self._options, **changes)
+        if options != self._options:
+            self._options = options
+            self._badge.show_side(options.side)
+            self._show_views(options)
+            self.options_edited.emit(options)

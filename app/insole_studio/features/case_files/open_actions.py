@@ -1,0 +1,198 @@
+"""What the bench is filled with: cases, sessions, meshes, and what a crash has left."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.errors import InsoleError
+from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.resources import resource_path
+from insole_core.workflows.file_kind import kind_of
+from insole_core.workflows.open_scan import ScannedFoot, open_scan
+from insole_core.workflows.template_transfer import last_design
+from insole_studio.document.autosave import Autosave, Recovered
+from insole_studio.features.case_files.save_actions import SaveActions
+from insole_studio.shell.desk import AppServices
+from insole_studio.shell.dialogue import LONG_MS
+from insole_studio.shell.file_kinds import case_kinds, scan_kinds
+from insole_studio.shell.questions import SameSide
+from insole_studio.shell.recent import RecentFiles
+from insole_studio.texts import tr, translate_core_message
+
+CHANNEL = "open"
+NOTICE = "scan"
+LINE_LETTERS = 160
+"""What the status line holds of a small window."""
+EXAMPLE = "example/example.insole"
+
+
+class OpenActions:
+    """Reads beside the window, then puts what was read onto the bench."""
+
+    def __init__(
+        self,
+        services: AppServices,
+        *,
+        recent: RecentFiles,
+        saving: SaveActions,
+        autosave: Autosave,
+        reconstruct: Callable[[Path], None],
+    ) -> None:
+        self._services = services
+        self._case = services.case
+        self._dialogue = services.messages
+        self._notices = services.notices
+        self._recent = recent
+        self._saving = saving
+        self._autosave = autosave
+        self._reconstruct = reconstruct
+
+    def open_path(self, path: Path, side: Side | None = None) -> None:
+        """Open a case, a session or a mesh, whatever the path is."""
+        try:
+            kind = kind_of(path)
+        except InsoleError as error:
+            self._dialogue.show_error(error)
+            return
+        if kind == "case":
+            self._open_case(path)
+        elif kind == "mesh":
+            self._open_mesh(path, side or self._dialogue.questions.which_side(path))
+        else:
+            self._open_session(path.parent if kind == "manifest" else path)
+
+    def ask_open_case(self) -> None:
+        """Let the user choose a case."""
+        self._open_chosen(self._dialogue.questions.file_to_open(case_kinds()))
+
+    def ask_open_session(self) -> None:
+        """Let the user choose the folder of a session."""
+        self._open_chosen(self._dialogue.questions.folder_to_open())
+
+    def ask_open_mesh(self) -> None:
+        """Let the user choose an archive or a mesh."""
+        self._open_chosen(self._dialogue.questions.file_to_open(scan_kinds()))
+
+    def new_case(self) -> None:
+        """Begin with an empty case."""
+        self._saving.after_unsaved(lambda: self._case.open(CaseRecord(), None))
+
+    def open_example(self) -> None:
+        """Open the case that comes with the product."""
+        self.open_path(resource_path(EXAMPLE))
+
+    def offer_recovered(self, recovered: Recovered) -> None:
+        """Open what a crash has left; it stays unsaved, under a copy of this window's own."""
+        self._case.open(recovered.record, recovered.path, unsaved=True)
+        self._dialogue.say(
+            tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
+        )
+        self._autosave.write_now()
+        recovered.discard()
+
+    def take_scan(self, scanned: ScannedFoot) -> None:
+        """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
+        self._recent.remember(Path(scanned.source.path))
+        # What was found last is about the foot, what was found first about the file.
+        self._tell(" ".join(map(translate_core_message, reversed(scanned.foot.notes))))
+        before = self._case.record.of_side(scanned.foot.side)
+        if before is not None and before.source.path == scanned.source.path:
+            again = replace(before, foot=scanned.foot, source=scanned.source)
+            self._case.apply(again, tr("Reconstruct the foot again"))
+        else:
+            self._put_on_bench(scanned)
+
+    def _tell(self, notes: str) -> None:
+        """Say how the scan was read; more than the status line holds stays until dismissed."""
+        self._notices.drop(NOTICE)
+        if len(notes) > LINE_LETTERS:
+            self._notices.put(NOTICE, notes)
+        else:
+            self._dialogue.say(notes, LONG_MS)
+
+    def _open_chosen(self, path: Path | None) -> None:
+        if path is not None:
+            self.open_path(path)
+
+    def _open_case(self, path: Path) -> None:
+        def read(progress: Progress) -> CaseRecord:
+            progress.step(0.0, tr("Opening the case"))
+            return read_case(path)
+
+        def opened(record: CaseRecord) -> None:
+            self._case.open(record, path)
+            self._recent.remember(path)
+
+        self._saving.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
+
+    def _open_session(self, path: Path) -> None:
+        self._reconstruct(path)
+
+    def _open_mesh(self, path: Path, side: Side | None, force: bool = False) -> None:
+        if side is None:
+            return
+
+        def failed(error: Exception) -> None:
+            if isinstance(error, SideMismatchError):
+                if self._dialogue.questions.open_anyway(str(error)):
+                    self._open_mesh(path, side, force=True)
+            else:
+                self._dialogue.show_error(error)
+
+        def task(progress: Progress) -> ScannedFoot:
+            return open_scan(path, side, force=force, progress=progress)
+
+        self._open_foot(task, failed)
+
+    def _open_foot(
+        self, task: Callable[..., ScannedFoot], failed: Callable[[Exception], None]
+    ) -> None:
+        def opened(scanned: ScannedFoot) -> None:
+            if scanned.warnings:
+                self._dialogue.show_sentence(
+                    " ".join(map(translate_core_message, scanned.warnings))
+                )
+            self.take_scan(scanned)
+
+        def task_of(progress: Progress) -> ScannedFoot:
+            return task(progress=progress)
+
+        self._services.jobs.start(CHANNEL, task_of, opened, failed)
+
+    def _put_on_bench(self, scanned: ScannedFoot) -> None:
+        """Add a foot to the case; one that is there already is replaced, or begins a new case."""
+        foot = FootRecord.begun(scanned.foot, scanned.source)
+        record = self._case.record
+        before = record.of_side(foot.side)
+        if not record.feet:
+            self._case.open_foot(scanned.foot, scanned.source)
+            return
+        if before is None:
+            self._case.apply(foot, _sentence_of_adding(foot.side))
+            return
+        answer = SameSide.REPLACE
+        if not _is_untouched(before):
+            answer = self._dialogue.questions.about_same_side(foot.side)
+        if answer is SameSide.REPLACE:
+            foot = replace(foot, earlier=last_design(before))
+            self._case.apply(foot, tr("Put a new scan into the place of the old"))
+        elif answer is SameSide.NEW_CASE:
+            self._saving.after_unsaved(
+                lambda: self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
+            )
+
+
+def _is_untouched(foot: FootRecord) -> bool:
+    """Whether nothing was done on a foot yet."""
+    begun = FootRecord.begun(foot.foot, foot.source)
+    return (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
+
+
+def _sentence_of_adding(side: Side) -> str:
+    return tr("Add the left foot") if side is Side.LEFT else tr("Add the right foot")

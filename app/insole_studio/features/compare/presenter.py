@@ -1,0 +1,334 @@
+"""Compares any two surfaces: reads them, lays one on the other, shows how far they differ."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from insole_core.compare.comparison import Alignment
+from insole_core.compare.comparison_source import ComparisonSource
+from insole_core.compare.seen_surface import facing
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.workflows.compare_case import (
+    Compared,
+    Wanted,
+    compare_sources,
+    surface_of,
+    write_comparison,
+)
+from insole_studio.document.case import Case
+from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, FigureRow, figure_rows
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.pointer import MarkedPoint
+from insole_studio.texts import tr
+
+READING, COMPARING, WRITING = "read", "compare", "write"
+LEAST_POINTS = 3
+
+
+class ComparePanel(Protocol):
+    """What the panel shows, and the intents it emits."""
+
+    source_chosen: Any
+    alignment_chosen: Any
+    median_edited: Any
+    point_picked: Any
+    take_back_requested: Any
+    save_requested: Any
+    cancel_requested: Any
+
+    def show_sources(  # noqa: D102
+        self, options: Sequence[tuple[str, str]], chosen: dict[str, str]
+    ) -> None: ...
+    def show_source(  # noqa: D102
+        self, which: str, mesh: TriangleMesh | None, from_above: bool
+    ) -> None: ...
+    def show_points(self, which: str, points: Sequence[MarkedPoint]) -> None: ...  # noqa: D102
+    def show_result(  # noqa: D102
+        self, mesh: TriangleMesh, coloring: Coloring, from_above: bool
+    ) -> None: ...
+    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
+    def show_figures(self, rows: Sequence[FigureRow]) -> None: ...  # noqa: D102
+    def show_picking(self, on: bool, hint: str) -> None: ...  # noqa: D102
+    def show_tab(self, number: int) -> None: ...  # noqa: D102
+    def show_has_result(self, there: bool) -> None: ...  # noqa: D102
+    def show_notes(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
+    def show_error(self, sentence: str) -> None: ...  # noqa: D102
+    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
+    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+
+
+class ComparePresenter:
+    """Two surfaces, a and b, and what they differ by.
+
+    Parameters
+    ----------
+    panel
+    case
+        Offers its feet and insoles.
+    jobs
+        Runs the long work.
+    ask_source
+        Lets the user choose a path: "file" or "folder" in; None is "never mind".
+    ask_report
+        Lets the user choose where the report goes.
+    """
+
+    def __init__(
+        self,
+        panel: ComparePanel,
+        *,
+        case: Case,
+        jobs: Jobs,
+        ask_source: Callable[[str], Path | None],
+        ask_report: Callable[[], Path | None],
+    ) -> None:
+        self._panel, self._case, self._jobs = panel, case, jobs
+        self._ask_source, self._ask_report = ask_source, ask_report
+        self._words: dict[str, str] = {}
+        self._paths: list[Path] = []
+        self._sources: dict[str, ComparisonSource] = {}
+        self._points: dict[str, list[FloatArray]] = {"a": [], "b": []}
+        self._alignment = "best"
+        self._median = 1
+        self._compared: Compared | None = None
+        panel.source_chosen.connect(self.choose)
+        panel.alignment_chosen.connect(self.align_by)
+        panel.median_edited.connect(self.filter_by)
+        panel.point_picked.connect(self.pick)
+        panel.take_back_requested.connect(self.take_back)
+        panel.save_requested.connect(self.ask_save)
+        panel.cancel_requested.connect(self.cancel)
+        jobs.progressed.connect(self._show_progress)
+        jobs.ended.connect(self._show_buttons)
+        for which in "ab":
+            panel.show_source(which, None, True)
+        panel.show_has_result(False)
+        panel.show_notes([])
+        panel.show_error("")
+        self._show_picking()
+        self._show_buttons()
+        self._show_choices()
+        self._begin_with_the_case()
+
+    def choose(self, which: str, word: str) -> None:
+        """Compare something else; for a file or a session the user is asked where it is."""
+        if word in (FILE, FOLDER):
+            path = self._ask_source(word)
+            if path is None:
+                self._show_choices()
+                return
+            self.choose_path(which, path)
+        else:
+            self._words[which] = word
+            self._read(which)
+
+    def choose_path(self, which: str, path: Path) -> None:
+        """Compare what a path holds."""
+        if path not in self._paths:
+            self._paths.append(path)
+        self._words[which] = str(path)
+        self._show_choices()
+        self._read(which)
+
+    def align_by(self, word: str) -> None:
+        """Lay b on a in another way."""
+        self._alignment = word
+        if word == "picked":
+            self._panel.show_tab(0)
+        self._show_picking()
+        self._compare()
+
+    def filter_by(self, pixels: float) -> None:
+        """Smooth both by another median filter."""
+        self._median = int(pixels)
+        self._compare()
+
+    def pick(self, which: str, place_mm: FloatArray) -> None:
+        """Take a place of a surface; the first of one belongs to the first of the other."""
+        self._points[which].append(place_mm)
+        self._show_picking()
+        self._compare()
+
+    def take_back(self) -> None:
+        """Forget the last place, of the surface that has more of them."""
+        a, b = self._points["a"], self._points["b"]
+        longer = a if len(a) > len(b) else b
+        if longer:
+            longer.pop()
+        self._show_picking()
+        self._compare()
+
+    def ask_save(self) -> None:
+        """Let the user choose where the report goes, and write it."""
+        path = self._ask_report()
+        if path is not None:
+            self.save_to(path)
+
+    def save_to(self, path: Path) -> None:
+        """Write the report, beside the window."""
+        compared, names = self._compared, (self._sources["a"].name, self._sources["b"].name)
+        if compared is None:
+            return
+
+        def write(progress: Progress) -> None:
+            progress.step(0.1, tr("Writing the report"))
+            write_comparison(compared, names, path)
+
+        self._panel.show_error("")
+        self._jobs.start(
+            WRITING,
+            write,
+            lambda _nothing: self._panel.show_notes([tr("Written: {name}").format(name=path.name)]),
+            self._show_failure,
+        )
+        self._show_buttons()
+
+    def cancel(self) -> None:
+        """Stop what runs."""
+        for channel in (READING + "a", READING + "b", COMPARING, WRITING):
+            self._jobs.cancel(channel)
+
+    def _show_choices(self) -> None:
+        options = [("", tr("Choose…"))]
+        for foot in self._case.record.feet:
+            left = foot.side is Side.LEFT
+            options += [
+                (f"foot {foot.side}", tr("Left foot") if left else tr("Right foot")),
+                (f"insole {foot.side}", tr("Left insole") if left else tr("Right insole")),
+            ]
+        options += [(str(path), path.name) for path in self._paths]
+        options += [(FILE, tr("Mesh or archive…")), (FOLDER, tr("Session, also of a mould…"))]
+        self._panel.show_sources(options, self._words)
+
+    def _begin_with_the_case(self) -> None:
+        foot = self._case.record.current
+        if foot is not None:
+            self._words = {"a": f"insole {foot.side}", "b": f"foot {foot.side}"}
+            self._show_choices()
+            for which in "ab":
+                self._read(which)
+
+    def _read(self, which: str) -> None:
+        word, record = self._words[which], self._case.record
+        self._sources.pop(which, None)
+        self._points = {"a": [], "b": []}
+        self._forget_result()
+        self._panel.show_source(which, None, True)
+        self._show_picking()
+        if not word:
+            return
+        wanted = _wanted(word)
+
+        def read(progress: Progress) -> ComparisonSource:
+            return surface_of(record, wanted, progress)
+
+        def take(source: ComparisonSource) -> None:
+            self._sources[which] = source
+            self._panel.show_source(which, source.mesh, _from_above(source.mesh))
+            self._panel.show_notes([note for s in self._sources.values() for note in s.notes])
+            self._compare()
+
+        self._panel.show_error("")
+        self._jobs.start(READING + which, read, take, self._show_failure)
+        self._show_buttons()
+
+    def _compare(self) -> None:
+        self._forget_result()
+        alignment = self._chosen_alignment()
+        if alignment is None or len(self._sources) < 2:
+            return
+        a, b, median = self._sources["a"], self._sources["b"], self._median
+
+        def compare(progress: Progress) -> Compared:
+            return compare_sources(a, b, alignment, median, progress)
+
+        self._panel.show_error("")
+        self._jobs.start(COMPARING, compare, self._take, self._show_failure)
+        self._show_buttons()
+
+    def _chosen_alignment(self) -> Alignment | None:
+        if self._alignment == "picked":
+            return self._pairs() if self._is_paired else None
+        words: dict[str, Alignment] = {"best": "best", "none": "none", "dots": "dots"}
+        return words[self._alignment]
+
+    @property
+    def _is_paired(self) -> bool:
+        a, b = (len(self._points[which]) for which in "ab")
+        return a == b >= LEAST_POINTS
+
+    def _pairs(self) -> tuple[FloatArray, FloatArray]:
+        return np.array(self._points["a"]), np.array(self._points["b"])
+
+    def _forget_result(self) -> None:
+        self._jobs.cancel(COMPARING)
+        self._compared = None
+        self._panel.show_has_result(False)
+        self._panel.show_figures([])
+        self._show_buttons()
+
+    def _take(self, compared: Compared) -> None:
+        self._compared = compared
+        span = compared.span_mm
+        coloring = Coloring(compared.signed_mm, (-span, span), tr("A over B"), signed=True)
+        above = _from_above(self._sources["a"].mesh)
+        self._panel.show_has_result(True)
+        self._panel.show_result(compared.surface, coloring, above)
+        self._panel.show_picture(compared.picture)
+        self._panel.show_figures(figure_rows(compared.difference, compared.measures))
+        self._panel.show_tab(1)
+        self._show_buttons()
+
+    def _show_picking(self) -> None:
+        on = self._alignment == "picked"
+        for which, places in self._points.items():
+            shown = [
+                MarkedPoint(str(number + 1), (float(x), float(y), float(z)))
+                for number, (x, y, z) in enumerate(places if on else [])
+            ]
+            self._panel.show_points(which, shown)
+        counts = [len(self._points[which]) for which in "ab"]
+        text = tr("Click the same places on A and B, three or more. Picked: {a} on A, {b} on B.")
+        self._panel.show_picking(on, text.format(a=counts[0], b=counts[1]) if on else "")
+        self._show_buttons()
+
+    def _show_failure(self, error: Exception) -> None:
+        sentence = tr("Something unexpected happened; nothing was changed. Please report it.")
+        self._panel.show_error(str(error) if isinstance(error, InsoleError) else sentence)
+        self._show_buttons()
+
+    def _show_progress(self, news: JobProgress) -> None:
+        self._panel.show_progress(news.fraction, news.text)
+
+    def _show_buttons(self, _channel: str = COMPARING) -> None:
+        busy = self._jobs.is_running()
+        if not busy:
+            self._panel.show_progress(0.0, "")
+        self._panel.show_buttons(
+            Buttons(
+                save=not busy and self._compared is not None,
+                cancel=busy,
+                take_back=any(self._points.values()),
+            )
+        )
+
+
+def _wanted(word: str) -> Wanted:
+    for side in Side:
+        for kind in ("foot", "insole"):
+            if word == f"{kind} {side}":
+                return Wanted(kind, side)
+    return Wanted("file", path=Path(word))
+
+
+def _from_above(mesh: TriangleMesh) -> bool:
+    return bool(facing(mesh)[2] > 0)

@@ -1,0 +1,80 @@
+"""The compare stage as a window of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QFileDialog, QVBoxLayout
+
+from insole_studio.document.case import Case
+from insole_studio.features.compare.presenter import ComparePresenter
+from insole_studio.features.compare.rows import FOLDER
+from insole_studio.features.compare.view import CompareView
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
+
+_SIZE = (1280, 700)
+_SOURCES = "(*.ply *.stl *.obj *.zip)"
+_REPORTS = "PDF (*.pdf);;JSON (*.json);;PNG (*.png);;PLY (*.ply)"
+
+
+class CompareStage(StageFrame):
+    """Measures how far two surfaces differ.
+
+    Parameters
+    ----------
+    case
+    dark
+        Whether the theme is dark.
+    ask_source, ask_report
+        Let the user choose a path; by default in a dialog.
+    """
+
+    closed = Signal()
+
+    def __init__(
+        self,
+        case: Case,
+        dark: bool,
+        *,
+        ask_source: Callable[[str], Path | None] | None = None,
+        ask_report: Callable[[], Path | None] | None = None,
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(tr("Compare surfaces") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = CompareView(dark)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self.jobs = Jobs(self)
+        self.presenter = ComparePresenter(
+            self.view,
+            case=case,
+            jobs=self.jobs,
+            ask_source=ask_source or self._ask_source,
+            ask_report=ask_report or self._ask_report,
+        )
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what runs and free the renderers."""
+        self.jobs.close()
+        self.view.close_scenes()
+        event.accept()
+        self.closed.emit()
+
+    def _ask_source(self, kind: str) -> Path | None:
+        if kind == FOLDER:
+            name = QFileDialog.getExistingDirectory(self, tr("Open session"))
+        else:
+            kinds = f"{tr('Mesh or archive')} {_SOURCES}"
+            name, _ = QFileDialog.getOpenFileName(self, tr("Open"), "", kinds)
+        return Path(name) if name else None
+
+    def _ask_report(self) -> Path | None:
+        name, _ = QFileDialog.getSaveFileName(self, tr("Save"), "difference.pdf", _REPORTS)
+        return Path(name) if name else None

@@ -1,0 +1,132 @@
+"""What leaves for the shop: the solid of the insole with its papers, and its outline on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.insole.build import build_insole
+from insole_core.progress import Progress
+from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_rules import read_rules
+from insole_core.solids.shop import read_shop
+from insole_core.workflows.make_order import OrderChoice, make_pieces
+from insole_studio.features.case_files.save_actions import file_stem
+from insole_studio.features.export.outline_print import print_outline
+from insole_studio.features.export.stage import ExportStage
+from insole_studio.shell.desk import AppServices
+from insole_studio.shell.stage_window import StageWindow
+from insole_studio.shell.steps import whose
+from insole_studio.texts import tr
+
+CHANNEL = "export"
+AskPath = Callable[[str, str], Path | None]
+MayReplace = Callable[[Sequence[Path]], bool]
+
+
+class ExportActions(QObject):
+    """Opens the export stage, and writes what needs no questions.
+
+    Parameters
+    ----------
+    desk
+    make_stage
+        Constructs the export stage, given what asks the user for a path, and what asks whether
+        files may be replaced.
+    """
+
+    changed = Signal()
+    """Something was exported."""
+
+    def __init__(
+        self,
+        services: AppServices,
+        make_stage: Callable[[AskPath, MayReplace], ExportStage],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._services = services
+        self._case = services.case
+        self._dialogue = services.messages
+        self.exported: CaseRecord | None = None
+        """What was exported last."""
+        self._make_stage = make_stage
+        self.checking = StageWindow(self._make_connected, self)
+        """The stage, while it is open."""
+
+    def ask_export(self) -> None:
+        """Open the stage that checks and exports."""
+        self.checking.open()
+
+    def close(self) -> None:
+        """Close the stage, if it is open."""
+        self.checking.close()
+
+    def export_to(self, path: Path) -> None:
+        """Write the plain insole of the foot at hand, beside the window."""
+        record = self._case.record
+        if record.current is None:
+            self._dialogue.show_sentence(
+                tr("There is no insole to export yet; open a session or a mesh.")
+            )
+            return
+
+        def write(progress: Progress) -> None:
+            with outputs(ExportPaths(path)) as beside:
+                plain = OrderChoice(most_triangles=None)
+                pieces = make_pieces(record, plain, read_rules(), progress.part(0.0, 0.9))
+                run_export_job(
+                    ExportJob(pieces, read_shop()), ExportPaths(path), beside, progress.part(0.9, 1)
+                )
+
+        def done(_nothing: None) -> None:
+            self._note(record, [path])
+
+        self._services.run(CHANNEL, write, done)
+
+    def _make_connected(self) -> ExportStage:
+        stage = self._make_stage(self._ask_path, self._dialogue.questions.may_replace)
+        stage.exported.connect(self._note)
+        return stage
+
+    def _ask_path(self, word: str, suffix: str) -> Path | None:
+        stem = file_stem(self._case)
+        if self._case.side is not None:
+            stem = stem.removesuffix(f"-{self._case.side}")
+        kinds = f"{suffix[1:].upper()} (*{suffix})"
+        return self._dialogue.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
+
+    def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
+        self.exported = record
+        self.changed.emit()
+        names = ", ".join(path.name for path in paths)
+        self._dialogue.say(tr("Exported {name}").format(name=names))
+
+    def ask_print_outline(self) -> None:
+        """Let the user choose where the PDF goes."""
+        path = self._dialogue.questions.file_to_write(
+            f"{file_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
+        )
+        if path is not None:
+            self.print_outline_to(path.with_suffix(".pdf"))
+
+    def print_outline_to(self, path: Path) -> None:
+        """Write the outline in true size."""
+        record = self._case.record
+        foot, design = record.foot, record.design
+        if foot is None or design is None:
+            return
+        text = "   ".join(part for part in (whose(record), record.patient.visit) if part)
+
+        def write(progress: Progress) -> None:
+            insole = build_insole(foot, design, progress.part(0.0, 0.9))
+            progress.step(0.9, tr("Writing the file"))
+            print_outline(insole, text, path)
+
+        def done(_nothing: None) -> None:
+            self._dialogue.say(tr("Written: {name}").format(name=path.name))
+
+        self._services.run(CHANNEL, write, done)

@@ -1,0 +1,389 @@
+"""Between the open case and the export panel: orders, checks and delivers; knows no widget."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.errors import InsoleError
+from insole_core.export.solid_file import merged
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.solids.checks import Finding, Override
+from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
+from insole_core.solids.order import Part, nest_parts
+from insole_core.solids.shop import Block, Shop
+from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.make_order import (
+    OrderChoice,
+    block_edges,
+    both_prescribed,
+    files_of,
+    make_pieces,
+    word_of,
+    write_order,
+)
+from insole_studio.document.case import Case
+from insole_studio.features.export.rows import (
+    TITLES,
+    Buttons,
+    CheckRow,
+    check_row,
+    notes_of,
+    patient_text,
+    sentence_of,
+    side_text,
+    summary_of,
+)
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.texts import tr
+
+MAKING, WRITING = "make", "write"
+_NO_SPOTS = np.zeros((0, 3))
+_NEST = "nest"
+
+
+class ExportPanel(Protocol):
+    """What the panel shows, and the intents it emits."""
+
+    choice_edited: Any
+    cutter_edited: Any
+    rule_edited: Any
+    check_chosen: Any
+    piece_chosen: Any
+    reason_edited: Any
+    export_requested: Any
+    cancel_requested: Any
+
+    def show_patient(self, text: str) -> None: ...  # noqa: D102
+    def show_choice(self, choice: OrderChoice, has_pair: bool) -> None: ...  # noqa: D102
+    def show_cutter(self, diameter_mm: float) -> None: ...  # noqa: D102
+    def show_checks(self, rows: Sequence[CheckRow]) -> None: ...  # noqa: D102
+    def show_pieces(self, names: dict[str, str], chosen: str) -> None: ...  # noqa: D102
+    def show_piece(  # noqa: D102
+        self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
+    ) -> None: ...
+    def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None: ...  # noqa: D102
+    def show_block(self, edges: Sequence[FloatArray], again: bool) -> None: ...  # noqa: D102
+    def look_at(self, place_mm: FloatArray, text: str) -> None: ...  # noqa: D102
+    def forget_label(self) -> None: ...  # noqa: D102
+    def show_summary(self, text: str) -> None: ...  # noqa: D102
+    def show_notes(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
+    def show_error(self, sentence: str) -> None: ...  # noqa: D102
+    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
+    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+
+
+class ExportPresenter:
+    """Makes what is ordered whenever the order, the rules or the case change, and delivers it.
+
+    Parameters
+    ----------
+    panel
+    case
+    jobs
+        Runs the long work.
+    rules
+        Keeps the clinic's rules.
+    shop
+    ask_path
+        Lets the user choose where the file goes: the word for the side and the suffix in, path
+        out; None is "never mind".
+    may_replace
+        Asks whether files that are there may be replaced.
+    memory
+        Keeps the last order.
+    exported
+        Told which record was delivered, and where to.
+    """
+
+    def __init__(
+        self,
+        panel: ExportPanel,
+        *,
+        case: Case,
+        jobs: Jobs,
+        rules: ClinicExportRules,
+        shop: Shop,
+        ask_path: Callable[[str, str], Path | None],
+        may_replace: Callable[[Sequence[Path]], bool],
+        memory: LastOrder,
+        exported: Callable[[CaseRecord, Sequence[Path]], None],
+    ) -> None:
+        self._panel, self._case, self._jobs = panel, case, jobs
+        self._store, self._shop = rules, shop
+        self._ask_path, self._may_replace, self._exported = ask_path, may_replace, exported
+        self._memory = memory
+        self._choice = replace(memory.load(), both=both_prescribed(case.record))
+        self._rules = read_rules()
+        self._record = CaseRecord()
+        self.pieces: tuple[Part, ...] = ()
+        """What was made last."""
+        self._shown = ""
+        self._framed = ("", "")
+        """What the camera was set up for."""
+        self._chosen: CheckName | None = None
+        self._reason = ""
+        self._problem = ""
+        self._complaint = ""
+        """What is wrong with the clinic's rules."""
+        panel.choice_edited.connect(self.edit_choice)
+        panel.cutter_edited.connect(self.edit_cutter)
+        panel.rule_edited.connect(self.edit_rule)
+        panel.check_chosen.connect(self.lead_to)
+        panel.piece_chosen.connect(self.show_piece)
+        panel.reason_edited.connect(self.edit_reason)
+        panel.export_requested.connect(self.ask_export)
+        panel.cancel_requested.connect(self.cancel)
+        jobs.progressed.connect(self._show_progress)
+        jobs.ended.connect(self._show_buttons)
+        case.changed.connect(self.remake)
+        case.foot_changed.connect(self.remake)
+        panel.show_piece(None, None, None, False)
+        panel.show_notes([])
+        panel.show_error("")
+        self._load_rules()
+        self.remake()
+
+    def close(self) -> None:
+        """Stop listening to the case."""
+        self._case.changed.disconnect(self.remake)
+        self._case.foot_changed.disconnect(self.remake)
+
+    def edit_choice(self, choice: OrderChoice) -> None:
+        """Order something else; what only concerns files and papers makes nothing anew."""
+        alike = choice.makes_alike(self._choice)
+        self._choice = choice
+        if alike and not self._problem:
+            self._panel.show_choice(choice, self._has_pair)
+        else:
+            self.remake()
+
+    def edit_cutter(self, diameter_mm: float) -> None:
+        """Take another cutter."""
+        self._keep_rules(self._rules.with_cutter(diameter_mm))
+
+    def edit_rule(self, name: CheckName, policy: Policy, limit: float) -> None:
+        """Take a check more or less strictly."""
+        has_limit = name in self._rules.limits
+        self._keep_rules(self._rules.with_rule(name, policy, limit if has_limit else None))
+
+    def edit_reason(self, reason: str) -> None:
+        """Answer for what a rule would stop."""
+        self._reason = reason.strip()
+        self._show_buttons()
+
+    def remake(self) -> None:
+        """Make and check what is ordered, beside the window."""
+        self._record, self._problem = self._case.record, ""
+        self._panel.show_patient(patient_text(self._record.patient))
+        self._panel.show_choice(self._choice, self._has_pair)
+        self._panel.show_cutter(self._rules.cutter_diameter_mm)
+        if self._record.current is None:
+            self._take(())
+            return
+        record, choice, rules = self._record, self._choice, self._rules
+
+        def make(progress: Progress) -> tuple[Part, ...]:
+            return make_pieces(record, choice, rules, progress)
+
+        self._panel.show_error(self._complaint)
+        self._jobs.start(MAKING, make, self._take, self._show_nothing)
+        self._show_checks()
+        self._show_buttons()
+
+    def show_piece(self, key: str) -> None:
+        """Look at the left piece, the right one, or both in their block."""
+        again, self._shown = (key, self._choice.kind) == self._framed, key
+        self._framed = (key, self._choice.kind) if self.pieces else ("", "")
+        block = self._choice.block
+        if key == _NEST and block is not None:
+            self._show_nest(block, again)
+        else:
+            piece = self._piece
+            solid, side = (None, None) if piece is None else (piece.solid, piece.side)
+            turned = side is not None and self._choice.kind == "positive"
+            words = side.other if side is not None and turned else side
+            self._panel.show_block([], True)
+            self._panel.show_piece(solid, side, words, again)
+        self._show_spots()
+        self._show_checks()
+        self._panel.show_summary("" if self._piece is None else summary_of(self._piece))
+
+    def lead_to(self, name: CheckName) -> None:
+        """Look where a check was broken most."""
+        finding = self._findings.get(name)
+        if finding is not None and finding.place_mm is not None:
+            self._chosen = name
+            self._show_spots()
+            self._panel.look_at(np.array(finding.place_mm), sentence_of(finding))
+
+    def ask_export(self) -> None:
+        """Let the user choose where the file goes, and write it."""
+        path = self._ask_path(word_of(self.pieces, self._choice), self._choice.suffix)
+        if path is None:
+            return
+        files = files_of(self.pieces, self._choice, path, self._override() is not None)
+        # The dialog has asked about the path itself.
+        there = [file for file in files if file != path and file.exists()]
+        if not there or self._may_replace(there):
+            self.export_to(path)
+
+    def export_to(self, path: Path) -> None:
+        """Write the file and its papers, beside the window."""
+        record, pieces, choice = self._record, self.pieces, self._choice
+        override = self._override()
+
+        def write(progress: Progress) -> tuple[Path, ...]:
+            return write_order(
+                pieces, choice, path,
+                shop=self._shop, patient=record.patient, override=override, progress=progress,
+            )  # fmt: skip
+
+        def done(paths: tuple[Path, ...]) -> None:
+            names = ", ".join(written.name for written in paths)
+            self._panel.show_summary(tr("Exported {name}").format(name=names))
+            self._remember(choice)
+            self._exported(record, paths)
+
+        self._panel.show_error("")
+        self._jobs.start(WRITING, write, done, self._show_failure)
+        self._show_buttons()
+
+    def _remember(self, choice: OrderChoice) -> None:
+        try:
+            self._memory.save(choice)
+        except InsoleError as error:
+            self._panel.show_error(str(error))
+
+    def cancel(self) -> None:
+        """Stop what runs; nothing is written."""
+        if self._jobs.is_running(MAKING):
+            self._problem = tr("Stopped. Change the order to make it again.")
+            self._panel.show_error(self._problem)
+        self._jobs.cancel(MAKING)
+        self._jobs.cancel(WRITING)
+
+    @property
+    def _has_pair(self) -> bool:
+        return len(self._record.feet) == 2
+
+    @property
+    def _piece(self) -> Part | None:
+        """The piece that is looked at; in the block, the first."""
+        named = (piece for piece in self.pieces if str(piece.side) == self._shown)
+        return next(named, self.pieces[0] if self.pieces else None)
+
+    @property
+    def _findings(self) -> dict[CheckName, Finding]:
+        return {} if self._piece is None else {f.name: f for f in self._piece.findings}
+
+    def _load_rules(self) -> None:
+        try:
+            self._rules = self._store.load()
+        except InsoleError as error:
+            self._complaint = str(error)
+
+    def _keep_rules(self, rules: ExportRules) -> None:
+        if rules == self._rules:
+            return
+        self._rules, self._complaint = rules, ""
+        try:
+            self._store.save(rules)
+        except InsoleError as error:
+            self._complaint = str(error)
+        self.remake()
+
+    def _take(self, pieces: tuple[Part, ...]) -> None:
+        self.pieces = pieces
+        names = {str(piece.side): side_text(piece) for piece in pieces}
+        if len(pieces) == 2 and self._choice.block is not None:
+            names[_NEST] = tr("In the block")
+        shown = self._shown if self._shown in names else next(iter(names), "")
+        self._panel.show_pieces(names, shown)
+        self._panel.show_notes([note for piece in pieces for note in notes_of(piece)])
+        self.show_piece(shown)
+        self._show_buttons()
+
+    def _show_nest(self, block: Block, again: bool) -> None:
+        left, right = self.pieces
+        try:
+            parts = nest_parts(left, right, block.size_mm, self._shop)
+        except InsoleError as error:
+            self._panel.show_error(str(error))
+            self._panel.show_piece(None, None, None, again)
+            return
+        self._panel.show_piece(merged([part.mesh for part in parts]), None, None, again)
+        self._panel.show_block(block_edges(block), again)
+
+    def _show_spots(self) -> None:
+        findings = self._findings if self._shown != _NEST else {}
+        bad = [f.spots_mm for f in findings.values() if not f.passed and f.name != self._chosen]
+        chosen = findings.get(self._chosen) if self._chosen else None
+        if chosen is None:
+            self._panel.forget_label()
+        self._panel.show_spots(
+            np.concatenate([_NO_SPOTS, *bad]), _NO_SPOTS if chosen is None else chosen.spots_mm
+        )
+
+    def _show_checks(self) -> None:
+        waiting = self._jobs.is_running(MAKING)
+        self._panel.show_checks(
+            [
+                check_row(
+                    name,
+                    self._rules,
+                    self._choice.kind,
+                    None if waiting else self._findings.get(name),
+                    waiting=waiting,
+                    leads=self._shown != _NEST,
+                )
+                for name in TITLES
+            ]
+        )
+
+    def _override(self) -> Override | None:
+        if not self._blocked or not self._reason:
+            return None
+        now = datetime.now(UTC).isoformat(timespec="seconds")
+        return Override(self._case.author or tr("unknown"), self._reason, now)
+
+    @property
+    def _blocked(self) -> bool:
+        return any(finding.blocks for piece in self.pieces for finding in piece.findings)
+
+    def _show_nothing(self, error: Exception) -> None:
+        """What is ordered cannot be made."""
+        self._problem = str(error)
+        self._take(())
+        self._show_failure(error)
+
+    def _show_failure(self, error: Exception) -> None:
+        sentence = tr("Something unexpected happened; nothing was written. Please report it.")
+        self._panel.show_error(str(error) if isinstance(error, InsoleError) else sentence)
+        self._show_buttons()
+
+    def _show_progress(self, news: JobProgress) -> None:
+        self._panel.show_progress(news.fraction, news.text)
+
+    def _show_buttons(self, _channel: str = MAKING) -> None:
+        busy = self._jobs.is_running()
+        if not busy:
+            self._panel.show_progress(0.0, "")
+        may = not self._blocked or bool(self._reason)
+        self._panel.show_buttons(
+            Buttons(
+                export=not busy and bool(self.pieces) and may and not self._problem,
+                cancel=busy,
+                reason=self._blocked,
+            )
+        )

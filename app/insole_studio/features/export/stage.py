@@ -1,0 +1,86 @@
+"""The export stage as a window of its own: checks what is made, and hands it to the shop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QVBoxLayout
+
+from insole_core.solids.shop import Shop
+from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.last_order import LastOrder
+from insole_studio.document.case import Case
+from insole_studio.features.export.order_form import Stock
+from insole_studio.features.export.presenter import ExportPresenter
+from insole_studio.features.export.view import ExportView
+from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
+from insole_studio.widgets.tab_order import StageFrame
+
+_SIZE = (1280, 700)
+
+
+class ExportStage(StageFrame):
+    """Check & export.
+
+    Parameters
+    ----------
+    case
+    rules
+        Keeps the clinic's rules.
+    shop
+    ask_path
+        Lets the user choose a place to write to, by the word for the side and the suffix.
+    may_replace
+        Asks whether files that are there may be replaced.
+    memory
+        Keeps the last order.
+    dark
+        Whether the theme is dark.
+    """
+
+    closed = Signal()
+    exported = Signal(object, object)
+    """A record was delivered to paths."""
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        rules: ClinicExportRules,
+        shop: Shop,
+        ask_path: Callable[[str, str], Path | None],
+        may_replace: Callable[[Sequence[Path]], bool],
+        memory: LastOrder,
+        dark: bool,
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(tr("Check & export") + " – Insole Studio")
+        self.resize(*_SIZE)
+        self.view = ExportView(Stock(shop.blocks, shop.materials), dark)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.view)
+        self.jobs = Jobs(self)
+        self.presenter = ExportPresenter(
+            self.view,
+            case=case,
+            jobs=self.jobs,
+            rules=rules,
+            shop=shop,
+            ask_path=ask_path,
+            may_replace=may_replace,
+            memory=memory,
+            exported=self.exported.emit,
+        )
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop what runs and free the renderer."""
+        self.presenter.close()
+        self.jobs.close()
+        self.view.model.scene.close_scene()
+        event.accept()
+        self.closed.emit()

@@ -1,0 +1,263 @@
+"""Lays out the export stage: the order left, the piece in the middle, its checks right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.workflows.make_order import OrderChoice
+from insole_studio.features.export.check_list import CheckList
+from insole_studio.features.export.order_form import OrderForm, Stock
+from insole_studio.features.export.rows import Buttons, CheckRow
+from insole_studio.scene.view_camera import Subject
+from insole_studio.texts import tr
+from insole_studio.widgets.message_label import MessageLabel, ProgressBar
+from insole_studio.widgets.model_view import ModelView
+from insole_studio.widgets.vertical_scroll import VerticalScroll
+
+_FORM_PX, _CHECKS_PX = 320, 376
+
+
+class ExportView(QWidget):
+    """Shows, and emits intents."""
+
+    choice_edited = Signal(object)
+    cutter_edited = Signal(float)
+    rule_edited = Signal(str, str, float)
+    check_chosen = Signal(str)
+    piece_chosen = Signal(str)
+    reason_edited = Signal(str)
+    export_requested = Signal()
+    cancel_requested = Signal()
+
+    def __init__(self, stock: Stock, dark: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.form = OrderForm(stock)
+        self.form.edited.connect(self.choice_edited)
+        self.form.cutter.edited.connect(self.cutter_edited)
+        self.model = ModelView(Subject.INSOLE, "", dark)
+        self.model.preset_requested.connect(self.model.look_from)
+        self.model.scene.camera_changed.connect(self._place_words)
+        self.check_list = CheckList()
+        self.check_list.rule_edited.connect(self.rule_edited)
+        self.check_list.check_chosen.connect(self.check_chosen)
+        self._pieces = QButtonGroup(self)
+        self._pieces.setExclusive(True)
+        self._piece_row = QHBoxLayout()
+        self._patient = QLabel()
+        self._patient.setObjectName("numbers")
+        self._summary = MessageLabel()
+        self._error, self._notes = MessageLabel("warning"), MessageLabel("warning")
+        self._reason_label = QLabel(tr("Export all the same, because"))
+        self.reason = QLineEdit()
+        self.reason.setPlaceholderText(tr("Reason, for the record"))
+        self.reason.textEdited.connect(self.reason_edited)
+        self._progress = ProgressBar()
+        self.cancel = QPushButton(tr("Cancel"))
+        self.cancel.clicked.connect(self.cancel_requested)
+        self.export = QPushButton(tr("Export…"))
+        self.export.setDefault(True)
+        self.export.setShortcut(QKeySequence("Ctrl+Return"))
+        self.export.setToolTip(tr("Write the files for the shop") + " (Ctrl+Enter)")
+        self.export.clicked.connect(self.export_requested)
+        self._form_area, self._checks_area = VerticalScroll(), VerticalScroll()
+        self._form_area.setWidget(self.form)
+        self._checks_area.setWidget(self.check_list)
+        self._bounds: FloatArray | None = None
+        self._side: Side | None = None
+        self._lay_out()
+
+    def show_patient(self, text: str) -> None:
+        """Say whose insoles these are."""
+        self._patient.setText(text)
+
+    def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
+        """Show what is ordered."""
+        self.form.show_choice(choice, has_pair)
+
+    def show_cutter(self, diameter_mm: float) -> None:
+        """Show the diameter of the cutter."""
+        self.form.show_cutter(diameter_mm)
+
+    def show_checks(self, rows: Sequence[CheckRow]) -> None:
+        """Show the checks."""
+        self.check_list.show_rows(rows)
+        self._fit_sides()
+
+    def show_pieces(self, names: dict[str, str], chosen: str) -> None:
+        """Offer what can be looked at: key and text of each; one alone is not offered."""
+        for button in self._pieces.buttons():
+            self._pieces.removeButton(button)
+            button.deleteLater()
+        for key, text in names.items() if len(names) > 1 else ():
+            button = QToolButton()
+            button.setText(text)
+            button.setCheckable(True)
+            button.setChecked(key == chosen)
+            button.setProperty("piece", key)
+            button.clicked.connect(self._choose_piece)
+            self._pieces.addButton(button)
+            self._piece_row.insertWidget(self._piece_row.count() - 1, button)
+
+    def show_piece(
+        self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
+    ) -> None:
+        """Show a solid.
+
+        Parameters
+        ----------
+        mesh
+        side
+            For the badge.
+        words
+            The side by which medial and lateral are written; None for a pair.
+        again
+            Whether the same thing is shown anew, so that the camera stays.
+        """
+        if mesh is None:
+            self.model.show_side(None)
+            self.model.show_empty(tr("Here comes the piece, once it is made."), {})
+            return
+        self.model.show_side(side)
+        self._bounds, self._side = mesh.bounds_mm, words
+        self.model.show_mesh(mesh)
+        if not again:
+            self.model.look_at_whole(mesh.bounds_mm)
+        self._place_words()
+
+    def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
+        """Mark places that break a limit, those of the chosen check stronger."""
+        self.model.scene.painter.show_spots(spots_mm, chosen_mm)
+        self.model.scene.request_render()
+
+    def show_block(self, edges: Sequence[FloatArray], again: bool) -> None:
+        """Draw the edges of a block, and show it as a whole, unless it is shown anew."""
+        if edges and not again:
+            corners = np.concatenate(edges)
+            self.model.look_at_whole(np.stack([corners.min(axis=0), corners.max(axis=0)]))
+        painter = self.model.scene.painter
+        painter.show_lines("block", edges, painter.scheme.accent, 2.0)
+        self.model.scene.request_render()
+
+    def look_at(self, place_mm: FloatArray, text: str) -> None:
+        """Bring a place into the middle, and write its number there."""
+        scene = self.model.scene
+        scene.painter.show_label(place_mm, text)
+        scene.set_camera(scene.camera.centred(place_mm))
+
+    def forget_label(self) -> None:
+        """Take the number away again."""
+        self.model.scene.painter.show_label(None, "")
+
+    def show_summary(self, text: str) -> None:
+        """Say what the piece is."""
+        self._summary.say(text)
+
+    def show_notes(self, sentences: Sequence[str]) -> None:
+        """Say what should be known; nothing hides it."""
+        self._notes.say_all(sentences)
+
+    def show_error(self, sentence: str) -> None:
+        """Say what went wrong; an empty sentence hides it."""
+        self._error.say(sentence)
+
+    def show_progress(self, fraction: float, text: str) -> None:
+        """Show how far the work is; nothing when there is none."""
+        self._progress.show_work(fraction, text)
+
+    def show_buttons(self, buttons: Buttons) -> None:
+        """Enable what can be pressed."""
+        self.export.setEnabled(buttons.export)
+        self.cancel.setVisible(buttons.cancel)
+        self.reason.setVisible(buttons.reason)
+        self._reason_label.setVisible(buttons.reason)
+
+    def patient_text(self) -> str:
+        """Give what is said of the patient."""
+        return self._patient.text()
+
+    def summary_text(self) -> str:
+        """Give what is said of the piece."""
+        return self._summary.text()
+
+    def error_text(self) -> str:
+        """Give the error that is shown."""
+        return self._error.text()
+
+    def notes_text(self) -> str:
+        """Give what is said beside the checks."""
+        return self._notes.text()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Give the columns the width that their style needs."""
+        super().showEvent(event)
+        self._fit_sides()
+
+    def _fit_sides(self) -> None:
+        for part, area, least_px in self._sides:
+            for widget in area.findChildren(QWidget):
+                widget.ensurePolished()
+            part.setFixedWidth(max(least_px, area.needed_px))
+
+    def _place_words(self) -> None:
+        self.model.scene.painter.show_directions(self._side, self._bounds)
+
+    def _choose_piece(self) -> None:
+        self.piece_chosen.emit(self.sender().property("piece"))
+
+    def _lay_out(self) -> None:
+        left, right, middle = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
+        left.addWidget(_heading(tr("Order")))
+        left.addWidget(self._form_area, 1)
+        self._piece_row.addStretch(1)
+        middle.addLayout(self._piece_row)
+        middle.addWidget(self.model, 1)
+        self._summary.setContentsMargins(8, 0, 8, 0)
+        middle.addWidget(self._summary)
+        right.addWidget(_heading(tr("Checks")))
+        right.addWidget(self._checks_area, 1)
+        for widget in (self._notes, self._error, self._reason_label, self.reason, self._progress):
+            right.addWidget(widget)
+        buttons = QHBoxLayout()
+        buttons.addWidget(self.cancel)
+        buttons.addWidget(self.export, 1)
+        right.addLayout(buttons)
+        layout = QHBoxLayout()
+        parts = []
+        for column in (left, middle, right):
+            part = QWidget()
+            column.setContentsMargins(0, 0, 0, 0)
+            column.setSpacing(8)
+            part.setLayout(column)
+            layout.addWidget(part)
+            parts.append(part)
+        layout.setStretch(1, 1)
+        self._sides = (
+            (parts[0], self._form_area, _FORM_PX),
+            (parts[2], self._checks_area, _CHECKS_PX),
+        )
+        whole = QVBoxLayout(self)
+        whole.addWidget(self._patient)
+        whole.addLayout(layout, 1)
+
+
+def _heading(text: str) -> QLabel:
+    label = QLabel(text)
+    label.setObjectName("heading")
+    return label

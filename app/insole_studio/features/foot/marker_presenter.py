@@ -1,0 +1,139 @@
+"""Between the colour image of a view and the corrections of its markers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, Protocol
+
+from insole_core.geometry.arrays import ByteArray
+from insole_core.recording.hand_edits import NamedSpot, Pixel, Region, ViewEdits
+from insole_core.workflows.session_editor import SessionEditor
+from insole_studio.features.foot.marker_marks import marks_of
+from insole_studio.features.foot.rows import Mark
+from insole_studio.texts import tr
+
+_SPOT_SHARE = 14 / 1280
+"""Half the width of what is ignored round a blue spot that is no marker."""
+
+
+class ImagePanel(Protocol):
+    """What shows a view's image, and its intents."""
+
+    marker_toggled: Any
+    marker_named: Any
+    marker_released: Any
+    marker_moved: Any
+    marker_dropped: Any
+    spot_ignored: Any
+    region_ignored: Any
+    region_searched: Any
+    regions_cleared: Any
+
+    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
+    def show_markers(  # noqa: D102
+        self, marks: Sequence[Mark], ids: Sequence[str], edits: ViewEdits
+    ) -> None: ...
+
+
+class MarkerPresenter:
+    """Shows one view at a time, and corrects its markers."""
+
+    def __init__(self, panel: ImagePanel) -> None:
+        self._panel = panel
+        self._work: SessionEditor | None = None
+        self.selected = ""
+        """The view that is shown."""
+        panel.marker_toggled.connect(self.toggle_marker)
+        panel.marker_named.connect(self.name_marker)
+        panel.marker_released.connect(self.release_marker)
+        panel.marker_moved.connect(self.move_marker)
+        panel.marker_dropped.connect(self.drop_marker)
+        panel.spot_ignored.connect(self.ignore_spot)
+        panel.region_ignored.connect(self.ignore_region)
+        panel.region_searched.connect(self.search_region)
+        panel.regions_cleared.connect(self.clear_regions)
+
+    def take(self, work: SessionEditor | None) -> None:
+        """Correct another session; the first view that needs it is shown."""
+        self._work, self.selected = work, ""
+        if work is not None:
+            troubled = (name for name in work.names if not work.results[name].used)
+            self.choose_view(next(troubled, work.names[0]))
+
+    def choose_view(self, name: str) -> None:
+        """Show another view's image."""
+        work = self._work
+        if work is not None and name != self.selected and name in work.results:
+            self.selected = name
+            if name in work.opened.measured:
+                self._panel.show_picture(work.opened.measured[name].color)
+            self.show()
+
+    def toggle_marker(self, marker: str) -> None:
+        """Exclude a marker, or include it again."""
+        if marker in self._edits.excluded:
+            self._apply(self._edits.with_included(marker), tr("Include {id}").format(id=marker))
+        else:
+            self._apply(self._edits.with_excluded(marker), tr("Exclude {id}").format(id=marker))
+
+    def name_marker(self, marker: str, pixel: Pixel, exact: bool) -> None:
+        """Say which marker a spot is, or that a marker is at a place."""
+        edits = self._edits.with_named(NamedSpot(marker, pixel, exact))
+        self._apply(edits, tr("Point at {id}").format(id=marker))
+
+    def release_marker(self, marker: str) -> None:
+        """Leave a marker to the automatic search."""
+        edits = self._edits.without_name(marker).with_included(marker)
+        self._apply(edits, tr("Search for {id}").format(id=marker))
+
+    def move_marker(self, marker: str, pixel: Pixel) -> None:
+        """Show where a marker would be, while the hand moves it."""
+        if self._work is not None:
+            edits = self._edits.with_named(NamedSpot(marker, pixel, exact=True))
+            self._work.preview(self.selected, edits)
+
+    def drop_marker(self, marker: str, pixel: Pixel) -> None:
+        """Say that a marker is where the hand has let it go."""
+        self.name_marker(marker, pixel, exact=True)
+
+    def ignore_spot(self, pixel: Pixel) -> None:
+        """Say that a blue spot is no marker."""
+        if self._work is not None:
+            half = _SPOT_SHARE * self._work.opened.measured[self.selected].color.shape[1]
+            u, v = pixel
+            corners = ((-half, -half), (half, -half), (half, half), (-half, half))
+            region = tuple((u + du, v + dv) for du, dv in corners)
+            self._apply(self._edits.with_ignored(region), tr("Ignore a blue spot"))
+
+    def ignore_region(self, region: Region) -> None:
+        """Say that a region shows no marker."""
+        self._apply(self._edits.with_ignored(region), tr("Ignore a region"))
+
+    def search_region(self, region: Region) -> None:
+        """Search in a region only."""
+        self._apply(replace(self._edits, searched=region), tr("Search in a region"))
+
+    def clear_regions(self) -> None:
+        """Search the whole image again."""
+        edits = replace(self._edits, searched=None, ignored=())
+        self._apply(edits, tr("Search the whole image"))
+
+    def show(self) -> None:
+        """Show the markers of the view as they are now."""
+        work = self._work
+        if work is None or self.selected not in work.opened.measured:
+            return
+        measured = work.opened.measured[self.selected]
+        system = work.opened.session.manifest.reference_system
+        ids = [marker.id for marker in system.facing(measured.view.sensor.faces)]
+        marks = marks_of(measured, work.results[self.selected], self._edits)
+        self._panel.show_markers(marks, ids, self._edits)
+
+    @property
+    def _edits(self) -> ViewEdits:
+        return ViewEdits() if self._work is None else self._work.edits.of(self.selected)
+
+    def _apply(self, edits: ViewEdits, sentence: str) -> None:
+        if self._work is not None:
+            self._work.apply(self._work.edits.with_view(self.selected, edits), sentence)

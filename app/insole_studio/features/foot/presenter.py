@@ -1,0 +1,424 @@
+"""Between the foot stage and the session that is reconstructed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from insole_core.errors import InsoleError
+from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_core.reconstruct import RegistrationLimits
+from insole_core.reconstruct.views.view_mesh import view_mesh
+from insole_core.recording.hand_edits import NO_EDITS, HandEdits
+from insole_core.recording.session import Box
+from insole_core.workflows.open_scan import ScannedFoot
+from insole_core.workflows.reconstruction_job import (
+    MadeFoot,
+    make_foot,
+    measure_session,
+)
+from insole_core.workflows.session_editor import SessionEditor
+from insole_studio.features.foot.foot_maps import color_foot
+from insole_studio.features.foot.marker_presenter import ImagePanel, MarkerPresenter
+from insole_studio.features.foot.rows import (
+    VIEW_COLORS,
+    Buttons,
+    FootMap,
+    Limits,
+    ViewRow,
+    view_row,
+)
+from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.scene.coloring import Coloring
+from insole_studio.texts import tr
+from insole_studio.view_names import view_text
+
+READING, MAKING = "read-session", "reconstruct"
+"""The channels of the jobs."""
+
+
+class ReconstructPanel(ImagePanel, Protocol):
+    """What the stage shows, and the intents it emits."""
+
+    view_chosen: Any
+    view_switched: Any
+    box_edited: Any
+    box_reset: Any
+    map_chosen: Any
+    limits_edited: Any
+    undo_requested: Any
+    redo_requested: Any
+    make_requested: Any
+    cancel_requested: Any
+    go_on_requested: Any
+
+    def show_session(self, name: str, side: Side) -> None: ...  # noqa: D102
+    def show_views(self, rows: Sequence[ViewRow], selected: str) -> None: ...  # noqa: D102
+    def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None: ...  # noqa: D102
+    def show_nothing(self, sentence: str) -> None: ...  # noqa: D102
+    def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None: ...  # noqa: D102
+    def show_box(self, box: Box) -> None: ...  # noqa: D102
+    def show_limits(self, limits: Limits) -> None: ...  # noqa: D102
+    def show_sentences(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
+    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
+    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+
+
+class ReconstructPresenter:
+    """Places the views anew at every correction, and makes the foot when asked.
+
+    Parameters
+    ----------
+    panel
+    jobs
+    limits
+        When the pose of a view is refused.
+    remember
+        Is told other limits.
+    hand_over
+        Is given a foot that is to be designed on.
+    ask
+        Whether to go on although a sentence speaks against it.
+    finished
+        Is told that the stage has done its work; with True when nothing runs any more.
+    needed_again
+        Is told that what the stage was left for cannot be had: there is something to put right.
+    unreadable
+        Is given the error when the session cannot be read at all.
+    """
+
+    def __init__(
+        self,
+        *,
+        panel: ReconstructPanel,
+        jobs: Jobs,
+        limits: RegistrationLimits,
+        remember: Callable[[RegistrationLimits], None],
+        hand_over: Callable[[ScannedFoot], None],
+        ask: Callable[[str], bool],
+        finished: Callable[[bool], None],
+        needed_again: Callable[[], None],
+        unreadable: Callable[[Exception], None],
+    ) -> None:
+        self._panel = panel
+        self._jobs = jobs
+        self._limits = limits
+        self._remember = remember
+        self._hand_over = hand_over
+        self._ask = ask
+        self._finished = finished
+        self._needed_again = needed_again
+        self._unreadable = unreadable
+        self._work: SessionEditor | None = None
+        self._markers = MarkerPresenter(panel)
+        self._meshes: dict[str, TriangleMesh] = {}
+        self._mesh_box: Box | None = None
+        self._map = FootMap.VIEWS
+        self._made: MadeFoot | None = None
+        self._handed: MadeFoot | None = None
+        self._trouble = ""
+        self._hands_over = False
+        """Whether the foot is to be handed over as soon as it is made."""
+        self._leaves = False
+        """Whether the stage is left with that."""
+        self._connect(panel)
+        panel.show_limits(_shown(limits))
+        self._show_buttons()
+
+    def open(self, path: Path, hand_over: bool) -> None:
+        """Read a session and make its foot; hand it over then, or leave that to the user."""
+        self._jobs.cancel(MAKING)  # another session's foot must not answer for this one
+        self._work = self._made = self._handed = None
+        self._markers.take(None)
+        self._hands_over, self._leaves = hand_over, False
+        self._trouble = ""
+
+        def read(progress: Progress) -> SessionEditor:
+            opened = measure_session(path, progress.part(0.0, 0.8))
+            return SessionEditor(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
+
+        self._panel.show_nothing(tr("The session is being read."))
+        self._jobs.start(READING, read, self._take_session, self._unreadable)
+        self._show_buttons()
+
+    @property
+    def box(self) -> Box | None:
+        """The volume of interest; None before there is a session."""
+        return None if self._work is None else self._work.box
+
+    @property
+    def edits(self) -> HandEdits:
+        """What was corrected by hand."""
+        return NO_EDITS if self._work is None else self._work.edits
+
+    def choose_view(self, name: str) -> None:
+        """Show another view's image."""
+        self._markers.choose_view(name)
+
+    def switch_view(self, name: str, on: bool) -> None:
+        """Use a view, or leave it out."""
+        edits = replace(self.edits.of(name), off=not on)
+        text = tr("Use the view {name}") if on else tr("Leave out the view {name}")
+        self._apply(self.edits.with_view(name, edits), text.format(name=view_text(name)))
+
+    def edit_box(self, box: Box) -> None:
+        """Take another volume of interest."""
+        edits = replace(self.edits, volume_of_interest=box)
+        self._apply(edits, tr("Change the volume"), merge_key="box")
+
+    def reset_box(self) -> None:
+        """Take the volume that was recorded."""
+        self._apply(replace(self.edits, volume_of_interest=None), tr("Reset the volume"))
+
+    def edit_limits(self, limits: Limits) -> None:
+        """Refuse poses from other limits on."""
+        self._limits = replace(
+            self._limits,
+            residual_mm=limits.residual_mm,
+            reprojection_px=limits.reprojection_px,
+            displacement_mm=limits.displacement_mm,
+        )
+        self._remember(self._limits)
+        if self._work is not None:
+            self._work.set_limits(self._limits)
+
+    def choose_map(self, kind: FootMap) -> None:
+        """Colour the foot otherwise."""
+        self._map = kind
+        self._show_foot()
+
+    def undo(self) -> None:
+        """Take the last correction back."""
+        if self._work is not None:
+            self._work.undo()
+
+    def redo(self) -> None:
+        """Do the last undone correction again."""
+        if self._work is not None:
+            self._work.redo()
+
+    def make(self, force: bool = False) -> None:
+        """Make the foot with the corrections of now."""
+        if self._work is None:
+            return
+        work, opened, limits = self._work, self._work.opened, self._limits
+        self._trouble = ""
+
+        def task(progress: Progress) -> MadeFoot:
+            return make_foot(
+                opened,
+                limits,
+                progress,
+                on_preview=lambda made: self._jobs.tell(lambda: self._take_preview(work, made)),
+                force=force,
+            )
+
+        self._jobs.start(MAKING, task, self._take_foot, self._take_trouble)
+        self._show_buttons()
+
+    def cancel(self) -> None:
+        """Stop what runs."""
+        for channel in (READING, MAKING):
+            self._jobs.cancel(channel)
+        self._hands_over = self._leaves = False
+        self._panel.show_progress(0.0, "")
+        self._show_buttons()
+
+    def go_on(self) -> None:
+        """Hand the foot over and leave; what is computed still follows when it is ready."""
+        self._leaves = True
+        running = self._jobs.is_running(MAKING)
+        if self._is_stale and not running:
+            self._hands_over = True
+            self.make()
+            return
+        if self._made is not None and self._made is not self._handed:
+            self._give(self._made)
+        self._hands_over = running
+        self._finished(not running)
+
+    def progressed(self, news: JobProgress) -> None:
+        """Show how far the work is."""
+        if news.channel in (READING, MAKING):
+            self._panel.show_progress(news.fraction, news.text)
+
+    @property
+    def _is_stale(self) -> bool:
+        made = self._made
+        return made is None or (made.edits, made.limits) != (self.edits, self._limits)
+
+    def _connect(self, panel: ReconstructPanel) -> None:
+        panel.view_chosen.connect(self.choose_view)
+        panel.view_switched.connect(self.switch_view)
+        panel.box_edited.connect(self.edit_box)
+        panel.box_reset.connect(self.reset_box)
+        panel.map_chosen.connect(self.choose_map)
+        panel.limits_edited.connect(self.edit_limits)
+        panel.undo_requested.connect(self.undo)
+        panel.redo_requested.connect(self.redo)
+        panel.make_requested.connect(self.make)
+        panel.cancel_requested.connect(self.cancel)
+        panel.go_on_requested.connect(self.go_on)
+
+    def _take_session(self, work: SessionEditor) -> None:
+        self._work = work
+        session = work.opened.session
+        self._panel.show_session(work.opened.path.stem, session.manifest.side)
+        self._panel.show_box(work.box)
+        self._markers.take(work)
+        self._take_change(frozenset(work.names))
+        self.make()
+
+    def _take_change(self, moved: frozenset[str]) -> None:
+        """Show the views, some of which may stand elsewhere now."""
+        if self._work is None:
+            return
+        if self._work.box != self._mesh_box:
+            self._mesh_box = self._work.box
+            self._panel.show_box(self._mesh_box)
+            moved = frozenset(self._work.names)
+        for name in moved:
+            self._meshes.pop(name, None)
+        self._trouble = self._work.trouble
+        self._show_views()
+        self._markers.show()
+        self._show_foot()
+        self._show_sentences()
+        self._show_buttons()
+
+    def _take_preview(self, work: SessionEditor, made: MadeFoot) -> None:
+        still = work is self._work and made.edits == self.edits
+        if still and self._jobs.is_running(MAKING):
+            self._made = made
+            self._show_foot()
+            self._show_buttons()
+
+    def _take_foot(self, made: MadeFoot) -> None:
+        self._made = made
+        self._panel.show_progress(0.0, "")
+        if self._hands_over:
+            self._hands_over = False
+            self._give(made)
+        if self._leaves:
+            self._finished(True)
+            return
+        self._show_foot()
+        self._show_sentences()
+        self._show_buttons()
+
+    def _take_trouble(self, error: Exception) -> None:
+        self._panel.show_progress(0.0, "")
+        if isinstance(error, SideMismatchError) and self._ask(str(error)):
+            self.make(force=True)
+            return
+        if not isinstance(error, InsoleError):
+            raise error
+        was_left, self._leaves = self._leaves, False
+        self._trouble = str(error)
+        self._show_sentences()
+        self._show_buttons()
+        if was_left:
+            self._needed_again()
+
+    def _give(self, made: MadeFoot) -> None:
+        self._handed = made
+        self._hand_over(made.scan)
+
+    def _apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
+        if self._work is not None:
+            self._work.apply(edits, sentence, merge_key)
+
+    def _show_views(self) -> None:
+        if self._work is not None:
+            rows = [
+                view_row(number, self._work.results[name], self.edits.of(name))
+                for number, name in enumerate(self._work.names)
+            ]
+            self._panel.show_views(rows, self._markers.selected)
+
+    def _show_foot(self) -> None:
+        possible = self._possible_maps()
+        if self._map not in possible:
+            self._map = FootMap.VIEWS
+        self._panel.show_map(self._map, possible)
+        if self._map is FootMap.VIEWS:
+            self._show_view_meshes()
+        elif self._made is not None:
+            self._panel.show_foot(self._made.mesh, color_foot(self._map, self._made))
+
+    def _possible_maps(self) -> list[FootMap]:
+        if self._made is None:
+            return [FootMap.VIEWS]
+        if self._made.reconstruction is None:
+            return [FootMap.VIEWS, FootMap.SKIN]
+        return list(FootMap)
+
+    def _show_view_meshes(self) -> None:
+        """Show every placed view in its own colour."""
+        if self._work is None:
+            return
+        results, measured = self._work.results, self._work.opened.measured
+        for number, name in enumerate(self._work.names):
+            pose = results[name].sensor2reference
+            if name not in self._meshes and pose is not None:
+                color = VIEW_COLORS[number % len(VIEW_COLORS)]
+                self._meshes[name] = view_mesh(measured[name], pose, self._work.box, color)
+        shown = [mesh for name, mesh in self._meshes.items() if results[name].used]
+        if shown:
+            self._panel.show_foot(_together(shown), None)
+        else:
+            self._panel.show_nothing(tr("No view is placed. Correct its markers, or tick a view."))
+
+    def _show_sentences(self) -> None:
+        sentences = [self._trouble] if self._trouble else self._troubles_of_views()
+        if self._made is not None and self._made.reconstruction is not None and not self._is_stale:
+            sentences += self._made.scan.warnings
+        self._panel.show_sentences(sentences)
+
+    def _troubles_of_views(self) -> list[str]:
+        """Say why views cannot be used as they are now, unless the foot's own warnings do."""
+        if self._work is None or not self._is_stale:
+            return []
+        return [
+            tr("View {name}: {reason}.").format(name=view_text(name), reason=result.reason)
+            for name, result in self._work.results.items()
+            if not result.used and not self.edits.of(name).off
+        ]
+
+    def _show_buttons(self) -> None:
+        busy = self._jobs.is_running(MAKING) or self._jobs.is_running(READING)
+        history = self._work.history if self._work is not None else None
+        self._panel.show_buttons(
+            Buttons(
+                make=self._work is not None and not busy,
+                cancel=busy,
+                go_on=self._made is not None and not (busy and self._is_stale),
+                undo=history.undo_sentence if history is not None else "",
+                redo=history.redo_sentence if history is not None else "",
+                is_stale=self._made is not None and self._is_stale,
+                has_session=self._work is not None,
+            )
+        )
+
+
+def _shown(limits: RegistrationLimits) -> Limits:
+    return Limits(limits.residual_mm, limits.reprojection_px, limits.displacement_mm)
+
+
+def _together(meshes: Sequence[TriangleMesh]) -> TriangleMesh:
+    """Several coloured meshes as one."""
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+    return TriangleMesh(
+        np.concatenate([mesh.vertices for mesh in meshes]),
+        np.concatenate(
+            [mesh.triangles + np.int32(start) for mesh, start in zip(meshes, starts, strict=True)]
+        ),
+        np.concatenate([mesh.colors for mesh in meshes if mesh.colors is not None]),
+    )

@@ -1,0 +1,162 @@
+"""The views and how well each of them is placed, a line each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from insole_studio.features.foot.rows import ViewRow
+from insole_studio.texts import tr
+from insole_studio.view_names import view_text
+
+_NAME = Qt.ItemDataRole.UserRole
+_CHIP_PX = 12
+_ROW_PX = 26
+_MOST_LINES = 5
+
+
+class ViewTable(QTableWidget):
+    """Shows the views; the tick of a line says whether its view is used."""
+
+    view_chosen = Signal(str)
+    view_switched = Signal(str, bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        columns = _columns()
+        self.setColumnCount(len(columns))
+        self.setHorizontalHeaderLabels([title for title, _tip, _text in columns])
+        for number, (_title, tip, _text) in enumerate(columns):
+            item = self.horizontalHeaderItem(number)
+            if item is not None:
+                item.setToolTip(tip)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
+        # In the dark theme an empty box would not be seen.
+        self.setStyleSheet("QTableView::indicator:unchecked { border: 1px solid palette(text); }")
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(len(columns) - 1, QHeaderView.ResizeMode.Stretch)
+        header.setHighlightSections(False)
+        self.currentCellChanged.connect(self._choose)
+        self.itemChanged.connect(self._switch)
+
+    def show_rows(self, rows: Sequence[ViewRow], selected: str) -> None:
+        """Show other lines."""
+        with QSignalBlocker(self):
+            self.setRowCount(len(rows))
+            for number, row in enumerate(rows):
+                self._show_row(number, row)
+                if row.name == selected:
+                    self.setCurrentCell(number, max(self.currentColumn(), 0))
+        lines = min(max(len(rows), 2), _MOST_LINES)
+        self.setFixedHeight(self.horizontalHeader().sizeHint().height() + lines * _ROW_PX + 4)
+
+    def text_at(self, row: int, title: str) -> str:
+        """Give what a line says under a heading."""
+        titles = [column[0] for column in _columns()]
+        item = self.item(row, titles.index(title))
+        return "" if item is None else item.text()
+
+    def _show_row(self, number: int, row: ViewRow) -> None:
+        for column, (_title, _tip, text) in enumerate(_columns()):
+            item = QTableWidgetItem(text(row))
+            if 0 < column < len(_columns()) - 1:
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            item.setToolTip(text(row))
+            if not row.is_used:
+                item.setForeground(self.palette().placeholderText())
+            self.setItem(number, column, item)
+        first = self.item(number, 0)
+        if first is not None:
+            first.setCheckState(Qt.CheckState.Checked if row.on else Qt.CheckState.Unchecked)
+            first.setIcon(_chip(row.color))
+            first.setData(_NAME, row.name)
+
+    def _choose(self, row: int, *_others: int) -> None:
+        item = self.item(row, 0)
+        if item is not None:
+            self.view_chosen.emit(item.data(_NAME))
+
+    def _switch(self, item: QTableWidgetItem) -> None:
+        if item.column() == 0:
+            on = item.checkState() is Qt.CheckState.Checked
+            self.view_switched.emit(item.data(_NAME), on)
+
+
+def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
+    """Heading, explanation and text of every column."""
+    return (
+        (tr("View"), tr("Tick: the view is used"), lambda row: view_text(row.name)),
+        (
+            tr("Markers"),
+            tr("Markers that determine the pose, of those that were found"),
+            lambda row: f"{row.used} / {row.found}",
+        ),
+        (
+            tr("Image, px"),
+            tr("Distance in the colour image from where the pose puts them, root mean square"),
+            lambda row: _number(row.reprojection_px, 2),
+        ),
+        (
+            tr("Mean, mm"),
+            tr("Distance of the markers in space from the reference system, mean"),
+            lambda row: _number(row.residual_mm and row.residual_mm[0], 1),
+        ),
+        (
+            tr("RMS, mm"),
+            tr("Distance of the markers in space from the reference system, root mean square"),
+            lambda row: _number(row.residual_mm and row.residual_mm[1], 1),
+        ),
+        (
+            tr("Max, mm"),
+            tr("Distance of the markers in space from the reference system, the greatest"),
+            lambda row: _number(row.residual_mm and row.residual_mm[2], 1),
+        ),
+        (
+            tr("At foot, mm"),
+            tr("How uncertain the pose leaves the place of the foot (standard deviation)"),
+            lambda row: f"± {row.displacement_mm:.1f}" if row.displacement_mm else "–",
+        ),
+        (
+            tr("Frames"),
+            tr("Depth frames that are used, of those that were recorded"),
+            lambda row: f"{row.frames - row.left_out} / {row.frames}" if row.frames else "–",
+        ),
+        (tr("Remarks"), tr("Why a view is not used, or what is to be known of it"), _remark),
+    )
+
+
+def _remark(row: ViewRow) -> str:
+    if not row.on:
+        return tr("Left out by hand")
+    return row.trouble[:1].upper() + row.trouble[1:] or tr("Good")
+
+
+def _number(value: float | None, decimals: int) -> str:
+    return "–" if value is None else f"{value:.{decimals}f}"
+
+
+def _chip(color: tuple[int, int, int]) -> QIcon:
+    chip = QPixmap(_CHIP_PX, _CHIP_PX)
+    chip.fill(QColor("white"))
+    painter = QPainter(chip)
+    painter.fillRect(1, 1, _CHIP_PX - 2, _CHIP_PX - 2, QColor(*color))
+    painter.end()
+    icon = QIcon(chip)
+    icon.addPixmap(chip, QIcon.Mode.Selected)  # or else it is tinted with the selection
+    return icon
