@@ -19,10 +19,10 @@ from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
-from insole_studio.bootstrap import UserPaths
+from insole_studio.app.bootstrap import UserPaths
+from insole_studio.app.scripted import ScriptedStudio, grab
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import ReconstructStage
-from insole_studio.scripted import ScriptedStudio, grab
 
 DOCS = Path(__file__).parent
 EXAMPLE = resource_path("example/example.insole")

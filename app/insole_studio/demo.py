@@ -52,7 +52,7 @@ def _simulate() -> None:
 
 
 def _interactive() -> int:
-    from insole_studio.bootstrap import run_application
+    from insole_studio.app.bootstrap import run_application
 
     return run_application([SESSION])
 
@@ -70,8 +70,8 @@ def _virtual() -> int:
 
 
 def _scripted() -> int:
-    from insole_studio.bootstrap import UserPaths
-    from insole_studio.scripted import ScriptedStudio
+    from insole_studio.app.bootstrap import UserPaths
+    from insole_studio.app.scripted import ScriptedStudio
 
     places = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
     with ScriptedStudio(places) as studio:

@@ -19,9 +19,9 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Application, UserPaths, build_application
-from insole_studio.scripted import ScriptedStudio
-from insole_studio.shell.questions import Answer, SameSide
+from insole_studio.app.bootstrap import Application, UserPaths, build_application
+from insole_studio.app.scripted import ScriptedStudio
+from insole_studio.services.questions import Answer, SameSide
 
 LENGTH_MM = 250.0
 

@@ -11,9 +11,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from insole_core.geometry.side import Side
+from insole_studio.app.scripted import ScriptedStudio, grab
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.scene.scene_view import SceneView
-from insole_studio.scripted import ScriptedStudio, grab
 from insole_studio.widgets.number_field import NumberField
 
 MANUAL = os.environ.get("INSOLE_STUDIO_MANUAL")

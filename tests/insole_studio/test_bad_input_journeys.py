@@ -21,7 +21,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import BrushStroke, Posting
 from insole_core.resources import resource_path
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.key_point_tool import shown_points
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField

@@ -11,14 +11,14 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import UserPaths, run_application
+from insole_studio.app.bootstrap import UserPaths, run_application
+from insole_studio.app.main_window import MainWindow
+from insole_studio.app.scripted import ScriptedStudio
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
-from insole_studio.scripted import ScriptedStudio
+from insole_studio.services.questions import Answer
 from insole_studio.settings import load_settings
-from insole_studio.shell.main_window import MainWindow
-from insole_studio.shell.questions import Answer
 
 
 def test_the_whole_journey_by_program(

@@ -20,10 +20,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
-from insole_studio.bootstrap import Application, UserPaths
+from insole_studio.app.bootstrap import Application, UserPaths
 from insole_studio.document.autosave import Recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
-from insole_studio.shell.questions import SameSide
+from insole_studio.services.questions import SameSide
 
 LEFT_BUTTON = Qt.MouseButton.LeftButton
 Settle = Callable[[], None]

@@ -21,7 +21,7 @@ from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.widgets.number_field import NumberField
 
 INK_AT = (-10.0, 150.0)

@@ -19,10 +19,10 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.open_scan import ScannedFoot
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
+from insole_studio.app.scripted import grab_window
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
-from insole_studio.scripted import grab_window
 
 MIDDLE = Qt.MouseButton.MiddleButton
 

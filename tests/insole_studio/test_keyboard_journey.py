@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.insole.prescription.design import Pelott, Posting
-from insole_studio.bootstrap import UserPaths
+from insole_studio.app.bootstrap import UserPaths
+from insole_studio.app.scripted import ScriptedStudio
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
-from insole_studio.scripted import ScriptedStudio
-from insole_studio.shell.questions import Questions
+from insole_studio.services.questions import Questions
 
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier

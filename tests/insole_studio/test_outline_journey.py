@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from insole_core.insole.prescription.design import Outline
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField

@@ -16,7 +16,7 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_core.workflows.foot_landmarks import metatarsal_line
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.features.design.tools.metatarsal_line import USUAL_MM, clearance

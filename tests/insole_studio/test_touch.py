@@ -8,9 +8,9 @@ import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QScrollArea, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
+from insole_studio.app.theme import apply_theme
 from insole_studio.features.foot.view import ReconstructView
-from insole_studio.shell.theme import apply_theme
 from insole_studio.widgets.number_field import NumberField
 
 SMALL = (1366, 728)

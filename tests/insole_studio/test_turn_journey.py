@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLabel
 
 from insole_core.foot.alignment import pose_angles
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
 from insole_studio.widgets.number_field import NumberField

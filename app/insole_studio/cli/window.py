@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Open the window and stay until it is closed."""
-    from insole_studio.bootstrap import run_application
+    from insole_studio.app.bootstrap import run_application
 
     paths = [arguments.path] if arguments.path else []
     sys.exit(run_application(paths, emulate=arguments.emulate))

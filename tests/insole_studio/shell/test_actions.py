@@ -5,10 +5,10 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QLineEdit, QTreeWidget
 
-from insole_studio.bootstrap import Application
-from insole_studio.shell.actions import ACTIONS
-from insole_studio.shell.keys import key_sections
-from insole_studio.shell.menus import MAPS, MENUS, PADS, RECENT, SEPARATOR, TOOLBAR
+from insole_studio.app.actions import ACTIONS
+from insole_studio.app.bootstrap import Application
+from insole_studio.app.key_reference import key_sections
+from insole_studio.app.menus import MAPS, MENUS, PADS, RECENT, SEPARATOR, TOOLBAR
 from insole_studio.widgets.key_help import KeyHelp
 
 KEYS = [record.key for record in ACTIONS]

@@ -10,7 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_studio.bootstrap import Application, UserPaths, build_application
+from insole_studio.app.bootstrap import Application, UserPaths, build_application
 from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.capture.stage import CaptureStage
 

@@ -16,9 +16,9 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
 from insole_core.progress import Progress
-from insole_studio.bootstrap import Application
-from insole_studio.scripted import grab_window
-from insole_studio.shell.questions import Answer
+from insole_studio.app.bootstrap import Application
+from insole_studio.app.scripted import grab_window
+from insole_studio.services.questions import Answer
 from insole_studio.widgets.error_dialog import ErrorDialog
 
 Settle = Callable[[], None]

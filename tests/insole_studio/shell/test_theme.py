@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtGui import QColor
 
+from insole_studio.app.theme import DARK, LIGHT, Colors
 from insole_studio.scene.painter import Scheme
-from insole_studio.shell.theme import DARK, LIGHT, Colors
 from insole_studio.widgets.side_badge import COLORS
 
 TEXT, GRAPHICS = 4.5, 3.0

@@ -23,7 +23,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.pad_library import load_pads
-from insole_studio.bootstrap import make_tools
+from insole_studio.app.bootstrap import make_tools
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, SectionPlane

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_studio.shell.theme import DARK, LIGHT, apply_theme
+from insole_studio.app.theme import DARK, LIGHT, apply_theme
 from insole_studio.widgets.link_label import LinkLabel
 
 

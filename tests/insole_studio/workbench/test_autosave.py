@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.geometry.side import Side
-from insole_studio.bootstrap import Application, UserPaths, build_application
+from insole_studio.app.bootstrap import Application, UserPaths, build_application
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs

@@ -18,11 +18,11 @@ from insole_core.workflows.open_scan import ScannedFoot, open_scan
 from insole_core.workflows.template_transfer import last_design
 from insole_studio.document.autosave import Autosave, Recovered
 from insole_studio.features.case_files.save_actions import SaveActions
-from insole_studio.shell.desk import AppServices
-from insole_studio.shell.dialogue import LONG_MS
-from insole_studio.shell.file_kinds import case_kinds, scan_kinds
-from insole_studio.shell.questions import SameSide
-from insole_studio.shell.recent import RecentFiles
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.file_kinds import case_kinds, scan_kinds
+from insole_studio.services.questions import SameSide
+from insole_studio.services.recent_files import RecentFiles
+from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
 
 CHANNEL = "open"

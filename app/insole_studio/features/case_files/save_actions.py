@@ -10,10 +10,10 @@ from insole_core.cases.case_file import write_case
 from insole_core.progress import Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
-from insole_studio.shell.desk import AppServices
-from insole_studio.shell.file_kinds import case_kinds
-from insole_studio.shell.questions import Answer
-from insole_studio.shell.recent import RecentFiles
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.file_kinds import case_kinds
+from insole_studio.services.questions import Answer
+from insole_studio.services.recent_files import RecentFiles
 from insole_studio.texts import tr
 
 CHANNEL = "save"

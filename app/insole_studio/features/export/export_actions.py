@@ -14,12 +14,12 @@ from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_e
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.make_order import OrderChoice, make_pieces
+from insole_studio.app.workflow_steps import whose
 from insole_studio.features.case_files.save_actions import file_stem
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.features.export.stage import ExportStage
-from insole_studio.shell.desk import AppServices
-from insole_studio.shell.stage_window import StageWindow
-from insole_studio.shell.steps import whose
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
 
 CHANNEL = "export"

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 
 from insole_studio.features.foot.stage import ReconstructStage
-from insole_studio.shell.stage_window import StageWindow
+from insole_studio.services.stage_window import StageWindow
 
 
 class FootWindow(StageWindow[ReconstructStage]):

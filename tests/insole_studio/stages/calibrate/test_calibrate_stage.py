@@ -14,7 +14,7 @@ from simulated_folders import BOARD, write_boards, write_walls
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
-from insole_studio.bootstrap import Application
+from insole_studio.app.bootstrap import Application
 from insole_studio.features.calibrate.rows import BoardSize
 from insole_studio.features.calibrate.stage import CalibrateStage
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from insole_core.geometry.side import Side
 from insole_studio.document.side_by_side import Beside
-from insole_studio.shell.action_record import ActionRecord
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 
 

@@ -8,7 +8,7 @@ from insole_core.export.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
 from insole_studio.document.case import Case
 from insole_studio.features.design.patient.measure_texts import table_of
-from insole_studio.shell.dialogue import UserMessages
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_studio.document.case import Case
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings
-from insole_studio.shell.dialogue import UserMessages
 from insole_studio.texts import tr
 
 

@@ -26,8 +26,8 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.shell.dialogue import LONG_MS, UserMessages
-from insole_studio.shell.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
+from insole_studio.services.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
+from insole_studio.services.user_messages import LONG_MS, UserMessages
 from insole_studio.texts import tr
 
 

@@ -16,8 +16,8 @@ from insole_core.workflows.earlier_designs import find_last_design, identity
 from insole_core.workflows.template_transfer import fitted, prescribed_at
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.correction_names import name_of
-from insole_studio.shell.desk import AppServices
-from insole_studio.shell.recent import RecentFiles
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.recent_files import RecentFiles
 from insole_studio.texts import tr
 
 CHANNEL = "earlier"

@@ -26,6 +26,15 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.acquisition.capture_plan import parse_assignment
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.app.action_context import ActionContext
+from insole_studio.app.appearance import Appearance
+from insole_studio.app.help_actions import HelpActions
+from insole_studio.app.key_reference import key_sections
+from insole_studio.app.keyboard_navigation import KeyboardNavigation
+from insole_studio.app.main_controller import MainController
+from insole_studio.app.main_window import MainWindow
+from insole_studio.app.status_bar import StatusBar
+from insole_studio.app.theme import apply_theme, is_dark
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
@@ -65,21 +74,12 @@ from insole_studio.features.export.stage import ExportStage
 from insole_studio.features.foot.foot_window import FootWindow
 from insole_studio.features.foot.stage import ReconstructStage
 from insole_studio.jobs import Jobs
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.notices import Notices
+from insole_studio.services.recent_files import RecentFiles
+from insole_studio.services.stage_window import StageWindow
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings, save_settings
-from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.desk import AppServices
-from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.guide import HelpActions
-from insole_studio.shell.keys import key_sections
-from insole_studio.shell.main_window import MainWindow
-from insole_studio.shell.navigating import KeyboardNavigation
-from insole_studio.shell.notices import Notices
-from insole_studio.shell.recent import RecentFiles
-from insole_studio.shell.rooms import ActionContext
-from insole_studio.shell.stage_window import StageWindow
-from insole_studio.shell.status_bar import StatusBar
-from insole_studio.shell.studio import MainController
-from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.texts import load_language
 
 log = logging.getLogger(__name__)

@@ -13,15 +13,15 @@ from PySide6.QtWidgets import QWidget
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
-from insole_studio.bootstrap import (
+from insole_studio.app.bootstrap import (
     DEFAULT_SIZE,
     Application,
     UserPaths,
     build_application,
     qt_application,
 )
+from insole_studio.app.scripted_answers import AnsweredQuestions, ScriptedAnswers
 from insole_studio.scene.scene_view import SceneView
-from insole_studio.shell.answers import AnsweredQuestions, ScriptedAnswers
 from insole_studio.texts import tr
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs, Result, Task
-from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.notices import Notices
+from insole_studio.services.notices import Notices
+from insole_studio.services.user_messages import UserMessages
 
 
 @dataclass(frozen=True, eq=False)

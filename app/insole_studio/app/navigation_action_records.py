@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from insole_studio.shell.action_record import ActionRecord
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 
 NAVIGATION_ACTIONS: tuple[ActionRecord, ...] = (

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from insole_studio.shell.actions import ACTIONS
-from insole_studio.shell.menus import MENUS
+from insole_studio.app.actions import ACTIONS
+from insole_studio.app.menus import MENUS
 from insole_studio.texts import tr
 from insole_studio.widgets.key_help import Line
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow
 
 from insole_core.errors import InsoleError
-from insole_studio.shell.questions import Questions
+from insole_studio.services.questions import Questions
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.error_dialog import ErrorDialog
 

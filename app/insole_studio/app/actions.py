@@ -13,12 +13,12 @@ from insole_core.insole.prescription.design import (
     HeelSkive,
     Posting,
 )
+from insole_studio.app.navigation_action_records import NAVIGATION_ACTIONS
 from insole_studio.features.design.actions.feet_action_records import FOOT_ACTIONS
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.scene.view_camera import Preset
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.settings import Language
-from insole_studio.shell.action_record import ActionRecord
-from insole_studio.shell.navigation_actions import NAVIGATION_ACTIONS
 from insole_studio.texts import tr
 
 

@@ -8,10 +8,10 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
+from insole_studio.app.theme import apply_theme, is_dark
 from insole_studio.features.design.stage import DesignStage
+from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Language, Settings
-from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.theme import apply_theme, is_dark
 from insole_studio.texts import tr
 
 LAYOUT_REST_MS = 600

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from insole_studio.shell.rooms import ActionContext
+from insole_studio.app.action_context import ActionContext
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.features.design.stage import DesignStage
-from insole_studio.shell.action_record import ActionRecord
-from insole_studio.shell.actions import ACTIONS
-from insole_studio.shell.menus import (
+from insole_studio.app.actions import ACTIONS
+from insole_studio.app.menus import (
     BESIDE_KEYS,
     MAP_KEYS,
     MAPS,
@@ -29,7 +27,9 @@ from insole_studio.shell.menus import (
     STRIP,
     TOOLBAR,
 )
-from insole_studio.shell.status_bar import StatusBar
+from insole_studio.app.status_bar import StatusBar
+from insole_studio.features.design.stage import DesignStage
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.tab_order import go_on

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
+from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.settings import Settings
-from insole_studio.shell.tour_stops import tour_stops
 from insole_studio.texts import tr
 from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from PySide6.QtWidgets import QMainWindow
 
+from insole_studio.app.appearance import Appearance
+from insole_studio.app.help_actions import HelpActions
+from insole_studio.app.keyboard_navigation import KeyboardNavigation
 from insole_studio.features.calibrate.stage import CalibrateStage
 from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.case_files.open_actions import OpenActions
@@ -22,12 +25,9 @@ from insole_studio.features.design.actions.variant_actions import VariantActions
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.features.export.export_actions import ExportActions
 from insole_studio.features.foot.foot_window import FootWindow
-from insole_studio.shell.appearance import Appearance
-from insole_studio.shell.dialogue import UserMessages
-from insole_studio.shell.guide import HelpActions
-from insole_studio.shell.navigating import KeyboardNavigation
-from insole_studio.shell.notices import Notices
-from insole_studio.shell.stage_window import StageWindow
+from insole_studio.services.notices import Notices
+from insole_studio.services.stage_window import StageWindow
+from insole_studio.services.user_messages import UserMessages
 
 
 @dataclass(frozen=True, eq=False)

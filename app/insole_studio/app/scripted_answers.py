@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.side import Side
-from insole_studio.shell.questions import Answer, Questions, SameSide
+from insole_studio.services.questions import Answer, Questions, SameSide
 
 
 @dataclass
