@@ -21,7 +21,7 @@ from insole_core.simulate.ray_caster import SceneCaster
 from insole_core.simulate.scene import build_scene, load_reference_system
 from training.feet import varied_foot
 from training.light import varied_shading
-from training.things import varied_thing
+from training.random_objects import varied_thing
 
 _FRAMES = 6
 _NO_FOOT = 6

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.errors import KinectError
+from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.modes import MODES
 from kinect_v1.motor import Led
 from kinect_v1.streams import Stream

@@ -13,7 +13,6 @@ from kinect_samples import FRAMES, SERIALS, SPEED, Footage, Images, make_calibra
 
 from kinect_v1 import commands
 from kinect_v1.calibration import RGB_DISTANCE_CM
-from kinect_v1.camera import CameraSettings, ColorSettings, open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.faults import Fault, FaultKind
@@ -32,6 +31,7 @@ from kinect_v1.errors import (
     UnpluggedError,
     UnsupportedError,
 )
+from kinect_v1.kinect_camera import CameraSettings, ColorSettings, open_camera
 from kinect_v1.models import Model
 from kinect_v1.modes import (
     BAYER_640,

@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 from kinect_samples import SERIALS, make_calibration
 
-from kinect_v1.camera import open_camera
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.errors import UnsupportedError
+from kinect_v1.kinect_camera import open_camera
 from kinect_v1.models import Model
 from kinect_v1.motor import Led, Posture
 from kinect_v1.usb_bus import UsbBus

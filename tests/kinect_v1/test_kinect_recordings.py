@@ -14,10 +14,10 @@ import pytest
 from emulated_usbfs import HERE, SYSTEM_PYTHON, require_libfreenect
 from kinect_samples import SERIALS, Images, make_calibration
 
-from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.playback import recorded_kinect
 from kinect_v1.errors import RecordingError
+from kinect_v1.kinect_camera import open_camera
 from kinect_v1.modes import BAYER_640, BAYER_1280, DEPTH_11, IR_640, StreamMode
 from kinect_v1.motor import Posture
 from kinect_v1.pixels import demosaic

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from kinect_samples import SPEED
 
-from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
+from kinect_v1.kinect_camera import open_camera
 from kinect_v1.models import Model
 from kinect_v1.modes import BAYER_1280
 from kinect_v1.pixels import demosaic, mosaic

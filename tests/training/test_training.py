@@ -11,7 +11,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.neighbourhood import FEATURES
 from training.feet import varied_foot
 from training.network import drawn, fit
-from training.things import varied_thing
+from training.random_objects import varied_thing
 from training.views import Example, simulate_examples
 
 

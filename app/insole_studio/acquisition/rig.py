@@ -16,8 +16,8 @@ from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_status import FoundSensor
 from insole_studio.acquisition.factory_calibration import factory_sensor
 from insole_studio.acquisition.sensor_errors import NoSensorFoundError, SensorError, translating
-from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.errors import KinectError
+from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode
 from kinect_v1.motor import Led, Posture
 from kinect_v1.pixels import demosaic

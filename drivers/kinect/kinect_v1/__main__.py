@@ -10,10 +10,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kinect_v1 import modes
-from kinect_v1.camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.playback import recorded_kinect
 from kinect_v1.errors import KinectError, NoSensorError, UnsupportedError
+from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera
 from kinect_v1.modes import StreamMode
 from kinect_v1.motor import Posture
 from kinect_v1.recordings import recording_folder

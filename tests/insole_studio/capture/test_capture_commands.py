@@ -14,10 +14,10 @@ from capture_samples import color_mosaic, depth_frames
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition import draft
 from insole_studio.cli.main import run
-from kinect_v1.camera import open_camera
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
+from kinect_v1.kinect_camera import open_camera
 from kinect_v1.models import Model
 from kinect_v1.modes import BAYER_640
 from kinect_v1.pixels import demosaic, mosaic
