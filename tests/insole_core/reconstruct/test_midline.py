@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from small_sheets import flat, sheet_of
+from small_range_meshes import flat, sheet_of
 
 from insole_core.reconstruct.views.midline import cut_at_midline, fit_midline
 

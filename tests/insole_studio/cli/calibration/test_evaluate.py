@@ -176,7 +176,7 @@ def test_marked_points_of_an_object(perfect, tmp_path: Path) -> None:
 def spotted(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The blue markers round a foot as the known object, seen by a sensor from two sides."""
     folder = tmp_path_factory.mktemp("spotted")
-    small = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
+    small = Path(__file__).parents[3] / "data" / "sessions" / "left_small.zip"
     session = read_session(small)
     for number, view in enumerate(session.views[:2]):
         color = np.ascontiguousarray(view.read_color(0)[..., ::-1])

@@ -25,7 +25,7 @@ from insole_core.recording.hand_edits_file import write_edits
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
 
-SMALL_SESSION = Path(__file__).parents[1] / "data" / "sessions" / "left_small.zip"
+SMALL_SESSION = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
 
 def last_line(capsys: pytest.CaptureFixture[str]) -> str:

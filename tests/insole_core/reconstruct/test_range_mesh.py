@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import numpy as np
-from small_sheets import CAMERA, flat, sheet_of
+from small_range_meshes import CAMERA, flat, sheet_of
 
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.views.range_mesh import join, without_small_pieces
