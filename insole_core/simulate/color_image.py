@@ -64,7 +64,7 @@ def record_color(
 
 
 def _pixel_rays(camera: PinholeCamera) -> FloatArray:
-    """Like `PinholeCamera.pixel_rays`, but solved on a coarse grid and interpolated: 60 times faster.
+    """Like `PinholeCamera.pixel_rays`, but interpolated between a coarse grid: 60 times faster.
 
     A lens is so smooth that this is exact to 0.01 px.
     """

@@ -88,8 +88,8 @@ def deliver(
         for insole, part in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
     )
     pseudonym = {"pseudonym": arguments.pseudonym} if arguments.pseudonym else {}
-    export_job.deliver(
-        export_job.Delivery(
+    export_job.run_export_job(
+        export_job.ExportJob(
             pieces,
             shop,
             identification=pseudonym,

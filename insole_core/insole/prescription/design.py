@@ -1,6 +1,6 @@
 """The prescription of one insole as an immutable value; every surface is derived from it.
 
-The JSON form is documented in docs/formats/design.md and read by `insole_core.insole.prescription.design_json`.
+The JSON form is documented in docs/formats/design.md and read by the module `design_json`.
 All places are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the rearmost heel point.
 """
 
