@@ -10,10 +10,10 @@ from insole_core.errors import InsoleError
 from insole_studio.app.action_context import ActionContext
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.main_window import MainWindow
-from insole_studio.app.workflow_steps import session_of, steps_of, whose
+from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
-from insole_studio.features.case_files.save_actions import case_name
+from insole_studio.document.case_name import case_name, whose
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.services.recent_files import RecentFiles
 from insole_studio.settings import Settings

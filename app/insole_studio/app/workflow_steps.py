@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.cases.case_record import CaseRecord
-from insole_core.geometry.side import Side
 from insole_studio.texts import tr
 from insole_studio.widgets.step_strip import StepState, WorkflowStep
 
@@ -38,20 +37,6 @@ def session_of(record: CaseRecord) -> Path | None:
     if source is None or source.kind != "session" or not Path(source.path).exists():
         return None
     return Path(source.path)
-
-
-def whose(record: CaseRecord) -> str:
-    """Say whose case it is, and which foot."""
-    side = {Side.LEFT: tr("LEFT foot"), Side.RIGHT: tr("RIGHT foot")}
-    foot = record.current
-    words = (
-        record.patient.name,
-        side[foot.side] if foot is not None else "",
-        tr("Variant {name}").format(name=foot.chosen)
-        if foot is not None and len(foot.variants) > 1
-        else "",
-    )
-    return "  ·  ".join(word for word in words if word)
 
 
 def _state(done: bool, current: bool) -> StepState:

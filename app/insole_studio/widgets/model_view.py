@@ -19,8 +19,8 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.features.design.models.rear_lines import RearLines
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.secondary_mesh import NameLabel
@@ -146,7 +146,7 @@ class ModelView(QWidget):
         self.scene.painter.show_moved(step)
         self.scene.request_render()
 
-    def show_axes(self, axes: RearLines | None) -> None:
+    def show_axes(self, axes: GuideLines | None) -> None:
         """Draw the lines seen from behind, and their angle."""
         lines = () if axes is None else axes.lines
         self.scene.painter.show_lines("axes", lines, self.scene.painter.scheme.accent, 2.5)

@@ -46,7 +46,7 @@ class OpenActions:
     ) -> None:
         self._services = services
         self._case = services.case
-        self._dialogue = services.messages
+        self._messages = services.messages
         self._notices = services.notices
         self._recent = recent
         self._saving = saving
@@ -58,26 +58,26 @@ class OpenActions:
         try:
             kind = kind_of(path)
         except InsoleError as error:
-            self._dialogue.show_error(error)
+            self._messages.show_error(error)
             return
         if kind == "case":
             self._open_case(path)
         elif kind == "mesh":
-            self._open_mesh(path, side or self._dialogue.questions.which_side(path))
+            self._open_mesh(path, side or self._messages.questions.which_side(path))
         else:
             self._open_session(path.parent if kind == "manifest" else path)
 
     def ask_open_case(self) -> None:
         """Let the user choose a case."""
-        self._open_chosen(self._dialogue.questions.file_to_open(case_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(case_kinds()))
 
     def ask_open_session(self) -> None:
         """Let the user choose the folder of a session."""
-        self._open_chosen(self._dialogue.questions.folder_to_open())
+        self._open_chosen(self._messages.questions.folder_to_open())
 
     def ask_open_mesh(self) -> None:
         """Let the user choose an archive or a mesh."""
-        self._open_chosen(self._dialogue.questions.file_to_open(scan_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(scan_kinds()))
 
     def new_case(self) -> None:
         """Begin with an empty case."""
@@ -90,7 +90,7 @@ class OpenActions:
     def offer_recovered(self, recovered: Recovered) -> None:
         """Open what a crash has left; it stays unsaved, under a copy of this window's own."""
         self._case.open(recovered.record, recovered.path, unsaved=True)
-        self._dialogue.say(
+        self._messages.say(
             tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
         )
         self._autosave.write_now()
@@ -114,7 +114,7 @@ class OpenActions:
         if len(notes) > LINE_LETTERS:
             self._notices.put(NOTICE, notes)
         else:
-            self._dialogue.say(notes, LONG_MS)
+            self._messages.say(notes, LONG_MS)
 
     def _open_chosen(self, path: Path | None) -> None:
         if path is not None:
@@ -140,10 +140,10 @@ class OpenActions:
 
         def failed(error: Exception) -> None:
             if isinstance(error, SideMismatchError):
-                if self._dialogue.questions.open_anyway(str(error)):
+                if self._messages.questions.open_anyway(str(error)):
                     self._open_mesh(path, side, force=True)
             else:
-                self._dialogue.show_error(error)
+                self._messages.show_error(error)
 
         def task(progress: Progress) -> ScannedFoot:
             return open_scan(path, side, force=force, progress=progress)
@@ -155,7 +155,7 @@ class OpenActions:
     ) -> None:
         def opened(scanned: ScannedFoot) -> None:
             if scanned.warnings:
-                self._dialogue.show_sentence(
+                self._messages.show_sentence(
                     " ".join(map(translate_core_message, scanned.warnings))
                 )
             self.take_scan(scanned)
@@ -178,7 +178,7 @@ class OpenActions:
             return
         answer = SameSide.REPLACE
         if not _is_untouched(before):
-            answer = self._dialogue.questions.about_same_side(foot.side)
+            answer = self._messages.questions.about_same_side(foot.side)
         if answer is SameSide.REPLACE:
             foot = replace(foot, earlier=last_design(before))
             self._case.apply(foot, tr("Put a new scan into the place of the old"))

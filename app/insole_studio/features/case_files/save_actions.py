@@ -9,7 +9,7 @@ from typing import TypeAlias
 from insole_core.cases.case_file import write_case
 from insole_core.progress import Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
-from insole_studio.document.case import Case
+from insole_studio.document.case_name import case_name, file_stem
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds
 from insole_studio.services.questions import Answer
@@ -30,7 +30,7 @@ class SaveActions:
     def __init__(self, services: AppServices, recent: RecentFiles) -> None:
         self._services = services
         self._case = services.case
-        self._dialogue = services.messages
+        self._messages = services.messages
         self._recent = recent
 
     def save(self) -> None:
@@ -43,7 +43,7 @@ class SaveActions:
     def ask_save(self, then: Then = _nothing) -> None:
         """Let the user choose where to save."""
         suggestion = f"{file_stem(self._case)}{CASE_SUFFIX}"
-        path = self._dialogue.questions.file_to_write(suggestion, case_kinds())
+        path = self._messages.questions.file_to_write(suggestion, case_kinds())
         if path is not None:
             self.save_to(path.with_suffix(CASE_SUFFIX), then)
 
@@ -67,24 +67,10 @@ class SaveActions:
         if not self._case.has_unsaved_changes or self._case.is_empty:
             then()
             return
-        answer = self._dialogue.questions.about_unsaved(case_name(self._case))
+        answer = self._messages.questions.about_unsaved(case_name(self._case))
         if answer is Answer.DISCARD:
             then()
         elif answer is Answer.SAVE and self._case.path is not None:
             self.save_to(self._case.path, then)
         elif answer is Answer.SAVE:
             self.ask_save(then)
-
-
-def case_name(case: Case) -> str:
-    """Call the open case by its file, or its patient."""
-    if case.path is not None:
-        return case.path.stem
-    return case.record.patient.name or tr("New case")
-
-
-def file_stem(case: Case) -> str:
-    """Propose the name of a file, with the side of the foot at hand."""
-    name = case_name(case) if case.record.patient.name or case.path else "insole"
-    side = case.side
-    return f"{name}-{side.value}" if side is not None and side.value not in name else name

@@ -14,8 +14,7 @@ from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_e
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.make_order import OrderChoice, make_pieces
-from insole_studio.app.workflow_steps import whose
-from insole_studio.features.case_files.save_actions import file_stem
+from insole_studio.document.case_name import file_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.services.app_services import AppServices
@@ -50,7 +49,7 @@ class ExportActions(QObject):
         super().__init__(parent)
         self._services = services
         self._case = services.case
-        self._dialogue = services.messages
+        self._messages = services.messages
         self.exported: CaseRecord | None = None
         """What was exported last."""
         self._make_stage = make_stage
@@ -69,7 +68,7 @@ class ExportActions(QObject):
         """Write the plain insole of the foot at hand, beside the window."""
         record = self._case.record
         if record.current is None:
-            self._dialogue.show_sentence(
+            self._messages.show_sentence(
                 tr("There is no insole to export yet; open a session or a mesh.")
             )
             return
@@ -88,7 +87,7 @@ class ExportActions(QObject):
         self._services.run(CHANNEL, write, done)
 
     def _make_connected(self) -> ExportStage:
-        stage = self._make_stage(self._ask_path, self._dialogue.questions.may_replace)
+        stage = self._make_stage(self._ask_path, self._messages.questions.may_replace)
         stage.exported.connect(self._note)
         return stage
 
@@ -97,17 +96,17 @@ class ExportActions(QObject):
         if self._case.side is not None:
             stem = stem.removesuffix(f"-{self._case.side}")
         kinds = f"{suffix[1:].upper()} (*{suffix})"
-        return self._dialogue.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
+        return self._messages.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
 
     def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
         self.exported = record
         self.changed.emit()
         names = ", ".join(path.name for path in paths)
-        self._dialogue.say(tr("Exported {name}").format(name=names))
+        self._messages.say(tr("Exported {name}").format(name=names))
 
     def ask_print_outline(self) -> None:
         """Let the user choose where the PDF goes."""
-        path = self._dialogue.questions.file_to_write(
+        path = self._messages.questions.file_to_write(
             f"{file_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
         )
         if path is not None:
@@ -127,6 +126,6 @@ class ExportActions(QObject):
             print_outline(insole, text, path)
 
         def done(_nothing: None) -> None:
-            self._dialogue.say(tr("Written: {name}").format(name=path.name))
+            self._messages.say(tr("Written: {name}").format(name=path.name))
 
         self._services.run(CHANNEL, write, done)

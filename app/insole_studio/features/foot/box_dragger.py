@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.recording.session import Box
-from insole_studio.features.design.tools.tool import Gesture, rounded
+from insole_studio.scene.gesture import Gesture, RunningGesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
-from insole_studio.scene.running_gesture import RunningGesture
 from insole_studio.scene.scene_view import OfferedItem
 from insole_studio.texts import tr
 

@@ -121,7 +121,7 @@ def facts(
         "case": case,
         "surface": surface,
         "section": section,
-        "hand": tool_controller,
+        "tool_controller": tool_controller,
         "counterpart": SideBySide(case, jobs),
     }
     jobs.close()

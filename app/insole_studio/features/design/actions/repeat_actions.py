@@ -37,7 +37,7 @@ class RepeatActions(QObject):
         super().__init__(parent)
         self._services = services
         self._case = case = services.case
-        self._dialogue = services.messages
+        self._messages = services.messages
         self._notices = services.notices
         self._recent = recent
         self._feet = feet
@@ -77,14 +77,14 @@ class RepeatActions(QObject):
         """Prescribe on this scan what was prescribed on the last one."""
         foot, template = self._case.record.current, self.last_design
         if foot is None or template is None:
-            self._dialogue.show_sentence(
+            self._messages.show_sentence(
                 tr("No earlier design of this patient is known; open the earlier case once.")
             )
             return
         try:
             design = fitted(template, foot, self._case.stamped)
         except InsoleError as error:
-            self._dialogue.show_error(error)
+            self._messages.show_error(error)
             return
         self._case.apply(design, tr("Repeat the last design"))
 

@@ -9,8 +9,8 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.features.design.models.rear_lines import RearLines
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.secondary_mesh import NameLabel
 
@@ -39,7 +39,7 @@ class ModelPanel(Protocol):
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None: ...
     def show_turned(self, step: FloatArray | None) -> None: ...  # noqa: D102
-    def show_axes(self, axes: RearLines | None) -> None: ...  # noqa: D102
+    def show_axes(self, axes: GuideLines | None) -> None: ...  # noqa: D102
     def show_outlines(  # noqa: D102
         self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]
     ) -> None: ...

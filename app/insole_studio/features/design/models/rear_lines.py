@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
@@ -12,6 +10,7 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool, ring_centre
+from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.texts import tr
 
 LEVEL_HALF_MM = 60.0
@@ -21,20 +20,7 @@ BEYOND = 0.25
 """Share of its length that an axis is drawn farther at both ends."""
 
 
-@dataclass(frozen=True, eq=False)
-class RearLines:
-    """Lines (2, 3) each, mm, insole frame, and the angle to be written at a place."""
-
-    lines: tuple[FloatArray, ...]
-    place: FloatArray
-    text: str
-
-    def axes_alone(self) -> RearLines:
-        """Leave out the sole's level and the angle."""
-        return RearLines(self.lines[:-1], self.place, "")
-
-
-def axes_of(case: Case, tool: Tool) -> RearLines | None:
+def axes_of(case: Case, tool: Tool) -> GuideLines | None:
     """Give the lines that a tool works with: those seen from behind, or the rings of turning."""
     if isinstance(tool, TurnTool):
         return _rings(case, tool)
@@ -44,16 +30,16 @@ def axes_of(case: Case, tool: Tool) -> RearLines | None:
     return found if found is None or tool.key == "posting" else found.axes_alone()
 
 
-def _rings(case: Case, tool: TurnTool) -> RearLines | None:
+def _rings(case: Case, tool: TurnTool) -> GuideLines | None:
     """What turns the foot, and the angle of now beyond the toes."""
     rings, foot = tool.rings(case), case.foot
     if foot is None or not rings:
         return None
     x, _, z = ring_centre(foot)
-    return RearLines(rings, np.array([x, foot.mesh.bounds_mm[1, 1], z]), tool.text)
+    return GuideLines(rings, np.array([x, foot.mesh.bounds_mm[1, 1], z]), tool.text)
 
 
-def rear_lines(record: CaseRecord) -> RearLines | None:
+def rear_lines(record: CaseRecord) -> GuideLines | None:
     """Give the lines of the foot at hand; None where the leg was not scanned."""
     landmarks = landmarks_of(record)
     if record.foot is None or "achilles_lower" not in landmarks:
@@ -71,7 +57,7 @@ def rear_lines(record: CaseRecord) -> RearLines | None:
     text = tr("{angle}° {kind}").format(angle=f"{abs(lean):.1f}", kind=kind)
     # Below the lateral end, where neither line nor handle is: those stand at the medial edge.
     end = level[0] if record.foot.side.medial_sign > 0 else level[1]
-    return RearLines((*lines, level), end + BELOW_MM, text)
+    return GuideLines((*lines, level), end + BELOW_MM, text)
 
 
 def _axis(lower: FloatArray, upper: FloatArray) -> FloatArray:

@@ -8,7 +8,8 @@ from insole_core.insole.prescription.corrections import CorrectionBase
 from insole_core.insole.prescription.design import BrushStroke, Place
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.pelott_tool import seen_from_above
-from insole_studio.features.design.tools.tool import Gesture, SurfaceContext, Tool, place_at
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
 

@@ -9,7 +9,8 @@ from insole_core.insole.outline.outline_curve import crosses_itself, inside_curv
 from insole_core.insole.prescription.design import Pelott, Place
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.pelott_tool import pelott_handles, seen_from_above
-from insole_studio.features.design.tools.tool import Gesture, SurfaceContext, Tool, place_at
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 

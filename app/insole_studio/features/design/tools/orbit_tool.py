@@ -12,7 +12,8 @@ from insole_studio.features.design.tools.pelott_tool import (
     raise_pelott,
     selected_pelott,
 )
-from insole_studio.features.design.tools.tool import ContextMenuItem, Gesture, SurfaceContext, Tool
+from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.texts import tr
 

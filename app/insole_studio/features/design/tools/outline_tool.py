@@ -17,12 +17,12 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import (
     ContextMenuItem,
-    Gesture,
     SurfaceContext,
     Tool,
     nudge_mm,
     place_at,
 )
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 

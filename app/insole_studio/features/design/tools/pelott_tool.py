@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.insole.outline.outline_curve import inside_curve
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.pads.pad_shapes import local_outline, pad2insole
@@ -25,14 +26,13 @@ from insole_studio.features.design.tools.metatarsal_line import (
 )
 from insole_studio.features.design.tools.tool import (
     ContextMenuItem,
-    Gesture,
     SurfaceContext,
     Tool,
     nudge_mm,
     place_at,
     rise_mm,
-    rounded,
 )
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr

@@ -6,18 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
+from insole_core.geometry.rounding import rounded
 from insole_core.insole.prescription.design import InsoleDesign, Posting
 from insole_core.insole.prescription.design_limits import CORRECTION_RANGES
 from insole_core.insole.surface.posting import posting_angles
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.tool import (
-    Gesture,
-    SurfaceContext,
-    Tool,
-    rise_mm,
-    rounded,
-    with_number,
-)
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool, rise_mm, with_number
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 

@@ -7,17 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
+from insole_core.geometry.rounding import rounded
 from insole_studio.document.case import Case
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.tool import (
     ContextMenuItem,
-    Gesture,
     SurfaceContext,
     Tool,
     nudge_mm,
     place_at,
-    rounded,
 )
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 

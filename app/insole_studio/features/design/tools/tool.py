@@ -6,7 +6,7 @@ with one `case.apply`. Closing it early leaves the case as it was.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Protocol, TypeVar
 
@@ -14,9 +14,11 @@ import numpy as np
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Correction, InsoleDesign, Place
 from insole_studio.document.case import Case
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.scene.view_camera import Subject
 
@@ -24,7 +26,6 @@ NUDGE_MM = 0.5
 PLACE_STEP_MM = 0.1
 
 Record = TypeVar("Record", bound=Correction | InsoleDesign | ReferencePlane)
-Gesture = Generator[None, PointerEvent, None]
 
 
 @dataclass(frozen=True)
@@ -127,11 +128,6 @@ def with_number(value: Record, name: str, number: float) -> Record:
     """Give a record with one of its numbers replaced."""
     changes: dict[str, Any] = {name: number}
     return replace(value, **changes)
-
-
-def rounded(value: float, step: float) -> float:
-    """Give the nearest whole multiple of `step`."""
-    return round(round(value / step) * step, 6)
 
 
 def rise_mm(start: PointerEvent, now: PointerEvent) -> float:

@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
+from insole_studio.scene.gesture import RunningGesture
 from insole_studio.scene.pointer import PointerEvent
-from insole_studio.scene.running_gesture import RunningGesture
 
 
 class ToolController(QObject):

@@ -11,11 +11,13 @@ from insole_core.errors import InputError
 from insole_core.foot.alignment import PoseAngles, pose_angles, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.geometry.transforms import inverse
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import turned_record
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.tool import Gesture, SurfaceContext, Tool, rounded
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool
+from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr

@@ -1,11 +1,14 @@
-"""The one gesture that is led from press to release, or none."""
+"""A drag as one generator, and the one that is under way."""
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from inspect import GEN_RUNNING, getgeneratorstate
 
-from insole_studio.features.design.tools.tool import Gesture
 from insole_studio.scene.pointer import PointerEvent
+
+Gesture = Generator[None, PointerEvent, None]
+"""Started with the press; receives every move, and ends at the release."""
 
 
 class RunningGesture:

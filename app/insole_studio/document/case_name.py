@@ -1,0 +1,36 @@
+"""What the open case is called: in the title, as a file, and whose it is."""
+
+from __future__ import annotations
+
+from insole_core.cases.case_record import CaseRecord
+from insole_core.geometry.side import Side
+from insole_studio.document.case import Case
+from insole_studio.texts import tr
+
+
+def case_name(case: Case) -> str:
+    """Call the open case by its file, or its patient."""
+    if case.path is not None:
+        return case.path.stem
+    return case.record.patient.name or tr("New case")
+
+
+def file_stem(case: Case) -> str:
+    """Propose the name of a file, with the side of the foot at hand."""
+    name = case_name(case) if case.record.patient.name or case.path else "insole"
+    side = case.side
+    return f"{name}-{side.value}" if side is not None and side.value not in name else name
+
+
+def whose(record: CaseRecord) -> str:
+    """Say whose case it is, and which foot."""
+    side = {Side.LEFT: tr("LEFT foot"), Side.RIGHT: tr("RIGHT foot")}
+    foot = record.current
+    words = (
+        record.patient.name,
+        side[foot.side] if foot is not None else "",
+        tr("Variant {name}").format(name=foot.chosen)
+        if foot is not None and len(foot.variants) > 1
+        else "",
+    )
+    return "  ·  ".join(word for word in words if word)
