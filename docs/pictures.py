@@ -19,10 +19,10 @@ from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
-from insole_studio.app.bootstrap import UserPaths
-from insole_studio.app.scripted import ScriptedStudio, grab
+from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.foot.rows import FootMap
-from insole_studio.features.foot.stage import ReconstructStage
+from insole_studio.features.foot.stage import FootStage
+from insole_studio.user_paths import UserPaths
 
 DOCS = Path(__file__).parent
 EXAMPLE = resource_path("example/example.insole")
@@ -53,7 +53,7 @@ def main() -> None:
 def take_windows(places: UserPaths) -> None:
     """The window in both themes, a pelott in the hand."""
     for name, size, dark in (("light", SMALL, False), ("dark-height-map", LARGE, True)):
-        with ScriptedStudio(places, size, dark) as studio:
+        with ScriptedWindow(places, size, dark) as studio:
             studio.open(EXAMPLE)
             act(studio, "tool_pelott")
             studio.app.case.select("pelott")
@@ -64,15 +64,15 @@ def take_windows(places: UserPaths) -> None:
 
 def take_feet(places: UserPaths, session: Path) -> None:
     """Both feet side by side, then two variants of one."""
-    with ScriptedStudio(places, SMALL) as studio:
+    with ScriptedWindow(places, SMALL) as studio:
         studio.open(EXAMPLE)
         studio.open(session)
-        rooms, case = studio.app.studio.rooms, studio.app.case
-        rooms.foot.close()
-        rooms.feet.take(Side.RIGHT)
-        rooms.feet.copy_prescription()
-        for notice in rooms.notices.notices:
-            rooms.notices.drop(notice.key)
+        features, case = studio.app.features, studio.app.case
+        features.foot.close()
+        features.design.feet.take(Side.RIGHT)
+        features.design.feet.copy_prescription()
+        for notice in studio.app.services.notices.notices:
+            studio.app.services.notices.drop(notice.key)
         act(studio, "beside_foot", "map_difference")
         studio.screenshot(DOCS / "manual/images/feet-compared.png")
 
@@ -93,19 +93,19 @@ def take_feet(places: UserPaths, session: Path) -> None:
 
 def take_foot_stage(places: UserPaths, session: Path) -> None:
     """The views in their colours, their distance, and what is corrected by hand."""
-    with ScriptedStudio(places, SMALL) as studio:
+    with ScriptedWindow(places, SMALL) as studio:
         studio.open(session)
         take_stage(studio, "views")
         stage_of(studio).presenter.choose_map(FootMap.AGREEMENT)
         take_stage(studio, "agreement")
     write_edits(EDITS, session)
-    with ScriptedStudio(places, SMALL) as studio:
+    with ScriptedWindow(places, SMALL) as studio:
         studio.open(session)
         stage_of(studio).view.table.selectRow(0)
         take_stage(studio, "corrected")
 
 
-def take_stage(studio: ScriptedStudio, name: str) -> None:
+def take_stage(studio: ScriptedWindow, name: str) -> None:
     """Take the foot stage."""
     stage = stage_of(studio)
     stage.resize(*STAGE)
@@ -113,14 +113,14 @@ def take_stage(studio: ScriptedStudio, name: str) -> None:
     grab(stage, [stage.view.foot.scene]).save(str(DOCS / f"images/foot-{name}.png"))
 
 
-def stage_of(studio: ScriptedStudio) -> ReconstructStage:
+def stage_of(studio: ScriptedWindow) -> FootStage:
     """Give the foot stage that is open."""
-    stage = studio.app.studio.rooms.foot.stage
+    stage = studio.app.features.foot.stage
     assert stage is not None
     return stage
 
 
-def act(studio: ScriptedStudio, *keys: str) -> None:
+def act(studio: ScriptedWindow, *keys: str) -> None:
     """Run actions of the menus."""
     for key in keys:
         studio.app.window.actions_by_key[key].trigger()

@@ -70,16 +70,16 @@ def _virtual() -> int:
 
 
 def _scripted() -> int:
-    from insole_studio.app.bootstrap import UserPaths
-    from insole_studio.app.scripted import ScriptedStudio
+    from insole_studio.app.scripted import ScriptedWindow
+    from insole_studio.user_paths import UserPaths
 
     places = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
-    with ScriptedStudio(places) as studio:
+    with ScriptedWindow(places) as studio:
         studio.open(SESSION)
         studio.place_pelott(0.0, 140.0)
         studio.screenshot(OUTPUT / "session.png")
         studio.export(OUTPUT / "session-insole.stl")
-    with ScriptedStudio(places) as studio:
+    with ScriptedWindow(places) as studio:
         studio.open(resource_path("example/example.insole"))
         studio.screenshot(OUTPUT / "case.png")
         studio.export(OUTPUT / "case-insole.stl")

@@ -19,9 +19,10 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.app.bootstrap import Application, UserPaths, build_application
-from insole_studio.app.scripted import ScriptedStudio
+from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.services.questions import Answer, SameSide
+from insole_studio.user_paths import UserPaths
 
 LENGTH_MM = 250.0
 
@@ -142,12 +143,12 @@ def app(
 ) -> Iterator[Application]:
     """The whole application on an empty case, shown."""
     built = build_application(qapp, places)
-    built.studio.rooms.messages.questions = questions  # type: ignore[assignment]
+    built.services.messages.questions = questions  # type: ignore[assignment]
     built.window.resize(960, 640)  # fewer pixels for the software renderer
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.rooms.messages.dialogs):
+    for dialog in list(built.services.messages.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()
@@ -156,7 +157,7 @@ def app(
 @pytest.fixture
 def hands(qapp: QApplication, places: UserPaths) -> Iterator[Hands]:
     """A user before the empty window."""
-    with ScriptedStudio(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
+    with ScriptedWindow(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio)
 
 

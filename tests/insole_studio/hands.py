@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from insole_core.geometry.side import Side
-from insole_studio.app.scripted import ScriptedStudio, grab
+from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.number_field import NumberField
@@ -25,7 +25,7 @@ MANUAL_SIZE, SMALL_SIZE = (1366, 768), (960, 640)
 class Hands:
     """Does what a user does, by real events, and counts it."""
 
-    def __init__(self, studio: ScriptedStudio) -> None:
+    def __init__(self, studio: ScriptedWindow) -> None:
         self.studio = studio
         self.app = studio.app
         self.actions = 0
@@ -73,7 +73,7 @@ class Hands:
         """Open the stage that checks, and export once the checks are done."""
         self.studio.answers.path = path
         self.choose("export")
-        stage = self.app.studio.rooms.exporting.checking.stage
+        stage = self.app.features.export.stage
         assert stage is not None
         self._wait(stage)
         stage.view.export.click()

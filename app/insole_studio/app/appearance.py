@@ -2,52 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Protocol
-
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
-from insole_studio.app.theme import apply_theme, is_dark
+from insole_studio.app.main_window import MainWindow
+from insole_studio.app.theme import apply_theme
 from insole_studio.features.design.stage import DesignStage
-from insole_studio.services.user_messages import UserMessages
-from insole_studio.settings import Language, Settings
+from insole_studio.services.app_services import AppServices
+from insole_studio.settings import Language
 from insole_studio.texts import tr
 
 LAYOUT_REST_MS = 600
 
 
-class Frame(Protocol):
-    """The window, as far as it has a look."""
-
-    def renew_icons(self) -> None:
-        """Draw the icons in the colours of the palette."""
-        ...
-
-    def layout_state(self) -> tuple[str, str]:
-        """Give geometry and docks, packed as text."""
-        ...
-
-
 class Appearance(QObject):
     """Theme, touch, language, linked views, and where the panels are."""
 
-    def __init__(
-        self,
-        *,
-        frame: Frame,
-        stage: DesignStage,
-        settings: Settings,
-        messages: UserMessages,
-        remember: Callable[[], None],
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._frame = frame
+    def __init__(self, services: AppServices, window: MainWindow, stage: DesignStage) -> None:
+        super().__init__(window)
+        self._services = services
+        self._settings = services.settings
+        self._window = window
         self._stage = stage
-        self._settings = settings
-        self._messages = messages
-        self._remember = remember
         self._layout_rest = QTimer(self)
         self._layout_rest.setSingleShot(True)
         self._layout_rest.setInterval(LAYOUT_REST_MS)
@@ -57,28 +33,28 @@ class Appearance(QObject):
         """Let the views move together or not."""
         self._settings.linked_views = linked
         self._stage.set_linked(linked)
-        self._remember()
+        self._services.save_settings()
 
     def set_dark(self, dark: bool) -> None:
         """Change the theme."""
         self._settings.theme = "dark" if dark else "light"
         self._apply_theme()
-        self._frame.renew_icons()
+        self._window.renew_icons()
         self._stage.set_dark(dark)
-        self._remember()
+        self._services.save_settings()
 
     def set_touch(self, touch: bool) -> None:
         """Make the targets large enough for fingers, or small again."""
         self._settings.touch = touch
         self._apply_theme()
         self._stage.set_touch(touch)
-        self._remember()
+        self._services.save_settings()
 
     def set_language(self, language: Language) -> None:
         """Speak another language from the next start on."""
         self._settings.language = language
-        self._remember()
-        self._messages.say(tr("The window speaks this language from the next start on."))
+        self._services.save_settings()
+        self._services.messages.say(tr("The window speaks this language from the next start on."))
 
     def note_layout(self) -> None:
         """Remember where the panels are, once they rest."""
@@ -87,11 +63,11 @@ class Appearance(QObject):
     def remember_layout(self) -> None:
         """Remember where the panels are now."""
         self._layout_rest.stop()
-        layout = self._frame.layout_state()
+        layout = self._window.layout_state()
         self._settings.window_geometry, self._settings.window_docks = layout
-        self._remember()
+        self._services.save_settings()
 
     def _apply_theme(self) -> None:
         application = QApplication.instance()
         assert isinstance(application, QApplication)
-        apply_theme(application, is_dark(self._settings.theme), self._settings.touch)
+        apply_theme(application, self._services.dark, self._settings.touch)

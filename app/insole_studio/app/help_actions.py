@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QMainWindow, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
-from insole_studio.settings import Settings
+from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
@@ -20,17 +20,14 @@ class HelpActions(QObject):
 
     def __init__(
         self,
-        window: QMainWindow,
+        services: AppServices,
         stage: DesignStage,
-        settings: Settings,
-        remember: Callable[[], None],
         keys: Callable[[], Iterable[tuple[str, list[Line]]]],
     ) -> None:
-        super().__init__(window)
-        self._window = window
+        super().__init__(services.window)
+        self._services = services
+        self._window = services.window
         self._stage = stage
-        self._settings = settings
-        self._remember = remember
         self._keys = keys
 
     def begin_tour(self) -> None:
@@ -52,5 +49,5 @@ class HelpActions(QObject):
         )
 
     def _end_tour(self) -> None:
-        self._settings.tour_seen = True
-        self._remember()
+        self._services.settings.tour_seen = True
+        self._services.save_settings()

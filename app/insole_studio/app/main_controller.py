@@ -1,4 +1,4 @@
-"""The controller of the window: leads actions to their rooms, and shows how far the case is."""
+"""The controller of the window: runs actions, and shows how far the case is."""
 
 from __future__ import annotations
 
@@ -7,118 +7,120 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal
 
 from insole_core.errors import InsoleError
-from insole_studio.app.action_context import ActionContext
-from insole_studio.app.actions import ACTIONS
-from insole_studio.app.main_window import MainWindow
+from insole_studio.app.actions import ACTIONS, bind_actions
+from insole_studio.app.features import Features
+from insole_studio.app.window_feature import WindowFeature
 from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
-from insole_studio.document.case import Case
 from insole_studio.document.case_name import case_name, whose
-from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.services.recent_files import RecentFiles
-from insole_studio.settings import Settings
+from insole_studio.services.app_services import AppServices
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
 
 
 class MainController(QObject):
-    """Connects window, case and rooms. Constructed by the composition root."""
+    """Connects window, case and features. Constructed by the composition root."""
 
     closed = Signal()
 
     def __init__(
         self,
-        *,
-        rooms: ActionContext,
-        window: MainWindow,
-        case: Case,
-        tool_controller: ToolController,
+        services: AppServices,
+        features: Features,
+        main: WindowFeature,
         autosave: Autosave,
-        settings: Settings,
-        recent: RecentFiles,
     ) -> None:
         super().__init__()
-        self.rooms = rooms
-        self._window = window
-        self._case = case
-        self._tool_controller = tool_controller
+        self._services = services
+        self._case = services.case
+        self._features = features
+        self._stage = features.design.stage
+        self._tool_controller = self._stage.tool_controller
+        self._main = main
+        self._window = main.window
         self._autosave = autosave
-        self._recent = recent
-        self._actions = {record.key: record for record in ACTIONS}
+        self._records = {record.key: record for record in ACTIONS}
+        self._run = bind_actions(features, main)
         self._connect_window()
-        for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
-            signal.connect(self._show_state)
-        rooms.exporting.changed.connect(self._show_state)
-        rooms.comparing.counterpart.changed.connect(self._show_choices)
-        tool_controller.tool_changed.connect(self._show_tool)
-        autosave.failed.connect(rooms.messages.show_sentence)
+        self._connect_features()
+        self._connect_case()
         self._show_state()
         self._show_tool()
         self._show_choices()
         self._show_recent()
-        window.check_action("linked", settings.linked_views)
-        rooms.appearance.set_linked(settings.linked_views)
+        self._window.check_action("linked", services.settings.linked_views)
+        main.appearance.set_linked(services.settings.linked_views)
 
     def run_action(self, key: str, checked: bool) -> None:
-        """Do what an action says; what the user can put right is shown as a sentence."""
-        self.rooms.stage.end_keys()
+        """Run an action; what the user can put right is shown as a sentence."""
+        self._stage.end_keys()
         try:
-            self._actions[key].run(self.rooms, checked)
+            self._run[key](checked)
         except InsoleError as error:
-            self.rooms.messages.show_error(error)
+            self._services.messages.show_error(error)
         self._show_choices()
 
     def quit(self) -> None:
         """Close, once nothing can be lost."""
-        self.rooms.saving.after_unsaved(self._close)
+        self._features.case_files.saver.after_unsaved(self._close)
 
     def _connect_window(self) -> None:
-        rooms, window = self.rooms, self._window
+        window, design = self._window, self._features.design
         window.action_triggered.connect(self.run_action)
         window.close_requested.connect(self.quit)
         window.recent_chosen.connect(self._open_recent)
-        window.back_requested.connect(rooms.navigating.go_back)
-        window.pad_chosen.connect(rooms.prescribing.take_pad)
-        window.layout_changed.connect(rooms.appearance.note_layout)
-        self._recent.changed.connect(self._show_recent)
-        rooms.stage.offer_chosen.connect(self._take_offer)
-        rooms.stage.steps.chosen.connect(self._go_to_step)
-        rooms.capture.captured.connect(rooms.opening.open_path)
-        rooms.foot.foot_made.connect(rooms.opening.take_scan)
-        rooms.foot.closed.connect(rooms.capture.hand_on, Qt.ConnectionType.QueuedConnection)
-        rooms.foot.closed.connect(window.come_forward, Qt.ConnectionType.QueuedConnection)
-        rooms.foot.unreadable.connect(rooms.messages.show_error)
+        window.back_requested.connect(design.navigation.go_back)
+        window.pad_chosen.connect(design.prescription.take_pad)
+        window.layout_changed.connect(self._main.appearance.note_layout)
+        self._services.recent.changed.connect(self._show_recent)
+        self._stage.offer_chosen.connect(self._take_offer)
+        self._stage.steps.chosen.connect(self._go_to_step)
+
+    def _connect_features(self) -> None:
+        """Lead what one feature has made to the next."""
+        features = self._features
+        capture, foot, opener = features.capture, features.foot, features.case_files.opener
+        capture.captured.connect(opener.open_path)
+        foot.foot_made.connect(opener.take_scan)
+        foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
+        foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
+        foot.unreadable.connect(self._services.messages.show_error)
+        features.export.changed.connect(self._show_state)
+        self._stage.counterpart.changed.connect(self._show_choices)
+
+    def _connect_case(self) -> None:
+        case = self._case
+        for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
+            signal.connect(self._show_state)
+        self._tool_controller.tool_changed.connect(self._show_tool)
+        self._autosave.failed.connect(self._services.messages.show_sentence)
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":
-            self.rooms.stage.patient.setFocus()
+            self._stage.patient.setFocus()
         elif key == "capture":
             self.run_action("capture", False)
         elif key == "foot" and (session := session_of(self._case.record)) is not None:
-            self.rooms.foot.open_session(session, hand_over=False)
+            self._features.foot.open_session(session, hand_over=False)
         elif self._case.foot is not None:
             self.run_action(_STEP_ACTIONS[key], True)
 
     def _close(self) -> None:
         self._tool_controller.cancel()
-        self.rooms.capture.close()
-        self.rooms.calibrate.close()
-        self.rooms.exporting.close()
-        self.rooms.compare.close()
-        self.rooms.foot.close()
+        self._features.close_windows()
         self._autosave.forget()
-        self.rooms.appearance.remember_layout()
+        self._main.appearance.remember_layout()
         self._window.close_for_good()
         self.closed.emit()
 
     def _open_recent(self, name: str) -> None:
-        self.rooms.opening.open_path(Path(name))
+        self._features.case_files.opener.open_path(Path(name))
 
     def _take_offer(self, key: str) -> None:
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
     def _show_recent(self) -> None:
-        self._window.show_recent(self._recent.names)
+        self._window.show_recent(self._services.recent.names)
 
     def _show_state(self) -> None:
         case, window = self._case, self._window
@@ -127,7 +129,7 @@ class MainController(QObject):
             ("undo", case.history.undo_sentence),
             ("redo", case.history.redo_sentence),
         ):
-            verb = self._actions[key].text()
+            verb = self._records[key].text()
             window.show_action(key, bool(sentence), f"{verb}: {sentence}" if sentence else verb)
         for record in ACTIONS:
             if record.needs_foot:
@@ -135,15 +137,15 @@ class MainController(QObject):
             if record.needs_both:
                 window.show_action(record.key, len(case.record.feet) == 2)
         window.show_action("remove", case.selection is not None)
-        exported = self.rooms.exporting.exported
-        self.rooms.stage.steps.show_steps(steps_of(case.record, case.record is exported))
-        self.rooms.stage.steps.show_whose(whose(case.record))
+        is_exported = case.record is self._features.export.exported
+        self._stage.steps.show_steps(steps_of(case.record, is_exported))
+        self._stage.steps.show_whose(whose(case.record))
 
     def _show_choices(self) -> None:
         """Check what is really shown, whoever has chosen it."""
-        comparing = self.rooms.comparing
-        self._window.check_action(f"beside_{comparing.counterpart.kind.value}", True)
-        self._window.check_action(f"map_{comparing.map_kind.value}", True)
+        side_by_side = self._features.design.side_by_side
+        self._window.check_action(f"beside_{side_by_side.counterpart.kind.value}", True)
+        self._window.check_action(f"map_{side_by_side.map_kind.value}", True)
 
     def _show_tool(self) -> None:
         self._window.check_action(f"tool_{self._tool_controller.tool.key}", True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent
@@ -15,7 +16,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.app.actions import ACTIONS
 from insole_studio.app.menus import (
     BESIDE_KEYS,
     MAP_KEYS,
@@ -49,12 +49,19 @@ class MainWindow(QMainWindow):
     back_requested = Signal()
     layout_changed = Signal()
 
-    def __init__(self, stage: DesignStage, status: StatusBar, pads: Sequence[str]) -> None:
+    def __init__(
+        self,
+        stage: DesignStage,
+        status: StatusBar,
+        pads: Sequence[str],
+        records: Sequence[ActionRecord[Any]],
+    ) -> None:
         super().__init__()
         self._may_close = False
         self._panels = stage.panels
         self.setStatusBar(status)
-        self.actions_by_key = {record.key: self._make_action(record) for record in ACTIONS}
+        self._records = records
+        self.actions_by_key = {record.key: self._make_action(record) for record in records}
         self._group_actions()
         self._pads = pads
         self._make_menus()
@@ -96,7 +103,7 @@ class MainWindow(QMainWindow):
 
     def renew_icons(self) -> None:
         """Draw the icons in the colours of the palette."""
-        for record in ACTIONS:
+        for record in self._records:
             if record.icon:
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
         self._maps.setIcon(icon("map"))
@@ -164,7 +171,7 @@ class MainWindow(QMainWindow):
             self.close_requested.emit()
         event.setAccepted(self._may_close)
 
-    def _make_action(self, record: ActionRecord) -> QAction:
+    def _make_action(self, record: ActionRecord[Any]) -> QAction:
         action = QAction(record.text(), self)
         action.setObjectName(record.key)
         action.setToolTip(_tip(record))
@@ -190,7 +197,7 @@ class MainWindow(QMainWindow):
 
     def _group_actions(self) -> None:
         groups: dict[str, QActionGroup] = {}
-        for record in ACTIONS:
+        for record in self._records:
             if record.group:
                 group = groups.setdefault(record.group, QActionGroup(self))
                 group.addAction(self.actions_by_key[record.key])
@@ -336,5 +343,5 @@ class MainWindow(QMainWindow):
             view.addAction(dock.toggleViewAction())
 
 
-def _tip(record: ActionRecord) -> str:
+def _tip(record: ActionRecord[Any]) -> str:
     return f"{record.tip()} ({record.shortcut})" if record.shortcut else record.tip()

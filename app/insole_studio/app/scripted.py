@@ -16,16 +16,16 @@ from insole_core.insole.prescription.design import Pelott
 from insole_studio.app.bootstrap import (
     DEFAULT_SIZE,
     Application,
-    UserPaths,
     build_application,
     qt_application,
 )
 from insole_studio.app.scripted_answers import AnsweredQuestions, ScriptedAnswers
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import tr
+from insole_studio.user_paths import UserPaths
 
 
-class ScriptedStudio:
+class ScriptedWindow:
     """The real window, led by a program: for the demonstration, screenshots and journeys.
 
     Use it as a context; inside, every call returns when its work is done.
@@ -49,13 +49,13 @@ class ScriptedStudio:
     ) -> None:
         self._qt = qt_application()
         self.app = build_application(self._qt, places)
-        self.app.studio.rooms.appearance.set_dark(dark)
+        self.app.main.appearance.set_dark(dark)
         self.answers = answers or ScriptedAnswers()
-        self.app.studio.rooms.messages.questions = AnsweredQuestions(self.app.window, self.answers)
+        self.app.services.messages.questions = AnsweredQuestions(self.app.window, self.answers)
         self.app.window.resize(*size)
         self.app.window.arrange()
 
-    def __enter__(self) -> ScriptedStudio:
+    def __enter__(self) -> ScriptedWindow:
         self.app.window.show()
         self.settle()
         return self
@@ -72,7 +72,7 @@ class ScriptedStudio:
 
     def open(self, path: Path, side: Side | None = None) -> None:
         """Open a case, a session, or a mesh with its side."""
-        self.app.studio.rooms.opening.open_path(path, side)
+        self.app.features.case_files.opener.open_path(path, side)
         self.settle()
 
     def place_pelott(self, x_mm: float, y_mm: float, height_mm: float = 6.0) -> None:
@@ -82,19 +82,19 @@ class ScriptedStudio:
         if design is None:
             raise RuntimeError("a pelott needs an open foot")
         pad = Pelott(centre_mm=(x_mm, y_mm), height_mm=height_mm)
-        self.app.studio.rooms.editing.take_tool("pelott")
+        self.app.features.design.edit.take_tool("pelott")
         case.apply(design.with_added(pad), tr("Place a pelott"))
         case.select(pad.id)
         self.settle()
 
     def export(self, path: Path) -> None:
         """Write the STL file."""
-        self.app.studio.rooms.exporting.export_to(path)
+        self.app.features.export.export_to(path)
         self.settle()
 
     def save(self, path: Path) -> None:
         """Write the case file."""
-        self.app.studio.rooms.saving.save_to(path)
+        self.app.features.case_files.saver.save_to(path)
         self.settle()
 
     def screenshot(self, path: Path) -> None:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QGuiApplication, QPalette
+from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
 from insole_core.resources import resource_path
-from insole_studio.settings import Theme
 
 
 @dataclass(frozen=True)
@@ -52,13 +50,6 @@ DARK = Colors(
     warning="#4a3a16",
     on_warning="#ffdf9e",
 )
-
-
-def is_dark(theme: Theme) -> bool:
-    """Decide by the setting, or by the system where it says so."""
-    if theme == "system":
-        return QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
-    return theme == "dark"
 
 
 def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> None:

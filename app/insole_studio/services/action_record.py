@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Generic, TypeVar
 
-from insole_studio.app.action_context import ActionContext
+Feature = TypeVar("Feature")
 
 
 @dataclass(frozen=True)
-class ActionRecord:
-    """One thing the user can do.
+class ActionRecord(Generic[Feature]):
+    """One thing the user can do, contributed by the feature that does it.
 
     Parameters
     ----------
@@ -19,7 +20,7 @@ class ActionRecord:
     text
         For the menu, in the language of the window when called; likewise `tip`.
     run
-        What it does; toggles and choices get their new state.
+        What it does with its feature; toggles and choices get their new state.
     icon
         Name in `widgets.icons`; empty for none.
     shortcut
@@ -29,7 +30,7 @@ class ActionRecord:
     group
         Of the actions of one group exactly one is on.
     needs_foot
-        Whether it makes sense only with a foot on the bench.
+        Whether it makes sense only with an open foot.
     needs_both
         Whether it makes sense only with two feet in the case.
     short
@@ -39,7 +40,7 @@ class ActionRecord:
     key: str
     text: Callable[[], str]
     tip: Callable[[], str]
-    run: Callable[[ActionContext, bool], object]
+    run: Callable[[Feature, bool], object]
     icon: str = ""
     shortcut: str = ""
     checkable: bool = False

@@ -1,25 +1,51 @@
-"""What the rooms of the window have in common."""
+"""What all features of the window share."""
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from PySide6.QtWidgets import QMainWindow
+
+from insole_core.errors import OutputError
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs, Result, Task
+from insole_studio.services.color_scheme import is_dark
 from insole_studio.services.notices import Notices
+from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
+from insole_studio.settings import Settings, save_settings
+from insole_studio.user_paths import UserPaths
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, eq=False)
 class AppServices:
-    """The open case, the work beside the window, and what is said to the user."""
+    """The open case, the work beside the window, what is said to the user, and the settings."""
 
     case: Case
     jobs: Jobs
+    window: QMainWindow
     messages: UserMessages
     notices: Notices
+    recent: RecentFiles
+    settings: Settings
+    paths: UserPaths
+
+    @property
+    def dark(self) -> bool:
+        """Whether the theme is dark."""
+        return is_dark(self.settings.theme)
 
     def run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
-        """Do long work, then `done` with its result; what goes wrong is said."""
+        """Do long work, then `done` with its result; errors are shown."""
         self.jobs.start(channel, task, done, self.messages.show_error)
+
+    def save_settings(self) -> None:
+        """Write the settings; a place that cannot be written costs a warning only."""
+        try:
+            save_settings(self.settings, self.paths.settings_file)
+        except OutputError as error:
+            log.warning("the settings are not saved: %s", error)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject
@@ -12,17 +11,10 @@ Stage = TypeVar("Stage", bound=QWidget)
 
 
 class StageWindow(QObject, Generic[Stage]):
-    """Opens a stage, and closes it with the program.
+    """Opens a stage, and closes it with the program."""
 
-    Parameters
-    ----------
-    make
-        Constructs the stage, which has a signal `closed`.
-    """
-
-    def __init__(self, make: Callable[[], Stage], parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._make = make
         self.stage: Stage | None = None
 
     def open(self) -> None:
@@ -34,7 +26,7 @@ class StageWindow(QObject, Generic[Stage]):
             When something that the stage needs cannot be read.
         """
         if self.stage is None:
-            self.stage = self._make()
+            self.stage = self.make_stage()
             self.stage.closed.connect(self._forget)  # type: ignore[attr-defined]
             self.connect_stage(self.stage)
         self.stage.show()
@@ -45,6 +37,10 @@ class StageWindow(QObject, Generic[Stage]):
         """Close the stage, if it is open."""
         if self.stage is not None:
             self.stage.close()
+
+    def make_stage(self) -> Stage:
+        """Construct the stage, which has a signal `closed`."""
+        raise NotImplementedError
 
     def connect_stage(self, stage: Stage) -> None:
         """Listen to a stage that was just constructed."""

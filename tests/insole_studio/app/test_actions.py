@@ -59,7 +59,7 @@ def test_exactly_one_tool_is_checked(opened: Application) -> None:
                 if r.group == "tools" and opened.window.actions_by_key[r.key].isChecked()
             ]
             assert checked == [record.key]
-            assert record.key == f"tool_{opened.tool_controller.tool.key}"
+            assert record.key == f"tool_{opened.stage.tool_controller.tool.key}"
 
 
 def test_the_manual_lists_every_key() -> None:

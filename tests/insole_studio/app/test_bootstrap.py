@@ -11,20 +11,21 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.geometry.side import Side
-from insole_studio.app.bootstrap import UserPaths, run_application
+from insole_studio.app.bootstrap import run_application
 from insole_studio.app.main_window import MainWindow
-from insole_studio.app.scripted import ScriptedStudio
+from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 from insole_studio.services.questions import Answer
 from insole_studio.settings import load_settings
+from insole_studio.user_paths import UserPaths
 
 
 def test_the_whole_journey_by_program(
     qapp: QApplication, places: UserPaths, small_session: Path, tmp_path: Path
 ) -> None:
-    with ScriptedStudio(places, (1000, 700)) as studio:
+    with ScriptedWindow(places, (1000, 700)) as studio:
         studio.open(small_session)
         assert studio.app.case.side is Side.LEFT
         studio.place_pelott(2.0, 150.0)
@@ -44,7 +45,7 @@ def test_a_second_file_is_opened_over_unsaved_work(
 ) -> None:
     for name in ("first", "second"):
         write_case(CaseRecord(patient=Patient(name=name)), tmp_path / f"{name}.insole")
-    with ScriptedStudio(places, (900, 600)) as studio:
+    with ScriptedWindow(places, (900, 600)) as studio:
         case = studio.app.case
         studio.open(tmp_path / "first.insole")
         case.apply(Patient(name="changed"), "change")
@@ -104,7 +105,7 @@ def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places:
 def test_both_themes_are_drawn(
     qapp: QApplication, places: UserPaths, tmp_path: Path, dark: bool
 ) -> None:
-    with ScriptedStudio(places, (900, 600), dark) as studio:
+    with ScriptedWindow(places, (900, 600), dark) as studio:
         studio.screenshot(tmp_path / "window.png")
     color = QImage(str(tmp_path / "window.png")).pixelColor(5, 300)
     assert (color.lightness() < 80) is dark

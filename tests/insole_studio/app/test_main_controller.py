@@ -37,24 +37,24 @@ def test_save_and_open_give_the_same_case(
 ) -> None:
     add_pelott(opened)
     opened.case.apply(Patient(name="Anna B."), "Edit")
-    opened.studio.rooms.saving.save_to(tmp_path / "anna.insole")
+    opened.features.case_files.saver.save_to(tmp_path / "anna.insole")
     settle()
     assert not opened.case.has_unsaved_changes
     record = opened.case.record
-    opened.studio.rooms.opening.new_case()
+    opened.features.case_files.opener.new_case()
     assert opened.case.foot is None
-    opened.studio.rooms.opening.open_path(tmp_path / "anna.insole")
+    opened.features.case_files.opener.open_path(tmp_path / "anna.insole")
     settle()
     assert opened.case.record.design == record.design
     assert opened.case.record.patient == record.patient
-    assert opened.surface.mesh is not None
+    assert opened.stage.preview.mesh is not None
 
 
 def test_the_title_says_what_is_open_and_unsaved(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:
     assert opened.window.isWindowModified()
-    opened.studio.rooms.saving.save_to(tmp_path / "anna.insole")
+    opened.features.case_files.saver.save_to(tmp_path / "anna.insole")
     settle()
     assert not opened.window.isWindowModified()
     assert opened.window.windowTitle().startswith("anna")
@@ -62,7 +62,7 @@ def test_the_title_says_what_is_open_and_unsaved(
 
 def test_export_writes_a_closed_block(opened: Application, settle: Settle, tmp_path: Path) -> None:
     add_pelott(opened)
-    opened.studio.rooms.exporting.export_to(tmp_path / "insole.stl")
+    opened.features.export.export_to(tmp_path / "insole.stl")
     settle()
     size = (tmp_path / "insole.stl").stat().st_size
     assert size > 84
@@ -72,15 +72,15 @@ def test_export_writes_a_closed_block(opened: Application, settle: Settle, tmp_p
 def test_export_to_nowhere_is_one_sentence_in_a_dialog(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:
-    opened.studio.rooms.exporting.export_to(tmp_path / "missing" / "insole.stl")
+    opened.features.export.export_to(tmp_path / "missing" / "insole.stl")
     settle()
-    (dialog,) = opened.studio.rooms.messages.dialogs
+    (dialog,) = opened.services.messages.dialogs
     assert "its folder does not exist" in dialog.text()
 
 
 def test_what_is_neither_case_nor_scan_is_refused(app: Application, tmp_path: Path) -> None:
-    app.studio.rooms.opening.open_path(tmp_path / "letter.docx")
-    (dialog,) = app.studio.rooms.messages.dialogs
+    app.features.case_files.opener.open_path(tmp_path / "letter.docx")
+    (dialog,) = app.services.messages.dialogs
     assert "neither a case, a session nor a mesh" in dialog.text()
 
 
@@ -89,10 +89,10 @@ def test_a_broken_case_leaves_the_open_one(
 ) -> None:
     (tmp_path / "bad.insole").write_bytes(b"no zip")
     record = opened.case.record
-    opened.studio.rooms.opening.open_path(tmp_path / "bad.insole")
+    opened.features.case_files.opener.open_path(tmp_path / "bad.insole")
     settle()
     assert opened.case.record is record
-    assert len(opened.studio.rooms.messages.dialogs) == 1
+    assert len(opened.services.messages.dialogs) == 1
 
 
 def test_a_mesh_without_a_side_is_asked_for(
@@ -100,7 +100,7 @@ def test_a_mesh_without_a_side_is_asked_for(
 ) -> None:
     questions.side = None
     write_ply(make_foot(Side.LEFT).mesh, tmp_path / "foot.ply")
-    app.studio.rooms.opening.open_path(tmp_path / "foot.ply")
+    app.features.case_files.opener.open_path(tmp_path / "foot.ply")
     assert questions.asked == ["side"]
     assert not app.jobs.is_running()
 
@@ -109,8 +109,8 @@ def test_an_unexpected_error_keeps_its_details_for_a_report(app: Application, qa
     try:
         raise KeyError("lost")
     except KeyError as error:
-        app.studio.rooms.messages.show_error(error)
-    (dialog,) = app.studio.rooms.messages.dialogs
+        app.services.messages.show_error(error)
+    (dialog,) = app.services.messages.dialogs
     assert "KeyError" in dialog.detailedText()
     dialog.copy_report()
     assert "KeyError" in dialog.report
@@ -122,7 +122,7 @@ def test_closing_asks_with_unsaved_work(opened: Application, questions: Any, qtb
     opened.window.close()
     assert opened.window.isVisible()
     questions.unsaved = Answer.DISCARD
-    with qtbot.waitSignal(opened.studio.closed):
+    with qtbot.waitSignal(opened.controller.closed):
         opened.window.close()
     assert not opened.window.isVisible()
     assert questions.asked == ["unsaved", "unsaved"]
@@ -132,7 +132,7 @@ def test_closing_can_save_first(
     opened: Application, questions: Any, qtbot: QtBot, tmp_path: Path
 ) -> None:
     questions.unsaved, questions.path = Answer.SAVE, tmp_path / "kept.insole"
-    with qtbot.waitSignal(opened.studio.closed):
+    with qtbot.waitSignal(opened.controller.closed):
         opened.window.close()
     assert read_case(tmp_path / "kept.insole").foot is not None
 
@@ -181,29 +181,29 @@ def test_a_design_that_cannot_be_built_warns_beside_the_insole(
     design = opened.case.record.design
     assert design is not None
     opened.case.apply(replace(design, thickness_mm=1000.0), "Edit")
-    assert "thickness_mm" in opened.surface.problem
+    assert "thickness_mm" in opened.stage.preview.problem
     opened.case.undo()
     settle()
-    assert opened.surface.problem == ""
+    assert opened.stage.preview.problem == ""
 
 
 def test_a_session_opens_and_shows_its_foot(
     app: Application, settle: Settle, small_session: Path
 ) -> None:
-    app.studio.rooms.opening.open_path(small_session)
+    app.features.case_files.opener.open_path(small_session)
     settle()
-    assert app.studio.rooms.messages.dialogs == []
+    assert app.services.messages.dialogs == []
     assert app.case.side is Side.LEFT
     source = app.case.record.source
     assert isinstance(source, ScanSource)
     assert source.kind == "session"
-    assert app.surface.mesh is not None
+    assert app.stage.preview.mesh is not None
 
 
 def test_a_damaged_session_is_refused(app: Application, settle: Settle, tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "session.zip", "w") as archive:
         archive.writestr("manifest.json", "{}")
-    app.studio.rooms.opening.open_path(tmp_path / "session.zip")
+    app.features.case_files.opener.open_path(tmp_path / "session.zip")
     settle()
-    assert len(app.studio.rooms.messages.dialogs) == 1
+    assert len(app.services.messages.dialogs) == 1
     assert app.case.is_empty

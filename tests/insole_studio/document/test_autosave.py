@@ -13,10 +13,11 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.geometry.side import Side
-from insole_studio.app.bootstrap import Application, UserPaths, build_application
+from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
+from insole_studio.user_paths import UserPaths
 
 PROGRAM = """
     import os, signal, sys
@@ -110,7 +111,7 @@ def test_the_next_start_opens_the_recovered_case(
     left.write_bytes(copy.read_bytes())
     (recovered,) = find_recovered(places.autosave_folder)
     second = build_application(qapp, places)
-    second.studio.rooms.opening.offer_recovered(recovered)
+    second.features.case_files.opener.offer_recovered(recovered)
     assert second.case.side is Side.RIGHT
     assert second.case.has_unsaved_changes
     assert not left.exists()

@@ -55,7 +55,7 @@ def type_number(app: Application, key: str, text: str) -> NumberField:
 
 def said(app: Application) -> str:
     """The one sentence of the one dialog."""
-    (dialog,) = app.studio.rooms.messages.dialogs
+    (dialog,) = app.services.messages.dialogs
     return dialog.text()
 
 
@@ -86,7 +86,7 @@ def test_landmarks_in_an_impossible_order_are_warned_of_until_they_are_back(
     settle()
     (warning,) = warnings(opened)
     assert f"The landmarks {named} stand in an order that no foot has" in warning.text()
-    assert opened.studio.rooms.messages.dialogs == []
+    assert opened.services.messages.dialogs == []
     warning.linkActivated.emit(warning.text().split('"')[1])
     focus = opened.stage.foot.scene.camera.focal_mm
     assert focus[:2] == pytest.approx(shown_points(opened.case)[name][:2], abs=3.0)
@@ -102,7 +102,7 @@ def test_what_needs_the_landmarks_says_that_they_stand_wrong(
     x, y, _ = shown_points(opened.case)["metatarsal_head_1"]
     move_landmark(opened, "metatarsal_head_5", (x + 9.0, y - 6.0))
     record = opened.case.record
-    opened.studio.rooms.messages.questions.path = tmp_path / "t.insole-template"  # type: ignore[attr-defined]
+    opened.services.messages.questions.path = tmp_path / "t.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert "1st metatarsal head lies lateral of the 5th" in said(opened)
     assert list(tmp_path.glob("*.insole-template")) == []
@@ -191,7 +191,7 @@ def test_a_case_of_a_newer_version_is_one_sentence(
     before = opened.case.record
     path = tmp_path / "newer.insole"
     newer_case(path, before, what)
-    opened.studio.rooms.opening.open_path(path)
+    opened.features.case_files.opener.open_path(path)
     settle()
     assert "newer Insole Studio" in said(opened)
     assert opened.case.record is before
@@ -199,7 +199,7 @@ def test_a_case_of_a_newer_version_is_one_sentence(
 
 def test_a_template_of_a_newer_version_is_one_sentence(opened: Application, tmp_path: Path) -> None:
     path = tmp_path / "t.insole-template"
-    questions = opened.studio.rooms.messages.questions
+    questions = opened.services.messages.questions
     questions.path = path  # type: ignore[attr-defined]
     act(opened, "save_template")
     path.write_text(path.read_text().replace('"version": 1', '"version": 99'))
@@ -240,12 +240,12 @@ def test_a_scan_without_toes_or_heel_is_opened_and_said(
 ) -> None:
     path = tmp_path / "part.ply"
     write_ply(part(real_foot, first_mm, last_mm), path)
-    app.studio.rooms.opening.open_path(path, Side.RIGHT)
+    app.features.case_files.opener.open_path(path, Side.RIGHT)
     settle()
-    notices = [n.text for n in app.studio.rooms.notices.notices]
+    notices = [n.text for n in app.services.notices.notices]
     assert any(sentence in text for text in notices)
-    assert app.studio.rooms.messages.dialogs == []
-    assert app.surface.mesh is not None
+    assert app.services.messages.dialogs == []
+    assert app.stage.preview.mesh is not None
     act(app, "add_posting")
     settle()
-    assert app.surface.is_current
+    assert app.stage.preview.is_current

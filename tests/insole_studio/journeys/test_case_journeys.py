@@ -104,7 +104,7 @@ def test_the_scan_of_a_plantar_scanner_becomes_an_insole(
 
 def _design_and_export(hands: Hands, scan: Path, folder: Path) -> None:
     hands.open(scan, Side.RIGHT)
-    (notice,) = hands.app.studio.rooms.notices.notices
+    (notice,) = hands.app.services.notices.notices
     assert "where nothing was measured it is continued" in notice.text
     hands.choose("confirm_landmarks")
     place_pelott(hands)

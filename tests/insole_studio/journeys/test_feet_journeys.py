@@ -20,10 +20,11 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
-from insole_studio.app.bootstrap import Application, UserPaths
+from insole_studio.app.bootstrap import Application
 from insole_studio.document.autosave import Recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
 from insole_studio.services.questions import SameSide
+from insole_studio.user_paths import UserPaths
 
 LEFT_BUTTON = Qt.MouseButton.LeftButton
 Settle = Callable[[], None]
@@ -58,11 +59,11 @@ def add_pad(app: Application, x_mm: float = 8.0) -> Pelott:
 
 
 def notices(app: Application) -> list[str]:
-    return [notice.key for notice in app.studio.rooms.notices.notices]
+    return [notice.key for notice in app.services.notices.notices]
 
 
 def opened_notices(app: Application, key: str) -> list[str]:
-    return [notice.text for notice in app.studio.rooms.notices.notices if notice.key == key]
+    return [notice.text for notice in app.services.notices.notices if notice.key == key]
 
 
 def take_notice(app: Application) -> None:
@@ -97,14 +98,14 @@ def test_a_second_scan_of_the_other_side_joins_the_case(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     pad = add_pad(opened)
-    questions = opened.studio.rooms.messages.questions
+    questions = opened.services.messages.questions
     questions.side, questions.path = Side.RIGHT, scan(Side.RIGHT)  # type: ignore[attr-defined]
     press(opened, Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier)
     settle()
     assert [foot.side for foot in opened.case.record.feet] == [Side.LEFT, Side.RIGHT]
     assert opened.case.side is Side.RIGHT
     assert design(opened).corrections == ()
-    assert opened.surface.mesh is not None
+    assert opened.stage.preview.mesh is not None
     press(opened, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert opened.case.side is Side.LEFT
     assert design(opened).corrections == (pad,)
@@ -135,7 +136,7 @@ def test_a_missing_foot_is_offered_by_its_button(opened: Application) -> None:
         "capture",
     ]
     press(opened, Qt.Key.Key_X)
-    (dialog,) = opened.studio.rooms.messages.dialogs
+    (dialog,) = opened.services.messages.dialogs
     assert "no right foot yet" in dialog.text()
 
 
@@ -195,7 +196,7 @@ def test_variants_are_made_named_chosen_and_deleted(
     ]
     QTest.mouseClick(duplicate[0], LEFT_BUTTON)
     opened.case.apply(design(opened).with_changed(replace(pad, height_mm=8.0)), "Raise")
-    opened.studio.rooms.messages.questions.typed = "higher"  # type: ignore[attr-defined]
+    opened.services.messages.questions.typed = "higher"  # type: ignore[attr-defined]
     act(opened, "variant_name")
     assert opened.case.record.current is not None
     assert [v.name for v in opened.case.record.current.variants] == ["A", "higher"]
@@ -203,11 +204,11 @@ def test_variants_are_made_named_chosen_and_deleted(
     settle()
     assert opened.case.record.current.chosen == "A"
     assert design(opened).corrections == (pad,)
-    opened.studio.rooms.exporting.export_to(tmp_path / "a.stl")
+    opened.features.export.export_to(tmp_path / "a.stl")
     settle()
     press(opened, Qt.Key.Key_V)
     settle()
-    opened.studio.rooms.exporting.export_to(tmp_path / "higher.stl")
+    opened.features.export.export_to(tmp_path / "higher.stl")
     settle()
     assert (tmp_path / "a.stl").read_bytes() != (tmp_path / "higher.stl").read_bytes()
     act(opened, "variant_delete")
@@ -218,7 +219,7 @@ def test_variants_are_made_named_chosen_and_deleted(
 
 def test_the_only_variant_is_not_deleted(opened: Application) -> None:
     act(opened, "variant_delete")
-    (dialog,) = opened.studio.rooms.messages.dialogs
+    (dialog,) = opened.services.messages.dialogs
     assert "only variant" in dialog.text()
 
 
@@ -226,9 +227,9 @@ def test_a_new_scan_of_the_same_foot_repeats_the_last_design_in_one_click(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     before = add_pad(opened)
-    questions = opened.studio.rooms.messages.questions
+    questions = opened.services.messages.questions
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
-    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
     assert design(opened).corrections == ()
     assert "repeat" in notices(opened)
@@ -245,9 +246,9 @@ def test_a_dismissed_offer_stays_away(
     opened: Application, scan: Callable[[Side], Path], settle: Settle
 ) -> None:
     add_pad(opened)
-    questions = opened.studio.rooms.messages.questions
+    questions = opened.services.messages.questions
     questions.same_side = SameSide.REPLACE  # type: ignore[attr-defined]
-    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
     *_, dismiss = opened.stage.notices.findChildren(QToolButton)
     QTest.mouseClick(dismiss, LEFT_BUTTON)
@@ -262,9 +263,9 @@ def test_a_second_scan_may_begin_a_new_case(
 ) -> None:
     add_pad(opened)
     opened.case.apply(Patient(name="Anna"), "Name")
-    questions = opened.studio.rooms.messages.questions
+    questions = opened.services.messages.questions
     questions.same_side = SameSide.NEW_CASE  # type: ignore[attr-defined]
-    opened.studio.rooms.opening.open_path(scan(Side.LEFT), Side.LEFT)
+    opened.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
     assert opened.case.record.patient == Patient()
     assert len(opened.case.history) == 0
@@ -282,7 +283,7 @@ def test_an_earlier_case_of_the_patient_is_found(
     opened.settings.remember(path)
     opened.case.apply(Patient("anna berg", "1971-04-02"), "Name")
     settle()
-    (notice,) = opened.studio.rooms.notices.notices
+    (notice,) = opened.services.notices.notices
     assert "2026-05-01" in notice.text
     take_notice(opened)
     (pad,) = design(opened).corrections
@@ -295,13 +296,13 @@ def test_a_case_of_two_feet_survives_saving_and_opening(
 ) -> None:
     add_pad(two_feet)
     act(two_feet, "variant_duplicate")
-    two_feet.studio.rooms.saving.save_to(tmp_path / "both.insole")
+    two_feet.features.case_files.saver.save_to(tmp_path / "both.insole")
     settle()
     click_side(two_feet, Side.LEFT)
     assert not two_feet.case.has_unsaved_changes
     record = read_case(tmp_path / "both.insole")
     assert record.at_hand is Side.RIGHT
-    two_feet.studio.rooms.opening.open_path(tmp_path / "both.insole")
+    two_feet.features.case_files.opener.open_path(tmp_path / "both.insole")
     settle()
     assert [foot.side for foot in two_feet.case.record.feet] == [Side.LEFT, Side.RIGHT]
     assert two_feet.case.record.current is not None
@@ -344,7 +345,7 @@ def test_the_feet_are_compared_mirrored(two_feet: Application, settle: Settle) -
     two_feet.case.apply(design(two_feet).with_added(pad), "Place")
     press(two_feet, Qt.Key.Key_J)
     settle()
-    counterpart = two_feet.studio.rooms.comparing.counterpart
+    counterpart = two_feet.features.design.side_by_side.counterpart
     over = insole_difference(two_feet.surface, counterpart)
     assert over is not None
     assert two_feet.surface.mesh is not None
@@ -371,8 +372,8 @@ def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
     )
     press(opened, Qt.Key.Key_J)
     settle()
-    counterpart = opened.studio.rooms.comparing.counterpart
-    over = insole_difference(opened.surface, counterpart)
+    counterpart = opened.features.design.side_by_side.counterpart
+    over = insole_difference(opened.stage.preview, counterpart)
     assert over is not None
     assert np.nanmax(over) == pytest.approx(3.0, abs=0.05)
     assert np.nanmin(over) == pytest.approx(0.0, abs=1e-6)
@@ -380,7 +381,7 @@ def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
     assert opened.stage.foot_presenter.companion is None
     press(opened, Qt.Key.Key_V)
     settle()
-    over = insole_difference(opened.surface, counterpart)
+    over = insole_difference(opened.stage.preview, counterpart)
     assert over is not None
     assert np.nanmin(over) == pytest.approx(-3.0, abs=0.05)
     assert opened.stage.insole.numbers.startswith("A − B")
@@ -397,7 +398,7 @@ def test_two_variants_are_compared(opened: Application, settle: Settle) -> None:
 def test_nothing_to_compare_with_is_said(opened: Application) -> None:
     for key in ("beside_foot", "beside_variant", "map_difference"):
         act(opened, key)
-    sentences = [dialog.text() for dialog in opened.studio.rooms.messages.dialogs]
+    sentences = [dialog.text() for dialog in opened.services.messages.dialogs]
     assert ["one foot only" in s or "one variant only" in s for s in sentences] == [True] * 3
     assert opened.window.actions_by_key["beside_nothing"].isChecked()
     assert opened.window.actions_by_key["map_none"].isChecked()
@@ -436,7 +437,7 @@ def test_feet_of_unlike_sizes_are_noticed(opened: Application, make_foot: MakeFo
     longer = replace(right, length_mm=right.length_mm + 25)
     foot = FootRecord.begun(longer, ScanSource("mesh", "/nowhere.ply", "0" * 64))
     opened.case.apply(foot, "Add the right foot")
-    (notice,) = opened.studio.rooms.notices.notices
+    (notice,) = opened.services.notices.notices
     assert "250 mm long and the right one 275 mm" in notice.text
     opened.case.undo()
     assert notices(opened) == []
@@ -445,9 +446,9 @@ def test_feet_of_unlike_sizes_are_noticed(opened: Application, make_foot: MakeFo
 def test_a_scan_that_is_gone_is_noticed_when_the_case_is_opened(
     two_feet: Application, settle: Settle, tmp_path: Path
 ) -> None:
-    two_feet.studio.rooms.saving.save_to(tmp_path / "both.insole")
+    two_feet.features.case_files.saver.save_to(tmp_path / "both.insole")
     settle()
-    two_feet.studio.rooms.opening.open_path(tmp_path / "both.insole")
+    two_feet.features.case_files.opener.open_path(tmp_path / "both.insole")
     settle()
     (notice,) = opened_notices(two_feet, "sources")
     assert notice.count("not there any more") == 2
@@ -465,13 +466,13 @@ def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: User
     assert [foot.side for foot in record.feet] == [Side.LEFT, Side.RIGHT]
     assert record.feet[1].chosen == "B"
     crashed = Recovered(record, None, (copy,))
-    two_feet.studio.rooms.opening.offer_recovered(crashed)
+    two_feet.features.case_files.opener.offer_recovered(crashed)
     assert two_feet.case.record.feet[1].chosen == "B"
     assert two_feet.case.has_unsaved_changes
 
 
 def test_the_author_is_stamped_and_remembered(opened: Application) -> None:
-    opened.studio.rooms.messages.questions.typed = "Dr Ek"  # type: ignore[attr-defined]
+    opened.services.messages.questions.typed = "Dr Ek"  # type: ignore[attr-defined]
     act(opened, "author")
     act(opened, "add_posting")
     (posting,) = design(opened).corrections

@@ -135,7 +135,7 @@ def test_typing_a_number_is_no_shortcut(opened: Application) -> None:
     QTest.keyClicks(field, "Olof 2")
     assert field.text() == "Olof 2"
     assert opened.stage.foot.scene.camera == before
-    assert opened.tool_controller.tool.key == "orbit"
+    assert opened.stage.tool_controller.tool.key == "orbit"
 
 
 def test_arrow_keys_nudge_the_selected_pelott(opened: Application, view: SceneView) -> None:
@@ -211,7 +211,7 @@ def _pixels(view: SceneView) -> np.ndarray:
 def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(
     app: Application, make_foot: Callable[[Side], Foot], qtbot: QtBot
 ) -> None:
-    opening, notices = app.studio.rooms.opening, app.studio.rooms.notices
+    opening, notices = app.features.case_files.opener, app.services.notices
     notes = ("Of the file.", "A sentence of some length. " * 8, "Of the foot.")
     foot = replace(make_foot(Side.LEFT), notes=notes)
     scanned = ScannedFoot(foot, ScanSource("mesh", "/nowhere/foot.ply", "0" * 64))
@@ -234,7 +234,7 @@ def test_long_remarks_on_a_scan_stay_until_they_are_dismissed(
 
 
 def test_short_notices_stand_beside_each_other(app: Application) -> None:
-    notices = app.studio.rooms.notices
+    notices = app.services.notices
     notices.put("a", "Short.")
     QApplication.processEvents()
     one_line = app.stage.notices.height()

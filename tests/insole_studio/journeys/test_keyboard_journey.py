@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.insole.prescription.design import Pelott, Posting
-from insole_studio.app.bootstrap import UserPaths
-from insole_studio.app.scripted import ScriptedStudio
+from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.services.questions import Questions
+from insole_studio.user_paths import UserPaths
 
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -26,7 +26,7 @@ NONE = Qt.KeyboardModifier.NoModifier
 class Keyboard:
     """Strikes keys; they go where the focus is, as those of a user do."""
 
-    def __init__(self, studio: ScriptedStudio, qtbot: QtBot) -> None:
+    def __init__(self, studio: ScriptedWindow, qtbot: QtBot) -> None:
         self.studio = studio
         self._qtbot = qtbot
         self.app = studio.app
@@ -73,9 +73,9 @@ def _type_path(path: Path) -> None:
 
 @pytest.fixture
 def keyboard(qapp: QApplication, qtbot: QtBot, places: UserPaths) -> Iterator[Keyboard]:
-    with ScriptedStudio(places, (960, 640)) as studio:
+    with ScriptedWindow(places, (960, 640)) as studio:
         # The real dialogs: they are answered by keys as well.
-        studio.app.studio.rooms.messages.questions = Questions(studio.app.window)
+        studio.app.services.messages.questions = Questions(studio.app.window)
         studio.app.window.activateWindow()
         QTest.qWaitForWindowActive(studio.app.window)
         yield Keyboard(studio, qtbot)
@@ -135,16 +135,16 @@ def test_the_standard_case_by_keys_alone(
     assert app.stage.insole_presenter._section.plane != before_mm
 
     strike(KEY.Key_E, CTRL)
-    stage = app.studio.rooms.exporting.checking.stage
+    stage = app.features.export.stage
     assert stage is not None
     keyboard.wait_for(lambda: stage.view.export.isEnabled() and _active() is stage)
     keyboard.answering_file(tmp_path / "insole.stl")
     strike(KEY.Key_Return, CTRL)
-    keyboard.wait_for(lambda: case.record is app.studio.rooms.exporting.exported)
+    keyboard.wait_for(lambda: case.record is app.features.export.exported)
     stage.activateWindow()  # as a window manager does when a dialog is gone
     keyboard.wait_for(lambda: _active() is stage)
     strike(KEY.Key_W, CTRL)
-    assert app.studio.rooms.exporting.checking.stage is None
+    assert app.features.export.stage is None
 
     design = case.record.design
     assert design is not None

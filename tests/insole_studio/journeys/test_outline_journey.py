@@ -56,7 +56,7 @@ def test_a_point_is_dragged_and_undone(
     moved = place(view, 5) - before
     assert np.hypot(*moved) == pytest.approx(12 * view.look.mm_per_px, abs=0.2)
     assert [h.position_mm[:2] for h in view.handles if h.name != "outline:5"] == others
-    assert opened.surface.mesh is not None
+    assert opened.stage.preview.mesh is not None
     assert opened.case.history.undo_sentence == "Move a point of the outline"
     assert len(opened.case.history) == 1
     opened.window.actions_by_key["undo"].trigger()
@@ -104,8 +104,8 @@ def test_an_outline_that_would_cross_itself_is_held(opened: Application, view: S
     line = np.array([place(view, n) for n in range(len(view.handles))])
     left, right = pixel(view, int(line[:, 0].argmin())), pixel(view, int(line[:, 0].argmax()))
     drag(view, left, right + (right - left))
-    assert "cross itself" in opened.tool_controller.tool.hint(opened.case)
-    assert not opened.surface.problem
+    assert "cross itself" in opened.stage.tool_controller.tool.hint(opened.case)
+    assert not opened.stage.preview.problem
 
 
 def test_arrow_keys_move_the_last_point(opened: Application, view: SceneView) -> None:

@@ -73,21 +73,24 @@ def test_a_drawing_that_crosses_itself_makes_no_pad(opened: Application, foot: S
     drag(foot, *(pixel(foot, *place) for place in eight))
     assert opened.case.record.design is not None
     assert opened.case.record.design.corrections == ()
-    assert "crosses itself" in opened.tool_controller.tool.hint(opened.case)
+    assert "crosses itself" in opened.stage.tool_controller.tool.hint(opened.case)
 
 
 def test_a_stroke_raises_the_surface_where_it_went_and_nowhere_else(
     opened: Application, foot: SceneView
 ) -> None:
-    before, far = opened.surface.height_mm(0.0, 100.0), opened.surface.height_mm(0.0, 200.0)
+    before, far = (
+        opened.stage.preview.height_mm(0.0, 100.0),
+        opened.stage.preview.height_mm(0.0, 200.0),
+    )
     act(opened, "tool_brush")
     drag(foot, pixel(foot, -10, 100), pixel(foot, 0, 100), pixel(foot, 10, 100))
     stroke = last(opened)
     assert isinstance(stroke, BrushStroke)
-    assert opened.surface.height_mm(0.0, 100.0) == pytest.approx(before + 1.0, abs=0.1)
-    assert opened.surface.height_mm(0.0, 200.0) == far
+    assert opened.stage.preview.height_mm(0.0, 100.0) == pytest.approx(before + 1.0, abs=0.1)
+    assert opened.stage.preview.height_mm(0.0, 200.0) == far
     act(opened, "undo")
-    assert opened.surface.height_mm(0.0, 100.0) == before
+    assert opened.stage.preview.height_mm(0.0, 100.0) == before
 
 
 def test_a_landmark_is_dragged(opened: Application, foot: SceneView) -> None:
@@ -127,7 +130,7 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
     exact = clearance(opened.case.record, settled)
     assert exact is not None
     assert exact.distance_mm == pytest.approx(USUAL_MM, abs=0.05)
-    assert f"{USUAL_MM:.1f} mm" in opened.tool_controller.tool.hint(opened.case)
+    assert f"{USUAL_MM:.1f} mm" in opened.stage.tool_controller.tool.hint(opened.case)
 
 
 def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> None:
@@ -135,7 +138,7 @@ def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> 
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))
     # The plane takes whole half millimetres, and the sole rises by 0.3 on each here.
     assert opened.stage.section.thickness_mm(0.0) == pytest.approx(
-        opened.surface.height_mm(0.0, 110.0), abs=0.2
+        opened.stage.preview.height_mm(0.0, 110.0), abs=0.2
     )
 
 
@@ -253,7 +256,7 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 150.0))
     pad = last(opened)
     assert isinstance(pad, Pelott)
-    opened.studio.rooms.messages.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
+    opened.services.messages.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert opened.case.record.source is not None
     opened.case.open_foot(make_foot(Side.RIGHT), opened.case.record.source)  # type: ignore[operator]
@@ -268,16 +271,16 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
 
 def test_a_template_that_is_none_is_one_sentence(opened: Application, tmp_path: Path) -> None:
     (tmp_path / "odd.insole-template").write_text("{}")
-    opened.studio.rooms.messages.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
+    opened.services.messages.questions.path = tmp_path / "odd.insole-template"  # type: ignore[attr-defined]
     act(opened, "apply_template")
-    (dialog,) = opened.studio.rooms.messages.dialogs
+    (dialog,) = opened.services.messages.dialogs
     assert "format is missing" in dialog.text()
 
 
 def test_the_outline_is_printed_in_true_size(
     opened: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
-    opened.studio.rooms.exporting.print_outline_to(tmp_path / "outline.pdf")
+    opened.features.export.print_outline_to(tmp_path / "outline.pdf")
     settle()
     content = (tmp_path / "outline.pdf").read_bytes()
     assert content.startswith(b"%PDF")
@@ -343,7 +346,7 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"
     length = next(line for line in copied.splitlines() if line.startswith("foot_length,mm,"))
     assert float(length.split(",")[2]) == pytest.approx(250.0, abs=1.0)
-    opened.studio.rooms.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
+    opened.services.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied
 

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.theme import apply_theme
-from insole_studio.features.foot.view import ReconstructView
+from insole_studio.features.foot.view import FootStageView
 from insole_studio.widgets.number_field import NumberField
 
 SMALL = (1366, 728)
@@ -38,7 +38,7 @@ def cut_numbers(stage: QWidget) -> list[str]:
 @pytest.mark.usefixtures("fingers")
 def test_the_export_stage_is_whole(opened: Application, settle: Callable[[], None]) -> None:
     opened.window.actions_by_key["export"].trigger()
-    stage = opened.studio.rooms.exporting.checking.stage
+    stage = opened.features.export.stage
     assert stage is not None
     stage.resize(*SMALL)
     settle()
@@ -52,7 +52,7 @@ def test_the_export_stage_is_whole(opened: Application, settle: Callable[[], Non
 
 @pytest.mark.usefixtures("fingers")
 def test_the_foot_stage_is_whole(qtbot: QtBot) -> None:
-    view = ReconstructView(dark=False)
+    view = FootStageView(dark=False)
     qtbot.addWidget(view)
     view.resize(*SMALL)
     view.show()

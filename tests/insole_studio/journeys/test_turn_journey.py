@@ -57,10 +57,10 @@ def test_the_ring_in_the_picture_turns_by_the_angle_of_the_pointer(
     before, steps = pose(opened), len(opened.case.history)
     way = carried(foot, "turn-yaw_deg", 10.0)
     lead(foot, *way)
-    assert "°" in opened.tool_controller.tool.hint(
+    assert "°" in opened.stage.tool_controller.tool.hint(
         opened.case
     )  # the angle is told while it changes
-    assert opened.tool_controller.tool.foot_step is not None
+    assert opened.stage.tool_controller.tool.foot_step is not None
     assert len(opened.case.history) == steps
     QTest.mouseRelease(foot.surface, LEFT, pos=way[-1])
     settle()
@@ -92,7 +92,7 @@ def test_escape_lets_the_foot_lie_as_it_did(opened: Application, foot: SceneView
     lead(foot, *carried(foot, "turn-yaw_deg", 15.0))
     QTest.keyClick(foot.surface, Qt.Key.Key_Escape)
     assert opened.case.record is record
-    assert opened.tool_controller.tool.foot_step is None
+    assert opened.stage.tool_controller.tool.foot_step is None
 
 
 def test_the_angle_can_be_typed_as_well(opened: Application, foot: SceneView) -> None:

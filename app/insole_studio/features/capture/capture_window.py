@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import logging
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 
-from insole_studio.features.capture.stage import CaptureStage
+from insole_core.errors import UsageError
+from insole_studio.acquisition.capture_plan import parse_assignment
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
 
+if TYPE_CHECKING:
+    from insole_studio.features.capture.stage import CaptureStage
 
-class CaptureWindow(StageWindow[CaptureStage]):
+log = logging.getLogger(__name__)
+
+
+class CaptureWindow(StageWindow["CaptureStage"]):
     """Opens the capture stage; closed, it switches the sensors off.
 
     A capture that runs keeps its finished views. What was captured is handed on when the window is
@@ -21,9 +31,24 @@ class CaptureWindow(StageWindow[CaptureStage]):
     captured = Signal(object)
     """The path of a session that is to be opened."""
 
-    def __init__(self, make: Callable[[], CaptureStage]) -> None:
-        super().__init__(make)
+    def __init__(self, services: AppServices, source: SensorSource) -> None:
+        super().__init__()
+        self._services = services
+        self._source = source
         self._waiting: list[Path] = []
+
+    def make_stage(self) -> CaptureStage:
+        """Take the sensors into use, with the views they had last time."""
+        from insole_studio.features.capture.stage import CaptureStage
+
+        # Emulated sensors have the views of their recording.
+        emulated = self._source.emulate is not None
+        return CaptureStage(
+            place=self._source,
+            assignment=() if emulated else self._remembered_views(),
+            folder=self._services.paths.data_folder,
+            remember=(lambda _assignment: None) if emulated else self._remember_views,
+        )
 
     def connect_stage(self, stage: CaptureStage) -> None:
         """Collect what is captured, until the stage is closed."""
@@ -39,3 +64,14 @@ class CaptureWindow(StageWindow[CaptureStage]):
         """Close the stage with the program; nothing is opened any more."""
         self._waiting.clear()
         super().close()
+
+    def _remember_views(self, assignment: Sequence[tuple[str, str]]) -> None:
+        views = [f"{view}={serial}" for view, serial in assignment]
+        self._services.settings.capture_views = views
+
+    def _remembered_views(self) -> tuple[tuple[str, str], ...]:
+        try:
+            return parse_assignment(self._services.settings.capture_views)
+        except UsageError as error:
+            log.warning("the views of the sensors are forgotten: %s", error)
+            return ()

@@ -21,7 +21,6 @@ from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
 from insole_studio.services.questions import SameSide
-from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
 
@@ -38,9 +37,7 @@ class OpenActions:
     def __init__(
         self,
         services: AppServices,
-        *,
-        recent: RecentFiles,
-        saving: SaveActions,
+        saver: SaveActions,
         autosave: Autosave,
         reconstruct: Callable[[Path], None],
     ) -> None:
@@ -48,8 +45,8 @@ class OpenActions:
         self._case = services.case
         self._messages = services.messages
         self._notices = services.notices
-        self._recent = recent
-        self._saving = saving
+        self._recent = services.recent
+        self._saver = saver
         self._autosave = autosave
         self._reconstruct = reconstruct
 
@@ -81,7 +78,7 @@ class OpenActions:
 
     def new_case(self) -> None:
         """Begin with an empty case."""
-        self._saving.after_unsaved(lambda: self._case.open(CaseRecord(), None))
+        self._saver.after_unsaved(lambda: self._case.open(CaseRecord(), None))
 
     def open_example(self) -> None:
         """Open the case that comes with the product."""
@@ -129,7 +126,7 @@ class OpenActions:
             self._case.open(record, path)
             self._recent.remember(path)
 
-        self._saving.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
+        self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)
@@ -183,7 +180,7 @@ class OpenActions:
             foot = replace(foot, earlier=last_design(before))
             self._case.apply(foot, tr("Put a new scan into the place of the old"))
         elif answer is SameSide.NEW_CASE:
-            self._saving.after_unsaved(
+            self._saver.after_unsaved(
                 lambda: self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
             )
 

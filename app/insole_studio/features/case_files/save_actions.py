@@ -13,7 +13,6 @@ from insole_studio.document.case_name import case_name, file_stem
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds
 from insole_studio.services.questions import Answer
-from insole_studio.services.recent_files import RecentFiles
 from insole_studio.texts import tr
 
 CHANNEL = "save"
@@ -27,11 +26,11 @@ def _nothing() -> None:
 class SaveActions:
     """Writes the case beside the window."""
 
-    def __init__(self, services: AppServices, recent: RecentFiles) -> None:
+    def __init__(self, services: AppServices) -> None:
         self._services = services
         self._case = services.case
         self._messages = services.messages
-        self._recent = recent
+        self._recent = services.recent
 
     def save(self) -> None:
         """Save to the file of the case; ask for one where there is none."""

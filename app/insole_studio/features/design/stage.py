@@ -61,7 +61,10 @@ class DesignStage(QObject):
     ) -> None:
         super().__init__(parent)
         self._case = case
-        self._tool_controller = tool_controller
+        self.preview = surface
+        self.tool_controller = self._tool_controller = tool_controller
+        self.pads = pads
+        self.rules = rules
         self._cut = section
         self.linked = True
         self.steps = StepStrip()
@@ -111,7 +114,7 @@ class DesignStage(QObject):
         self._fit_when_shown = False
         self._fitted: ViewCamera | None = None
         """What `look` has chosen, until the hand moves it: it follows the size of the views."""
-        self._counterpart = counterpart
+        self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.build import build_insole
@@ -13,56 +14,52 @@ from insole_core.progress import Progress
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
+from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice, make_pieces
 from insole_studio.document.case_name import file_stem, whose
 from insole_studio.features.export.outline_print import print_outline
-from insole_studio.features.export.stage import ExportStage
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.export.stage import ExportStage
+
 CHANNEL = "export"
-AskPath = Callable[[str, str], Path | None]
-MayReplace = Callable[[Sequence[Path]], bool]
 
 
-class ExportActions(QObject):
-    """Opens the export stage, and writes what needs no questions.
-
-    Parameters
-    ----------
-    desk
-    make_stage
-        Constructs the export stage, given what asks the user for a path, and what asks whether
-        files may be replaced.
-    """
+class ExportActions(StageWindow["ExportStage"]):
+    """Opens the export stage, and writes what needs no questions."""
 
     changed = Signal()
     """Something was exported."""
 
-    def __init__(
-        self,
-        services: AppServices,
-        make_stage: Callable[[AskPath, MayReplace], ExportStage],
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, services: AppServices) -> None:
+        super().__init__(services.window)
         self._services = services
         self._case = services.case
         self._messages = services.messages
         self.exported: CaseRecord | None = None
         """What was exported last."""
-        self._make_stage = make_stage
-        self.checking = StageWindow(self._make_connected, self)
-        """The stage, while it is open."""
 
-    def ask_export(self) -> None:
-        """Open the stage that checks and exports."""
-        self.checking.open()
+    def make_stage(self) -> ExportStage:
+        """Begin with the clinic's rules and the last order."""
 
-    def close(self) -> None:
-        """Close the stage, if it is open."""
-        self.checking.close()
+        shop, folder = read_shop(), self._services.paths.settings_folder
+        return ExportStage(
+            case=self._case,
+            rules=ClinicExportRules(folder / "export.json"),
+            shop=shop,
+            ask_path=self._ask_path,
+            may_replace=self._messages.questions.may_replace,
+            memory=LastOrder(folder / "order.json", shop),
+            dark=self._services.dark,
+        )
+
+    def connect_stage(self, stage: ExportStage) -> None:
+        """Note what is exported."""
+        stage.exported.connect(self._note)
 
     def export_to(self, path: Path) -> None:
         """Write the plain insole of the foot at hand, beside the window."""
@@ -85,11 +82,6 @@ class ExportActions(QObject):
             self._note(record, [path])
 
         self._services.run(CHANNEL, write, done)
-
-    def _make_connected(self) -> ExportStage:
-        stage = self._make_stage(self._ask_path, self._messages.questions.may_replace)
-        stage.exported.connect(self._note)
-        return stage
 
     def _ask_path(self, word: str, suffix: str) -> Path | None:
         stem = file_stem(self._case)

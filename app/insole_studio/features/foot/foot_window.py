@@ -1,22 +1,31 @@
-"""The foot stage in a window of its own: from a session to a foot on the bench."""
+"""The foot stage in a window of its own: from a session to a foot of the open case."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 
-from insole_studio.features.foot.stage import ReconstructStage
+from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
+from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
 
+if TYPE_CHECKING:
+    from insole_studio.features.foot.stage import FootStage
 
-class FootWindow(StageWindow[ReconstructStage]):
+
+class FootWindow(StageWindow["FootStage"]):
     """Opens the foot stage on a session."""
 
     foot_made = Signal(object)
-    """A `ScannedFoot` that is to be put onto the bench."""
+    """A `ScannedFoot` that is to be designed on."""
     unreadable = Signal(object)
     closed = Signal()
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__()
+        self._services = services
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
         """Show the stage with a session; one that it shows already stays as it is."""
@@ -27,8 +36,35 @@ class FootWindow(StageWindow[ReconstructStage]):
         assert self.stage is not None
         self.stage.open_session(path, hand_over)
 
-    def connect_stage(self, stage: ReconstructStage) -> None:
+    def make_stage(self) -> FootStage:
+        """Begin with the limits of last time."""
+        from insole_studio.features.foot.stage import FootStage
+
+        settings = self._services.settings
+        return FootStage(
+            jobs=self._services.jobs,
+            limits=RegistrationLimits(
+                residual_mm=settings.largest_residual_mm,
+                reprojection_px=settings.largest_reprojection_px,
+                displacement_mm=settings.largest_displacement_mm,
+            ),
+            remember=self._remember_limits,
+            ask=self._ask_to_open,
+            dark=self._services.dark,
+            touch=settings.touch,
+        )
+
+    def connect_stage(self, stage: FootStage) -> None:
         """Hand on what is made."""
         stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
+
+    def _remember_limits(self, limits: RegistrationLimits) -> None:
+        settings = self._services.settings
+        settings.largest_residual_mm = limits.residual_mm
+        settings.largest_reprojection_px = limits.reprojection_px
+        settings.largest_displacement_mm = limits.displacement_mm
+
+    def _ask_to_open(self, sentence: str) -> bool:
+        return self._services.messages.questions.open_anyway(sentence)

@@ -44,7 +44,7 @@ READING, MAKING = "read-session", "reconstruct"
 """The channels of the jobs."""
 
 
-class ReconstructPanel(ImagePanel, Protocol):
+class FootStagePanel(ImagePanel, Protocol):
     """What the stage shows, and the intents it emits."""
 
     view_chosen: Any
@@ -71,7 +71,7 @@ class ReconstructPanel(ImagePanel, Protocol):
     def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
 
 
-class ReconstructPresenter:
+class FootStagePresenter:
     """Places the views anew at every correction, and makes the foot when asked.
 
     Parameters
@@ -97,7 +97,7 @@ class ReconstructPresenter:
     def __init__(
         self,
         *,
-        panel: ReconstructPanel,
+        panel: FootStagePanel,
         jobs: Jobs,
         limits: RegistrationLimits,
         remember: Callable[[RegistrationLimits], None],
@@ -254,7 +254,7 @@ class ReconstructPresenter:
         made = self._made
         return made is None or (made.edits, made.limits) != (self.edits, self._limits)
 
-    def _connect(self, panel: ReconstructPanel) -> None:
+    def _connect(self, panel: FootStagePanel) -> None:
         panel.view_chosen.connect(self.choose_view)
         panel.view_switched.connect(self.switch_view)
         panel.box_edited.connect(self.edit_box)

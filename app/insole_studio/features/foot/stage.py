@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.reconstruct import RegistrationLimits
 from insole_studio.features.foot.box_dragger import BoxDragger
-from insole_studio.features.foot.presenter import ReconstructPresenter
-from insole_studio.features.foot.view import ReconstructView
+from insole_studio.features.foot.presenter import FootStagePresenter
+from insole_studio.features.foot.view import FootStageView
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
@@ -20,7 +20,7 @@ from insole_studio.widgets.tab_order import StageFrame
 _SIZE = (1280, 720)
 
 
-class ReconstructStage(StageFrame):
+class FootStage(StageFrame):
     """Shows how a foot comes about, and lets the hand correct it.
 
     Parameters
@@ -58,12 +58,12 @@ class ReconstructStage(StageFrame):
         self.resize(*_SIZE)
         self._jobs = jobs
         self.path: Path | None = None
-        self.view = ReconstructView(dark)
+        self.view = FootStageView(dark)
         self.view.set_touch(touch)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
-        self.presenter = ReconstructPresenter(
+        self.presenter = FootStagePresenter(
             panel=self.view,
             jobs=jobs,
             limits=limits,

@@ -45,7 +45,7 @@ _WIDE_PX = 1000
 _BAR_PX = 12
 
 
-class ReconstructView(QWidget):
+class FootStageView(QWidget):
     """Shows, and emits intents."""
 
     view_chosen = Signal(str)

@@ -196,11 +196,11 @@ def test_a_place_that_cannot_be_written(
 
 
 def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> None:
-    app.studio.run_action("calibrate", False)
-    opened = app.studio.rooms.calibrate.stage
+    app.controller.run_action("calibrate", False)
+    opened = app.features.calibrate.stage
     assert opened is not None
     assert opened.isVisible()
-    app.studio.run_action("calibrate", False)
-    assert app.studio.rooms.calibrate.stage is opened
-    app.studio.rooms.calibrate.close()
-    assert app.studio.rooms.calibrate.stage is None
+    app.controller.run_action("calibrate", False)
+    assert app.features.calibrate.stage is opened
+    app.features.calibrate.close()
+    assert app.features.calibrate.stage is None

@@ -10,9 +10,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_studio.app.bootstrap import Application, UserPaths, build_application
+from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.capture.stage import CaptureStage
+from insole_studio.user_paths import UserPaths
 
 PATIENCE_MS = 60_000
 
@@ -26,15 +27,15 @@ def emulating(
     built.window.show()
     qtbot.waitExposed(built.window)
     yield built
-    for dialog in list(built.studio.rooms.messages.dialogs):
+    for dialog in list(built.services.messages.dialogs):
         dialog.done(0)
     built.autosave.forget()
     built.close()
 
 
 def opened_stage(application: Application) -> CaptureStage:
-    application.studio.run_action("capture", False)
-    stage = application.studio.rooms.capture.stage
+    application.controller.run_action("capture", False)
+    stage = application.features.capture.stage
     assert stage is not None
     return stage
 
@@ -54,17 +55,17 @@ def test_a_captured_foot_comes_onto_the_bench(
     stage.view.use_requested.emit()
     ready(lambda: emulating.case.foot is not None)
     ready(lambda: not emulating.jobs.is_running())
-    assert emulating.studio.rooms.capture.stage is None
+    assert emulating.features.capture.stage is None
     assert emulating.settings.recent[0].startswith(str(places.data_folder / "sessions"))
 
 
 def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
     emulating.stage.steps.chosen.emit("capture")
-    first = emulating.studio.rooms.capture.stage
+    first = emulating.features.capture.stage
     assert first is not None
     assert first.isVisible()
-    emulating.studio.run_action("capture", False)
-    assert emulating.studio.rooms.capture.stage is first
+    emulating.controller.run_action("capture", False)
+    assert emulating.features.capture.stage is first
 
 
 class KeptStage(QWidget):
@@ -96,8 +97,8 @@ def test_a_session_that_cannot_be_emulated_is_told(
     qapp: QApplication, places: UserPaths, tmp_path: Path
 ) -> None:
     built = build_application(qapp, places, tmp_path)
-    built.studio.run_action("capture", False)
-    (dialog,) = built.studio.rooms.messages.dialogs
+    built.controller.run_action("capture", False)
+    (dialog,) = built.services.messages.dialogs
     assert "holds no manifest.json" in dialog.text()
     dialog.done(0)
     built.close()

@@ -21,7 +21,7 @@ from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
 from insole_core.workflows.open_scan import ScannedFoot
-from insole_studio.features.foot.presenter import MAKING, ReconstructPresenter
+from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
 from insole_studio.jobs import Jobs
 
@@ -85,7 +85,7 @@ class Bench:
         self.limits = [DEFAULT_LIMITS]
         self.asked: list[str] = []
         self.answer = False
-        self.presenter = ReconstructPresenter(
+        self.presenter = FootStagePresenter(
             panel=self.panel,
             jobs=jobs,
             limits=DEFAULT_LIMITS,

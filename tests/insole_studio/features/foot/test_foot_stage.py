@@ -19,7 +19,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.foot.rows import Mark
-from insole_studio.features.foot.stage import ReconstructStage
+from insole_studio.features.foot.stage import FootStage
 from insole_studio.scene.view_camera import Preset
 
 LEFT = Qt.MouseButton.LeftButton
@@ -33,16 +33,16 @@ def session(tmp_path: Path, small_session: Path) -> Path:
     return path
 
 
-def shown_stage(app: Application) -> ReconstructStage:
-    stage = app.studio.rooms.foot.stage
+def shown_stage(app: Application) -> FootStage:
+    stage = app.features.foot.stage
     assert stage is not None
     return stage
 
 
 @pytest.fixture
-def stage(app: Application, qtbot: QtBot, session: Path) -> ReconstructStage:
+def stage(app: Application, qtbot: QtBot, session: Path) -> FootStage:
     """The stage with a session that is read and placed; its foot is not made."""
-    app.studio.rooms.opening.open_path(session)
+    app.features.case_files.opener.open_path(session)
     opened = shown_stage(app)
     qtbot.waitUntil(lambda: opened.view.table.rowCount() == 3, timeout=PATIENCE_MS)
     opened.view.cancel_requested.emit()
@@ -51,16 +51,16 @@ def stage(app: Application, qtbot: QtBot, session: Path) -> ReconstructStage:
     return opened
 
 
-def mark(stage: ReconstructStage, marker: str) -> Mark:
+def mark(stage: FootStage, marker: str) -> Mark:
     return next(m for m in stage.view.markers.picture._marks if m.id == marker)
 
 
-def click(stage: ReconstructStage, pixel: Pixel) -> None:
+def click(stage: FootStage, pixel: Pixel) -> None:
     place = stage.view.markers.picture.to_widget(pixel).toPoint()
     QTest.mouseClick(stage.view.markers.picture, LEFT, pos=place)
 
 
-def choose(stage: ReconstructStage, text: str, sub: str = "") -> None:
+def choose(stage: FootStage, text: str, sub: str = "") -> None:
     """Choose a line of the menu that a click has opened."""
     menu = stage.view.markers.menu
     menu.close()
@@ -70,7 +70,7 @@ def choose(stage: ReconstructStage, text: str, sub: str = "") -> None:
     action.trigger()
 
 
-def drag(stage: ReconstructStage, start: QPointF, *way: QPointF) -> None:
+def drag(stage: FootStage, start: QPointF, *way: QPointF) -> None:
     picture = stage.view.markers.picture
     QTest.mousePress(picture, LEFT, pos=start.toPoint())
     for place in way:
@@ -82,7 +82,7 @@ def drag(stage: ReconstructStage, start: QPointF, *way: QPointF) -> None:
 def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     app: Application, settle: Callable[[], None], session: Path
 ) -> None:
-    app.studio.rooms.opening.open_path(session)
+    app.features.case_files.opener.open_path(session)
     settle()
     stage = shown_stage(app)
     assert stage.isVisible()
@@ -90,7 +90,7 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     assert stage.view.table.text_at(0, "Markers") == "12 / 12"
     assert stage.view.table.text_at(0, "Remarks") == "Good"
     QTest.mouseClick(stage.view.go_on, LEFT)
-    assert app.studio.rooms.foot.stage is None
+    assert app.features.foot.stage is None
     QTest.qWaitForWindowActive(app.window)
     assert app.window.isActiveWindow()
     assert QApplication.focusWidget() is app.stage.foot.scene.surface
@@ -108,7 +108,7 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
 def test_a_foot_made_again_keeps_its_design(
     app: Application, settle: Callable[[], None], session: Path
 ) -> None:
-    app.studio.rooms.opening.open_path(session)
+    app.features.case_files.opener.open_path(session)
     settle()
     design, first = app.case.record.design, app.case.foot
     assert design is not None
@@ -118,15 +118,15 @@ def test_a_foot_made_again_keeps_its_design(
     assert stage.view.go_on.text() == "Reconstruct and go on"
     stage.view.go_on.click()
     settle()
-    assert app.studio.rooms.foot.stage is None
+    assert app.features.foot.stage is None
     assert app.case.foot is not first
     assert app.case.record.design is not None
     assert len(app.case.record.design.corrections) == 1
-    app.studio.run_action("undo", False)
+    app.controller.run_action("undo", False)
     assert app.case.foot is first
 
 
-def test_a_click_excludes_and_includes(stage: ReconstructStage) -> None:
+def test_a_click_excludes_and_includes(stage: FootStage) -> None:
     at = mark(stage, "S3").pixel
     click(stage, at)
     choose(stage, "Exclude S3")
@@ -139,7 +139,7 @@ def test_a_click_excludes_and_includes(stage: ReconstructStage) -> None:
     assert mark(stage, "S3").state == "excluded"
 
 
-def test_keys_go_from_mark_to_mark(stage: ReconstructStage) -> None:
+def test_keys_go_from_mark_to_mark(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     picture.setFocus()
     for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Space):
@@ -150,7 +150,7 @@ def test_keys_go_from_mark_to_mark(stage: ReconstructStage) -> None:
     assert mark(stage, "S2").state == "used"
 
 
-def test_a_marker_is_dragged(stage: ReconstructStage) -> None:
+def test_a_marker_is_dragged(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     start = picture.to_widget(mark(stage, "S6").pixel)
     drag(stage, start, start + QPointF(8, 0), start + QPointF(16, 4))
@@ -161,7 +161,7 @@ def test_a_marker_is_dragged(stage: ReconstructStage) -> None:
     assert stage.presenter.edits.of("left").named[0].exact
 
 
-def test_a_spot_is_another_marker_and_a_place_is_one(stage: ReconstructStage) -> None:
+def test_a_spot_is_another_marker_and_a_place_is_one(stage: FootStage) -> None:
     click(stage, mark(stage, "S2").pixel)
     choose(stage, "This is", "S9")
     assert stage.presenter.edits.of("left").named[0].id == "S9"
@@ -170,7 +170,7 @@ def test_a_spot_is_another_marker_and_a_place_is_one(stage: ReconstructStage) ->
     assert mark(stage, "S2").pixel == pytest.approx((300.0, 200.0), abs=2)
 
 
-def test_a_region_is_drawn(stage: ReconstructStage) -> None:
+def test_a_region_is_drawn(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     at = picture.to_widget(mark(stage, "S4").pixel)
     corners = [at + QPointF(*by) for by in ((-12, -12), (12, -12), (12, 12), (-12, 12))]
@@ -185,7 +185,7 @@ def test_a_region_is_drawn(stage: ReconstructStage) -> None:
     assert not stage.view.markers.search.isChecked()
 
 
-def test_a_tick_leaves_a_view_out(stage: ReconstructStage) -> None:
+def test_a_tick_leaves_a_view_out(stage: FootStage) -> None:
     item = stage.view.table.item(1, 0)
     assert item is not None
     item.setCheckState(Qt.CheckState.Unchecked)
@@ -195,7 +195,7 @@ def test_a_tick_leaves_a_view_out(stage: ReconstructStage) -> None:
     assert mark(stage, "A1").state == "used"
 
 
-def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: ReconstructStage) -> None:
+def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     fitted = picture._zoom
     assert fitted > 1
@@ -206,7 +206,7 @@ def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: ReconstructSt
     stage.view.markers.menu.close()
 
 
-def test_the_box_is_dragged_by_a_face(stage: ReconstructStage) -> None:
+def test_the_box_is_dragged_by_a_face(stage: FootStage) -> None:
     scene, before = stage.view.foot.scene, stage.presenter.box
     assert before is not None
     handle = next(h for h in scene.handles if h.name == "box-y-min")
@@ -226,7 +226,7 @@ def test_the_box_is_dragged_by_a_face(stage: ReconstructStage) -> None:
     assert stage.presenter.box == before
 
 
-def test_escape_gives_a_drag_of_the_box_up(stage: ReconstructStage) -> None:
+def test_escape_gives_a_drag_of_the_box_up(stage: FootStage) -> None:
     scene, before = stage.view.foot.scene, stage.presenter.box
     handle = next(h for h in scene.handles if h.name == "box-x-max")
     start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
@@ -238,7 +238,7 @@ def test_escape_gives_a_drag_of_the_box_up(stage: ReconstructStage) -> None:
     assert next(h for h in scene.handles if h.name == "box-x-max") == handle
 
 
-def test_a_number_bounds_the_box(stage: ReconstructStage) -> None:
+def test_a_number_bounds_the_box(stage: FootStage) -> None:
     low, _ = stage.view.box._fields[2]
     low.setValue(10.0)
     assert stage.presenter.box is not None
@@ -248,7 +248,7 @@ def test_a_number_bounds_the_box(stage: ReconstructStage) -> None:
 
 
 def test_corrections_are_there_when_the_session_is_opened_again(
-    stage: ReconstructStage, session: Path
+    stage: FootStage, session: Path
 ) -> None:
     click(stage, mark(stage, "S3").pixel)
     choose(stage, "Exclude S3")
@@ -259,10 +259,10 @@ def test_a_damaged_session_closes_the_stage(
     app: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
     (tmp_path / "session").mkdir()
-    app.studio.rooms.opening.open_path(tmp_path / "session")
+    app.features.case_files.opener.open_path(tmp_path / "session")
     settle()
-    assert app.studio.rooms.foot.stage is None
-    (dialog,) = app.studio.rooms.messages.dialogs
+    assert app.features.foot.stage is None
+    (dialog,) = app.services.messages.dialogs
     assert "holds no manifest.json" in dialog.text()
 
 
@@ -271,7 +271,7 @@ def test_the_views_and_the_box_are_seen(
     app: Application, settle: Callable[[], None], session: Path
 ) -> None:
     """With real GL: the two sole views have their colours, and the edges of the box are blue."""
-    app.studio.rooms.opening.open_path(session)
+    app.features.case_files.opener.open_path(session)
     settle()
     stage = shown_stage(app)
     stage.view._look(Preset.PLANTAR)

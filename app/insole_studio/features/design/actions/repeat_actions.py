@@ -17,7 +17,6 @@ from insole_core.workflows.template_transfer import fitted, prescribed_at
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.recent_files import RecentFiles
 from insole_studio.texts import tr
 
 CHANNEL = "earlier"
@@ -27,19 +26,13 @@ NOTICE, MIRROR = "repeat", "mirror"
 class RepeatActions(QObject):
     """Looks for the last design of the foot at hand as long as nothing is prescribed on it."""
 
-    def __init__(
-        self,
-        services: AppServices,
-        recent: RecentFiles,
-        feet: FeetActions,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, services: AppServices, feet: FeetActions) -> None:
+        super().__init__(services.window)
         self._services = services
         self._case = case = services.case
         self._messages = services.messages
         self._notices = services.notices
-        self._recent = recent
+        self._recent = services.recent
         self._feet = feet
         self._mirror_offered: Foot | None = None
         self._found: dict[tuple[object, Side], Template | None] = {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from insole_core.errors import UsageError
 from insole_studio.document.case import Case
-from insole_studio.document.side_by_side import Beside, SideBySide
+from insole_studio.document.side_by_side import Beside
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.texts import tr
@@ -13,10 +13,10 @@ from insole_studio.texts import tr
 class SideBySideActions:
     """Shows two feet or two variants beside each other, and how they differ."""
 
-    def __init__(self, case: Case, stage: DesignStage, counterpart: SideBySide) -> None:
+    def __init__(self, case: Case, stage: DesignStage) -> None:
         self._case = case
         self._stage = stage
-        self.counterpart = counterpart
+        self.counterpart = stage.counterpart
 
     @property
     def map_kind(self) -> MapKind:

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_studio.document.case import Case
 from insole_studio.features.design.stage import DesignStage
-from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.tab_order import give_focus, tab_stops
 
@@ -14,10 +13,10 @@ from insole_studio.widgets.tab_order import give_focus, tab_stops
 class KeyboardNavigation:
     """Gives the focus to what the user asks for."""
 
-    def __init__(self, case: Case, stage: DesignStage, tool_controller: ToolController) -> None:
+    def __init__(self, case: Case, stage: DesignStage) -> None:
         self._case = case
         self._stage = stage
-        self._tool_controller = tool_controller
+        self._tool_controller = stage.tool_controller
 
     def go_to_panel(self, step: int) -> None:
         """Go to the next panel, or to the one before."""

@@ -1,23 +1,27 @@
-"""The actions of two feet and of variants."""
+"""The two feet of a case, and variants."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from insole_core.geometry.side import Side
 from insole_studio.document.side_by_side import Beside
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.design.design import Design
+
 
 def _beside(
     kind: Beside, text: Callable[[], str], tip: Callable[[], str], shortcut: str
-) -> ActionRecord:
+) -> ActionRecord[Design]:
     return ActionRecord(
         f"beside_{kind.value}",
         text,
         tip,
-        lambda rooms, on: rooms.comparing.show_beside(kind) if on else None,
+        lambda design, on: design.side_by_side.show_beside(kind) if on else None,
         shortcut=shortcut,
         checkable=True,
         group="beside",
@@ -25,12 +29,12 @@ def _beside(
     )
 
 
-FOOT_ACTIONS: tuple[ActionRecord, ...] = (
+FEET_ACTIONS: tuple[ActionRecord[Design], ...] = (
     ActionRecord(
         "foot_other",
         lambda: tr("The other foot"),
         lambda: tr("Work on the other foot of the case"),
-        lambda rooms, _on: rooms.feet.take_other(),
+        lambda design, _on: design.feet.take_other(),
         shortcut="X",
         needs_foot=True,
     ),
@@ -38,7 +42,7 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "foot_left",
         lambda: tr("Left foot"),
         lambda: tr("Work on the left foot"),
-        lambda rooms, _on: rooms.feet.take(Side.LEFT),
+        lambda design, _on: design.feet.take(Side.LEFT),
         shortcut="Ctrl+1",
         needs_foot=True,
     ),
@@ -46,7 +50,7 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "foot_right",
         lambda: tr("Right foot"),
         lambda: tr("Work on the right foot"),
-        lambda rooms, _on: rooms.feet.take(Side.RIGHT),
+        lambda design, _on: design.feet.take(Side.RIGHT),
         shortcut="Ctrl+2",
         needs_foot=True,
     ),
@@ -72,7 +76,7 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "copy_to_other",
         lambda: tr("Copy the prescription to the other foot"),
         lambda: tr("Prescribe the same for the other foot, mirrored and fitted by its landmarks"),
-        lambda rooms, _on: rooms.feet.copy_prescription(),
+        lambda design, _on: design.feet.copy_prescription(),
         icon="mirror",
         shortcut="Ctrl+Shift+X",
         needs_both=True,
@@ -81,14 +85,14 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "copy_selected_to_other",
         lambda: tr("Copy the selected correction to the other foot"),
         lambda: tr("Prescribe it for the other foot as well, mirrored"),
-        lambda rooms, _on: rooms.feet.copy_selected(),
+        lambda design, _on: design.feet.copy_selected(),
         needs_both=True,
     ),
     ActionRecord(
         "repeat_last",
         lambda: tr("Repeat the last design"),
         lambda: tr("Prescribe what was prescribed for this foot before"),
-        lambda rooms, _on: rooms.repeating.repeat(),
+        lambda design, _on: design.repeat.repeat(),
         shortcut="Ctrl+R",
         needs_foot=True,
     ),
@@ -96,7 +100,7 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "variant_duplicate",
         lambda: tr("Duplicate as a variant"),
         lambda: tr("Go on with a copy of this prescription; the first stays"),
-        lambda rooms, _on: rooms.variants.duplicate(),
+        lambda design, _on: design.variants.duplicate(),
         shortcut="Ctrl+D",
         needs_foot=True,
     ),
@@ -104,7 +108,7 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "variant_next",
         lambda: tr("Next variant"),
         lambda: tr("Choose the variant after this one"),
-        lambda rooms, _on: rooms.variants.choose_next(),
+        lambda design, _on: design.variants.choose_next(),
         shortcut="V",
         needs_foot=True,
     ),
@@ -112,20 +116,14 @@ FOOT_ACTIONS: tuple[ActionRecord, ...] = (
         "variant_name",
         lambda: tr("Name the variant…"),
         lambda: tr("Call the chosen variant by another name"),
-        lambda rooms, _on: rooms.variants.ask_name(),
+        lambda design, _on: design.variants.ask_name(),
         needs_foot=True,
     ),
     ActionRecord(
         "variant_delete",
         lambda: tr("Delete the variant"),
         lambda: tr("Leave the chosen variant out; undo brings it back"),
-        lambda rooms, _on: rooms.variants.delete(),
+        lambda design, _on: design.variants.delete(),
         needs_foot=True,
-    ),
-    ActionRecord(
-        "author",
-        lambda: tr("Who prescribes…"),
-        lambda: tr("The name that stands in every correction"),
-        lambda rooms, _on: rooms.authorship.ask(),
     ),
 )

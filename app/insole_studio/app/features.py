@@ -1,0 +1,51 @@
+"""All features of the program, and which actions each of them contributes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.document.autosave import Autosave
+from insole_studio.features.calibrate.calibrate_window import CalibrateWindow
+from insole_studio.features.capture.capture_window import CaptureWindow
+from insole_studio.features.case_files.case_files import CaseFiles, make_case_files
+from insole_studio.features.compare.compare_window import CompareWindow
+from insole_studio.features.design.design import Design, make_design
+from insole_studio.features.design.stage import DesignStage
+from insole_studio.features.export.export_actions import ExportActions
+from insole_studio.features.foot.foot_window import FootWindow
+from insole_studio.services.app_services import AppServices
+
+
+@dataclass(frozen=True, eq=False)
+class Features:
+    """One object a feature; they do not know each other, the main controller connects them."""
+
+    case_files: CaseFiles
+    capture: CaptureWindow
+    foot: FootWindow
+    design: Design
+    export: ExportActions
+    compare: CompareWindow
+    calibrate: CalibrateWindow
+
+    def close_windows(self) -> None:
+        """Close the windows of all stages."""
+        for feature in (self.capture, self.calibrate, self.export, self.compare, self.foot):
+            feature.close()
+
+
+def make_features(
+    services: AppServices, stage: DesignStage, autosave: Autosave, source: SensorSource
+) -> Features:
+    """Construct every feature; the windows of stages are constructed when they are opened."""
+    foot = FootWindow(services)
+    return Features(
+        case_files=make_case_files(services, autosave, foot.open_session),
+        capture=CaptureWindow(services, source),
+        foot=foot,
+        design=make_design(services, stage),
+        export=ExportActions(services),
+        compare=CompareWindow(services),
+        calibrate=CalibrateWindow(services.paths, source),
+    )

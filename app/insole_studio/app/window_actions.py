@@ -1,0 +1,82 @@
+"""The window itself: theme, language, help."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from insole_studio.services.action_record import ActionRecord
+from insole_studio.settings import Language
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_studio.app.window_feature import WindowFeature
+
+
+def _language(key: Language, text: Callable[[], str]) -> ActionRecord[WindowFeature]:
+    return ActionRecord(
+        f"language_{key}",
+        text,
+        lambda: tr("The language of the window, from the next start on"),
+        lambda main, on: main.appearance.set_language(key) if on else None,
+        checkable=True,
+        group="languages",
+    )
+
+
+WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
+    ActionRecord(
+        "quit",
+        lambda: tr("Quit"),
+        lambda: tr("Close Insole Studio"),
+        lambda main, _on: main.window.close(),
+        shortcut="Ctrl+Q",
+    ),
+    ActionRecord(
+        "linked",
+        lambda: tr("Linked views"),
+        lambda: tr("Foot and insole turn together"),
+        lambda main, on: main.appearance.set_linked(on),
+        icon="link",
+        shortcut="L",
+        checkable=True,
+    ),
+    ActionRecord(
+        "dark",
+        lambda: tr("Dark theme"),
+        lambda: tr("Light text on a dark ground"),
+        lambda main, on: main.appearance.set_dark(on),
+        icon="dark",
+        checkable=True,
+    ),
+    ActionRecord(
+        "touch",
+        lambda: tr("Touch mode"),
+        lambda: tr("Large targets for fingers"),
+        lambda main, on: main.appearance.set_touch(on),
+        checkable=True,
+    ),
+    _language("system", lambda: tr("Language of the system")),
+    _language("en", lambda: "English"),
+    _language("sv", lambda: "Svenska"),
+    ActionRecord(
+        "tour",
+        lambda: tr("Take the tour"),
+        lambda: tr("The window in five steps"),
+        lambda main, _on: main.help.begin_tour(),
+        shortcut="F1",
+    ),
+    ActionRecord(
+        "keys",
+        lambda: tr("Keys…"),
+        lambda: tr("All that the keys do"),
+        lambda main, _on: main.help.show_keys(),
+        shortcut="Shift+F1",
+    ),
+    ActionRecord(
+        "about",
+        lambda: tr("About Insole Studio"),
+        lambda: tr("Version and licence"),
+        lambda main, _on: main.help.show_about(),
+    ),
+)

@@ -1,0 +1,29 @@
+"""The calibrate stage in a window of its own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.services.stage_window import StageWindow
+from insole_studio.user_paths import UserPaths
+
+if TYPE_CHECKING:
+    from insole_studio.features.calibrate.stage import CalibrateStage
+
+
+class CalibrateWindow(StageWindow["CalibrateStage"]):
+    """Opens the calibrate stage; closed, it switches the sensors off."""
+
+    def __init__(self, paths: UserPaths, source: SensorSource) -> None:
+        super().__init__()
+        self._paths = paths
+        self._source = source
+
+    def make_stage(self) -> CalibrateStage:
+        """Take the sensors into use."""
+        from insole_studio.features.calibrate.stage import CalibrateStage
+
+        store = SensorStore(self._paths.sensors_folder)
+        return CalibrateStage(store, self._source, self._paths.calibrations_folder)

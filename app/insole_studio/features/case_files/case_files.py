@@ -1,0 +1,38 @@
+"""The files of cases, sessions and scans: opened, saved, and watched for changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_studio.document.autosave import Autosave
+from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.save_actions import SaveActions
+from insole_studio.features.case_files.scan_monitor import ScanMonitor
+from insole_studio.services.app_services import AppServices
+
+
+@dataclass(frozen=True, eq=False)
+class CaseFiles:
+    """What opens and what saves."""
+
+    opener: OpenActions
+    saver: SaveActions
+
+
+def make_case_files(
+    services: AppServices, autosave: Autosave, reconstruct: Callable[[Path], None]
+) -> CaseFiles:
+    """Construct the feature.
+
+    Parameters
+    ----------
+    services
+    autosave
+    reconstruct
+        Called with the path of a session that is to become a foot.
+    """
+    ScanMonitor(services, services.window)
+    saver = SaveActions(services)
+    return CaseFiles(OpenActions(services, saver, autosave, reconstruct), saver)

@@ -1,0 +1,25 @@
+"""The compare stage in a window of its own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from insole_studio.services.app_services import AppServices
+from insole_studio.services.stage_window import StageWindow
+
+if TYPE_CHECKING:
+    from insole_studio.features.compare.stage import CompareStage
+
+
+class CompareWindow(StageWindow["CompareStage"]):
+    """Opens the compare stage on the open case."""
+
+    def __init__(self, services: AppServices) -> None:
+        super().__init__()
+        self._services = services
+
+    def make_stage(self) -> CompareStage:
+        """Construct the stage in the theme of now."""
+        from insole_studio.features.compare.stage import CompareStage
+
+        return CompareStage(self._services.case, self._services.dark)

@@ -1,0 +1,114 @@
+"""What can be prescribed with one click; landmarks, measures and templates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from insole_core.insole.prescription.design import (
+    ArchRaise,
+    Correction,
+    ForefootTwist,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    Posting,
+)
+from insole_studio.services.action_record import ActionRecord
+from insole_studio.texts import tr
+
+if TYPE_CHECKING:
+    from insole_studio.features.design.design import Design
+
+
+def _prescription(
+    text: Callable[[], str], tip: Callable[[], str], make: Callable[[], Correction]
+) -> ActionRecord[Design]:
+    return ActionRecord(
+        f"add_{make().type}",
+        text,
+        tip,
+        lambda design, _on: design.prescription.prescribe(make()),
+        needs_foot=True,
+    )
+
+
+PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
+    _prescription(
+        lambda: tr("Posting"),
+        lambda: tr("Tilt rear- and forefoot by degrees"),
+        lambda: Posting(rearfoot_deg=4.0),
+    ),
+    _prescription(
+        lambda: tr("Forefoot twist"),
+        lambda: tr("Turn the forefoot against the rearfoot"),
+        lambda: ForefootTwist(angle_deg=4.0),
+    ),
+    _prescription(
+        lambda: tr("Heel skive"),
+        lambda: tr("A wedge in the heel cup, medial or lateral"),
+        HeelSkive,
+    ),
+    _prescription(lambda: tr("Heel lift"), lambda: tr("Raise the whole heel"), HeelLift),
+    _prescription(lambda: tr("Heel cup"), lambda: tr("Set the depth of the heel cup"), HeelCup),
+    _prescription(
+        lambda: tr("Arch raise"), lambda: tr("Raise the medial arch about its apex"), ArchRaise
+    ),
+    ActionRecord(
+        "confirm_landmarks",
+        lambda: tr("Confirm landmarks"),
+        lambda: tr("Take all landmarks as they are shown"),
+        lambda design, _on: design.prescription.confirm_landmarks(),
+        shortcut="Ctrl+K",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "find_landmarks",
+        lambda: tr("Find landmarks anew"),
+        lambda: tr("Forget the landmarks that were set by hand"),
+        lambda design, _on: design.prescription.find_landmarks(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "copy_measures",
+        lambda: tr("Copy the measures"),
+        lambda: tr("Put the table of measures onto the clipboard"),
+        lambda design, _on: design.measures.copy(),
+        shortcut="Ctrl+Shift+M",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_measures",
+        lambda: tr("Save measures as CSV…"),
+        lambda: tr("Write the table of measures for a spreadsheet"),
+        lambda design, _on: design.measures.ask_save(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_template",
+        lambda: tr("Save as template…"),
+        lambda: tr("Save the prescription without the patient, for other feet"),
+        lambda design, _on: design.prescription.ask_save_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "apply_template",
+        lambda: tr("Apply template…"),
+        lambda: tr("Prescribe what a template holds; one of the other side is mirrored"),
+        lambda design, _on: design.prescription.ask_apply_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "repeat_design",
+        lambda: tr("Repeat the design of a case…"),
+        lambda: tr("Prescribe on this scan what an earlier case prescribes"),
+        lambda design, _on: design.prescription.ask_repeat_design(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "author",
+        lambda: tr("Who prescribes…"),
+        lambda: tr("The name that stands in every correction"),
+        lambda design, _on: design.prescriber.ask(),
+    ),
+)

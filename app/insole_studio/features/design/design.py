@@ -1,0 +1,81 @@
+"""The design of an insole: its stage, and what the menus do to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from insole_core.insole.prescription.clinic_rules import load_rules
+from insole_core.workflows.pad_library import load_pads
+from insole_studio.document.case import Case
+from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.section_plane import SectionModel
+from insole_studio.document.side_by_side import SideBySide
+from insole_studio.features.design.actions.edit_actions import EditActions
+from insole_studio.features.design.actions.feet_actions import FeetActions
+from insole_studio.features.design.actions.keyboard_navigation import KeyboardNavigation
+from insole_studio.features.design.actions.measure_actions import MeasureActions
+from insole_studio.features.design.actions.prescriber_setting import PrescriberSetting
+from insole_studio.features.design.actions.prescription_actions import PrescriptionActions
+from insole_studio.features.design.actions.repeat_actions import RepeatActions
+from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
+from insole_studio.features.design.actions.variant_actions import VariantActions
+from insole_studio.features.design.stage import DesignStage
+from insole_studio.features.design.tools.all_tools import make_tools
+from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.jobs import Jobs
+from insole_studio.services.app_services import AppServices
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """The stage, and one object for each group of actions."""
+
+    stage: DesignStage
+    edit: EditActions
+    navigation: KeyboardNavigation
+    prescription: PrescriptionActions
+    measures: MeasureActions
+    feet: FeetActions
+    variants: VariantActions
+    side_by_side: SideBySideActions
+    repeat: RepeatActions
+    prescriber: PrescriberSetting
+
+
+def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
+    """Construct the panels with what they show, before there is a window to hold them."""
+    section = SectionModel()
+    return DesignStage(
+        case=case,
+        surface=InsolePreview(case, jobs),
+        section=section,
+        counterpart=SideBySide(case, jobs),
+        tool_controller=ToolController(case, make_tools(section)),
+        pads=load_pads(),
+        rules=load_rules(),
+        dark=dark,
+    )
+
+
+def make_design(services: AppServices, stage: DesignStage) -> Design:
+    """Construct the actions on a stage."""
+    case, tools = services.case, stage.tool_controller
+    feet = FeetActions(case)
+    return Design(
+        stage=stage,
+        edit=EditActions(case, tools),
+        navigation=KeyboardNavigation(case, stage),
+        prescription=PrescriptionActions(
+            case,
+            tools,
+            stage.pads,
+            stage.rules.pelott_usual_behind_heads_mm,
+            services.messages,
+        ),
+        measures=MeasureActions(case, services.messages),
+        feet=feet,
+        variants=VariantActions(case, services.messages),
+        side_by_side=SideBySideActions(case, stage),
+        repeat=RepeatActions(services, feet),
+        prescriber=PrescriberSetting(services),
+    )

@@ -1,0 +1,32 @@
+"""The tools, in the order of the toolbar."""
+
+from __future__ import annotations
+
+from insole_studio.document.section_plane import SectionModel
+from insole_studio.features.design.tools.brush_tool import BrushTool
+from insole_studio.features.design.tools.free_hand_tool import FreeHandTool
+from insole_studio.features.design.tools.key_point_tool import KeyPointTool
+from insole_studio.features.design.tools.orbit_tool import OrbitTool
+from insole_studio.features.design.tools.outline_tool import OutlineTool
+from insole_studio.features.design.tools.pelott_tool import PelottTool
+from insole_studio.features.design.tools.plane_tool import PlaneTool
+from insole_studio.features.design.tools.posting_tool import PostingTool
+from insole_studio.features.design.tools.section_tool import SectionTool
+from insole_studio.features.design.tools.tool import Tool
+from insole_studio.features.design.tools.turn_tool import TurnTool
+
+
+def make_tools(section: SectionModel) -> tuple[Tool, ...]:
+    """Construct one of every tool."""
+    return (
+        OrbitTool(),
+        KeyPointTool(),
+        TurnTool(),
+        PelottTool(),
+        FreeHandTool(),
+        PostingTool(),
+        OutlineTool(),
+        BrushTool(),
+        PlaneTool(),
+        SectionTool(section),
+    )

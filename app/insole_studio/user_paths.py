@@ -1,0 +1,45 @@
+"""Where the application keeps what it remembers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import platformdirs
+
+APPLICATION = "insole-studio"
+
+
+@dataclass(frozen=True)
+class UserPaths:
+    """The files and folders of one user."""
+
+    settings_file: Path
+    autosave_folder: Path
+
+    @property
+    def settings_folder(self) -> Path:
+        """Holds the settings, the clinic's rules and the last order."""
+        return self.settings_file.parent
+
+    @property
+    def data_folder(self) -> Path:
+        """Holds calibrated sensors, unfinished captures, and captured sessions."""
+        return self.autosave_folder.parent
+
+    @property
+    def sensors_folder(self) -> Path:
+        """Holds the calibrated sensors."""
+        return self.data_folder / "sensors"
+
+    @property
+    def calibrations_folder(self) -> Path:
+        """Holds the pictures that sensors are calibrated from."""
+        return self.data_folder / "calibrations"
+
+    @classmethod
+    def of_user(cls) -> UserPaths:
+        """Return the paths of this user on this platform."""
+        config = platformdirs.user_config_path(APPLICATION, appauthor=False)
+        data = platformdirs.user_data_path(APPLICATION, appauthor=False)
+        return cls(config / "settings.json", data / "autosave")
