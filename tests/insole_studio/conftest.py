@@ -105,6 +105,7 @@ def undrawn_reports(undraw_reports, monkeypatch: pytest.MonkeyPatch) -> None:
 def no_leaks() -> Iterator[None]:
     """No widget and no thread survives its test."""
     before = set(threading.enumerate())
+    gc.collect()  # else the freeze keeps forever what the test before has left in a cycle
     gc.freeze()  # what was there before need not be looked through again: collecting is quick
     yield
     if QApplication.instance() is not None:
