@@ -225,6 +225,7 @@ def part(mesh: TriangleMesh, first_mm: float, last_mm: float) -> TriangleMesh:
     return TriangleMesh(mesh.vertices[keep], number[inside].astype(np.int32))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("first_mm", "last_mm", "sentence"),
     [(-50.0, 185.0, "The toes are missing"), (50.0, 400.0, "The heel is missing")],

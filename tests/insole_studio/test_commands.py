@@ -72,6 +72,7 @@ def test_foot_becomes_a_closed_insole(foot: str, right_foot: Path, tmp_path: Pat
     assert insole.volume > 1e5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["insole", "block", "positive"])
 def test_every_kind_stands_on_its_base_plane(kind: str, right_foot: Path, tmp_path: Path) -> None:
     out = tmp_path / "solid.stl"
@@ -97,6 +98,7 @@ def stl_volume(right_foot: Path, tmp_path_factory: pytest.TempPathFactory) -> fl
     return designed_volume(right_foot, tmp_path_factory.mktemp("stl") / "insole.stl")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".3mf", ".ply", ".obj"])
 def test_every_format_holds_the_same_insole(
     suffix: str, right_foot: Path, stl_volume: float, tmp_path: Path
@@ -105,6 +107,7 @@ def test_every_format_holds_the_same_insole(
     assert volume == pytest.approx(stl_volume, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_prescription_raises_its_pelott(right_foot: Path, tmp_path: Path) -> None:
     pelott = {
         "type": "pelott", "shape": "egg", "centre_mm": [-8.3, 140.4],
@@ -132,6 +135,7 @@ def test_prescription_raises_its_pelott(right_foot: Path, tmp_path: Path) -> Non
     assert raised.min() == pytest.approx(0, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_side_that_contradicts_the_shape(
     right_foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -142,6 +146,7 @@ def test_side_that_contradicts_the_shape(
     assert run([*call, "--force"]) == 0
 
 
+@pytest.mark.slow
 def test_reconstruct_heeds_corrections_by_hand_and_limits(tmp_path: Path) -> None:
     session = tmp_path / "session.zip"
     shutil.copy(SMALL_SESSION, session)
@@ -235,6 +240,7 @@ def test_existing_output_survives_a_failure(tmp_path: Path) -> None:
     assert out.read_text() == "of yesterday"
 
 
+@pytest.mark.slow
 def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
     assert run(["simulate", str(out), "--seed", "2", "--side", "right"]) == 0
@@ -285,6 +291,7 @@ def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     assert out.read_text() == "of yesterday"
 
 
+@pytest.mark.slow
 def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path: Path) -> None:
     report, table = tmp_path / "measures.json", tmp_path / "measures.csv"
     call = ["measure", str(SMALL_SESSION), "--other", str(right_foot)]
@@ -300,6 +307,7 @@ def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path:
     assert first == f"foot_length,mm,{left:.3f},{right:.3f},{first.split(',', 4)[4]}"
 
 
+@pytest.mark.slow
 def test_the_other_foot_must_be_the_other(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -41,6 +41,7 @@ def last_line(capsys: pytest.CaptureFixture[str]) -> str:
     return capsys.readouterr().err.strip().splitlines()[-1]
 
 
+@pytest.mark.slow
 def test_offset_and_every_output(pair: tuple[str, str], tmp_path: Path) -> None:
     outputs = {"report": "d.json", "picture": "d.png", "surface": "d.ply"}
     options = [word for key, name in outputs.items() for word in (f"--{key}", str(tmp_path / name))]
@@ -53,6 +54,7 @@ def test_offset_and_every_output(pair: tuple[str, str], tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["d.json", "d.ply", "d.png"]
 
 
+@pytest.mark.slow
 def test_best_fit_is_the_default(pair: tuple[str, str], tmp_path: Path) -> None:
     assert run(["compare", *pair, "--report", str(tmp_path / "d.json")]) == 0
     values = json.loads((tmp_path / "d.json").read_text())
@@ -69,6 +71,7 @@ def test_picked_points(pair: tuple[str, str], tmp_path: Path) -> None:
     assert json.loads((tmp_path / "d.json").read_text())["max"] < 0.01
 
 
+@pytest.mark.slow
 def test_mould_in_one_view_without_a_reference_system(
     pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -184,6 +184,7 @@ def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> Non
     assert design(two_feet).corrections == ()
 
 
+@pytest.mark.slow
 def test_variants_are_made_named_chosen_and_deleted(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:

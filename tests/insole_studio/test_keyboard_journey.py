@@ -17,6 +17,8 @@ from insole_studio.scripted import ScriptedStudio
 from insole_studio.shell.questions import Questions
 from insole_studio.tools.key_point import confidence, shown_points
 
+pytestmark = pytest.mark.slow
+
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 PATIENCE_MS = 60_000

@@ -30,6 +30,8 @@ from kinect_v1.models import Model
 from kinect_v1.modes import MODES
 from kinect_v1.pixels import demosaic, mosaic
 
+pytestmark = pytest.mark.slow
+
 WANTED = 3
 CLIENT = HERE / "freenect_client.py"
 

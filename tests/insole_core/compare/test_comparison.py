@@ -87,6 +87,7 @@ def test_mould_against_insole(left_foot, padded):
     assert result.statistics["median_abs"] < 0.01
 
 
+@pytest.mark.slow
 def test_thesis_case(left_foot):
     """N, F and O of chapter 8: O's pelott lies 5 mm further ahead, and its scan is coarse."""
     rng = np.random.default_rng(3)
@@ -217,6 +218,7 @@ def test_report_picture_and_surface(plain, padded, tmp_path: Path):
     assert red > blue + 50
 
 
+@pytest.mark.slow
 def test_millions_of_triangles(plain):
     """A scan of a million triangles against an insole: the same figures as of the coarse one."""
     fine = plain

@@ -61,6 +61,7 @@ def test_heights_are_those_over_the_table(models, left_foot):
     assert models["O"].bounds_mm[1, 2] == pytest.approx(insole.bounds_mm[1, 2], abs=3)
 
 
+@pytest.mark.slow
 def test_thesis_case_from_scans(models):
     """The thesis found 1.2 to 1.45 mm; the pad that lies ahead shows in O alone."""
     maps = {
@@ -90,12 +91,14 @@ def test_dots_of_a_scan_are_found_where_they_are(models):
     assert np.sort(apart[apart > 0]) == pytest.approx(np.sort(true[true > 0]), abs=4)
 
 
+@pytest.mark.slow
 def test_empty_table():
     speck = TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]]))
     with pytest.raises(ReconstructionError, match="stands out from its background"):
         one_view_surface(simulate_view(speck, 1))
 
 
+@pytest.mark.slow
 def test_sensor_that_sees_nothing():
     view = simulate_view(
         TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]])), 1

@@ -67,6 +67,7 @@ def test_distances_by_axis_with_a_known_error() -> None:
     assert result.distances[0].relative == pytest.approx(0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("distance_mm", [850.0, 950.0])
 def test_known_object_measured_with_a_calibrated_device(distance_mm: float) -> None:
     device = SimulatedDevice(smooth_distortion(3, 3.56))

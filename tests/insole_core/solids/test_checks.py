@@ -53,6 +53,7 @@ def test_thin_place_is_named():
     assert finding.place_mm == pytest.approx((10, -20, 0.6), abs=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("radius", "passes"), [(3.0, False), (12.0, True)])
 def test_groove_against_the_cutter(radius, passes):
     """A round groove along y, 2 mm deep: a ball of 5 mm radius fits 12 mm, not 3 mm."""
@@ -79,6 +80,7 @@ def test_step_is_measured():
     assert finding.place_mm[0] == pytest.approx(5, abs=1)
 
 
+@pytest.mark.slow
 def test_walls_that_lean_inwards_are_undercut():
     assert findings(plate(lambda _x, _y: 8.0, draft_deg=5))["undercut"].passed
     finding = findings(plate(lambda _x, _y: 8.0, draft_deg=-10))["undercut"]
@@ -86,6 +88,7 @@ def test_walls_that_lean_inwards_are_undercut():
     assert finding.value == pytest.approx(360 * 8 / np.cos(np.radians(10)), rel=0.05)
 
 
+@pytest.mark.slow
 def test_block_and_shoe_that_are_too_small():
     found = findings(plate(lambda _x, _y: 41.0))
     assert found["block"].value == pytest.approx(1, abs=0.01)
@@ -95,6 +98,7 @@ def test_block_and_shoe_that_are_too_small():
     assert findings(along_x)["block"].passed
 
 
+@pytest.mark.slow
 def test_open_solid_blocks_until_somebody_answers_for_it():
     solid = plate(lambda _x, _y: 8.0)
     found = check_solid(replace(solid, triangles=solid.triangles[1:]), read_rules())

@@ -64,6 +64,7 @@ def test_distortion_is_kept_beside_the_colour_camera(recorded) -> None:
     assert figures["rms_after_raw"] < 0.7
 
 
+@pytest.mark.slow
 def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     store = SensorStore(recorded.sensors)
     store.save(replace(kept(recorded.sensors), depth_camera=CAMERA))
@@ -76,6 +77,7 @@ def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     np.testing.assert_allclose(found.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=0.01)
 
 
+@pytest.mark.slow
 def test_depth_camera_and_stereo_from_infrared(recorded) -> None:
     assert run(call("depth", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
     assert run(call("stereo", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
@@ -119,6 +121,7 @@ def walls_with_boards(tmp_path: Path) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_walls_whose_planes_a_board_tells(walls_with_boards: Path, tmp_path: Path) -> None:
     SensorStore(tmp_path / "own").save(SENSOR)
     words = call("distortion", walls_with_boards, tmp_path / "own", *BOARD_CALL)
@@ -262,6 +265,7 @@ def beside(recorded, tmp_path: Path) -> Path:
     return recorded.sensors
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REFUSED)
 def test_refused_with_one_sentence(name: str, beside: Path, tmp_path: Path, capsys) -> None:
     prepare, expected = REFUSED[name]
@@ -275,6 +279,7 @@ def test_refused_with_one_sentence(name: str, beside: Path, tmp_path: Path, caps
     assert {path: path.stat().st_mtime_ns for path in beside.rglob("*")} == before
 
 
+@pytest.mark.slow
 def test_stereo_needs_the_colour_camera_first(recorded, tmp_path: Path, last_line) -> None:
     assert run(call("stereo", recorded.boards, tmp_path / "new", *BOARD_CALL)) == 1
     assert "was not calibrated yet" in last_line()
@@ -319,6 +324,7 @@ def test_session_takes_the_kept_calibration(
         np.testing.assert_array_equal(after.read_depth(0), before.read_depth(0))
 
 
+@pytest.mark.slow
 def test_correction_of_another_sensor(
     recorded, tmp_path: Path, small_session: Path, capsys
 ) -> None:

@@ -142,6 +142,7 @@ def test_a_plane_is_a_plane() -> None:
     assert (surface.mesh.triangle_normals[:, 2] < 0).all(), "the outside faces the sensors"
 
 
+@pytest.mark.slow
 def test_a_ball_keeps_its_radius() -> None:
     surface = fused(*looks_at_ball(50.0, (-15.0, 15.0)))
     places = surface.mesh.vertices
@@ -173,6 +174,7 @@ def ball_in_picture(radius_mm: float, tilt_deg: float) -> ByteArray:
     return np.asarray(30 + share[..., None] * [150.0, 90.0, 70.0], dtype=np.uint8)
 
 
+@pytest.mark.slow
 def test_outlines_in_the_pictures_show_where_a_ball_ends() -> None:
     radius_mm, tilts = 30.0, (-20.0, 20.0)
     dark = looks_at_ball(radius_mm, tilts)

@@ -86,6 +86,7 @@ def test_what_is_no_serial_number(stage: CalibrateStage) -> None:
     assert not stage.view.choose.isEnabled()
 
 
+@pytest.mark.slow
 def test_colour_camera_from_folder_to_device(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
 ) -> None:
@@ -114,6 +115,7 @@ def test_colour_camera_from_folder_to_device(
     assert stage.view.steps.currentRow() == 1
 
 
+@pytest.mark.slow
 def test_walls_say_which_distances_are_missing(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
 ) -> None:
@@ -178,6 +180,7 @@ def test_closing_stops_the_work(
     assert not stage.jobs.is_running()
 
 
+@pytest.mark.slow
 def test_a_place_that_cannot_be_written(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
 ) -> None:

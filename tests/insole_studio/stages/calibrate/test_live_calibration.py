@@ -61,6 +61,7 @@ def stage(qtbot: QtBot, tmp_path: Path, recording: Path) -> Iterator[CalibrateSt
     built.deleteLater()
 
 
+@pytest.mark.slow
 def test_a_board_that_stands_still_is_taken_once(
     stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
 ) -> None:
@@ -95,6 +96,7 @@ def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_pat
     assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
 
 
+@pytest.mark.slow
 def test_infrared_pictures_in_place_of_colour(
     stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
 ) -> None:

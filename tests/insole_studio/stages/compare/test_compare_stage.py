@@ -94,6 +94,7 @@ def number(stage: CompareStage, text: str) -> float:
     return float(texts[texts.index(text) + 1].removesuffix(" mm"))
 
 
+@pytest.mark.slow
 def test_insole_and_foot_of_the_case_are_compared_at_once(
     stage: CompareStage, settle: Callable[[], None]
 ) -> None:
@@ -102,6 +103,7 @@ def test_insole_and_foot_of_the_case_are_compared_at_once(
     assert stage.view.save.isEnabled()
 
 
+@pytest.mark.slow
 def test_surface_from_a_file_is_fitted(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
     chosen: Chosen,
@@ -113,12 +115,14 @@ def test_surface_from_a_file_is_fitted(
     assert stage.view.sources["b"].currentText() == "insole Fuß.stl"
 
 
+@pytest.mark.slow
 def test_nothing_is_chosen(stage: CompareStage, settle: Callable[[], None], chosen: Chosen) -> None:
     before = stage.view.sources["b"].currentText()
     stage.view.source_chosen.emit("b", "folder")
     assert stage.view.sources["b"].currentText() == before
 
 
+@pytest.mark.slow
 def test_picked_points_lay_one_on_the_other(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
 ) -> None:
@@ -138,6 +142,7 @@ def test_picked_points_lay_one_on_the_other(
     assert not stage.view.save.isEnabled()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".pdf", ".json", ".png", ".ply"])
 def test_report(
     stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, suffix: str
@@ -150,6 +155,7 @@ def test_report(
         assert json.loads(chosen.path.read_text())["unit"] == "mm"
 
 
+@pytest.mark.slow
 def test_report_of_no_known_form(
     stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -159,6 +165,7 @@ def test_report_of_no_known_form(
     assert "let it end in .pdf" in stage.view.error_text()
 
 
+@pytest.mark.slow
 def test_surfaces_that_do_not_overlap(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
 ) -> None:
@@ -171,12 +178,14 @@ def test_surfaces_that_do_not_overlap(
     assert not stage.view.tabs.isTabEnabled(1)
 
 
+@pytest.mark.slow
 def test_no_dots_is_one_sentence(stage: CompareStage, settle: Callable[[], None]) -> None:
     stage.view.alignment_chosen.emit("dots")
     settle()
     assert "pick the points instead" in stage.view.error_text()
 
 
+@pytest.mark.slow
 def test_median_filter_compares_anew(stage: CompareStage, settle: Callable[[], None]) -> None:
     before = number(stage, "Largest")
     stage.view.median.setValue(6)

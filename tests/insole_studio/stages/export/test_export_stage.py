@@ -112,6 +112,7 @@ def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[
     assert not stage.view.reason.isVisible()
 
 
+@pytest.mark.slow
 def test_export_names_the_side_and_writes_what_is_wanted(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -160,6 +161,7 @@ def test_pair_without_a_block_is_two_files(
     ]
 
 
+@pytest.mark.slow
 def test_files_that_are_there_are_replaced_only_on_demand(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -175,6 +177,7 @@ def test_files_that_are_there_are_replaced_only_on_demand(
     assert (tmp_path / "anna-left-job-sheet.pdf").read_bytes().startswith(b"%PDF")
 
 
+@pytest.mark.slow
 def test_order_is_remembered_without_the_patient(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -195,6 +198,7 @@ def test_memory_that_cannot_be_read_costs_nothing(tmp_path: Path, text: str) -> 
     assert OrderMemory(tmp_path / "order.json", SHOP).load() == OrderChoice()
 
 
+@pytest.mark.slow
 def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -249,6 +253,7 @@ def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None])
     assert (x, y) == pytest.approx(worst[:2])
 
 
+@pytest.mark.slow
 def test_what_cannot_be_made_is_one_sentence(
     stage: ExportStage, settle: Callable[[], None]
 ) -> None:
