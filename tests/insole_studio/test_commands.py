@@ -275,6 +275,7 @@ def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signa
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_killed_process_leaves_the_old_result(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
     out.write_text("of yesterday")

@@ -19,6 +19,8 @@ from insole_core.recording.session import View
 from insole_core.simulate.one_view import simulate_view
 from insole_core.solids.solid import insole_solid, positive_solid
 
+pytestmark = pytest.mark.slow
+
 PAD = Pelott(centre_mm=(5.0, 150.0), height_mm=5.0)
 DOTS = np.array([(-20.0, 40), (18, 55), (25, 175), (-30, 150)])
 
@@ -61,7 +63,6 @@ def test_heights_are_those_over_the_table(models, left_foot):
     assert models["O"].bounds_mm[1, 2] == pytest.approx(insole.bounds_mm[1, 2], abs=3)
 
 
-@pytest.mark.slow
 def test_thesis_case_from_scans(models):
     """The thesis found 1.2 to 1.45 mm; the pad that lies ahead shows in O alone."""
     maps = {
@@ -91,14 +92,12 @@ def test_dots_of_a_scan_are_found_where_they_are(models):
     assert np.sort(apart[apart > 0]) == pytest.approx(np.sort(true[true > 0]), abs=4)
 
 
-@pytest.mark.slow
 def test_empty_table():
     speck = TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]]))
     with pytest.raises(ReconstructionError, match="stands out from its background"):
         one_view_surface(simulate_view(speck, 1))
 
 
-@pytest.mark.slow
 def test_sensor_that_sees_nothing():
     view = simulate_view(
         TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]])), 1

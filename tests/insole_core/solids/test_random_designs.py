@@ -19,13 +19,14 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign
 from insole_core.solids.solid import KINDS, make_solid
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def solids() -> list[TriangleMesh]:
     return [make_solid(*each) for each in random_solids(10)]
 
 
-@pytest.mark.slow
 def test_trimesh_and_manifold3d_find_no_fault(solids, tmp_path: Path):
     path = tmp_path / "solid.stl"
     for solid in solids:
@@ -57,7 +58,6 @@ def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
             assert float(packed[f"size_{axis}"]) == pytest.approx(size, abs=0.01)
 
 
-@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(
     ("file", "side"),
