@@ -88,7 +88,7 @@ def test_a_square_of_another_side_is_kept_only_when_insisted(
     last = capsys.readouterr().err.strip().splitlines()[-1]
     assert "Nothing was saved: the result does not fit a Kinect v1: a of the depth is 3.9" in last
     assert likely_side(last) == pytest.approx(30, abs=0.5)
-    assert last.endswith("add --insist.")
+    assert last.endswith("add --insist to save it all the same.")
     assert not report.exists()
     after = {path: path.read_bytes() for path in recorded.sensors.rglob("*") if path.is_file()}
     assert after == before

@@ -54,7 +54,9 @@ def run_step(
     known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
     result = work(known, progress.part(0, 0.9))
     if result.doubt and not insist:
-        raise CalibrationError(f"Nothing was saved: {_clause(result.doubt)}, or add --insist.")
+        raise CalibrationError(
+            f"Nothing was saved: {_clause(result.doubt)}, or add --insist to save it all the same."
+        )
     progress.step(0.9, "Writing the calibration and its reports")
     folder = keep_step(result, store, arguments.report)
     for sentence in result.sentences:

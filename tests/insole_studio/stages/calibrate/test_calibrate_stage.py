@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -192,7 +193,9 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
         assert bool(asked.sentences) is (key == "stereo")
     (sentence,) = asked.sentences
     assert "does not fit a Kinect v1" in sentence
-    assert "the square of the board is more likely 30." in sentence
+    likely = re.search(r"the square of the board is more likely ([\d.]+) mm than 24 mm", sentence)
+    assert likely is not None, sentence
+    assert float(likely[1]) == pytest.approx(BOARD.square_mm, abs=0.6)
     assert stage.view.error_text() == sentence
     store = SensorStore(tmp_path / "sensors")
     before = store.load("SIM1")
