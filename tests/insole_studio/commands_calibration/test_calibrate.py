@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -25,6 +26,7 @@ from simulated_folders import (
 )
 
 from insole_core.calibration.applying import MOST_DAYS
+from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
@@ -74,7 +76,35 @@ def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     assert rotation_angle_deg(between) < 0.5
     np.testing.assert_allclose(found.depth2color[:3, 3], SENSOR.depth2color[:3, 3], atol=8)
     raw = np.array([600.0, 750.0])
-    np.testing.assert_allclose(found.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=0.01)
+    np.testing.assert_allclose(found.disparity.depth_mm(raw), USUAL_DEPTH.depth_mm(raw), rtol=0.01)
+
+
+def test_a_square_of_another_side_is_kept_only_when_insisted(
+    recorded, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = {path: path.read_bytes() for path in recorded.sensors.rglob("*") if path.is_file()}
+    report = tmp_path / "stereo.json"
+    words = call("stereo", recorded.boards, recorded.sensors, "--board", "9x6", "--square", "24")
+    assert run([*words, "--report", str(report)]) == 1
+    last = capsys.readouterr().err.strip().splitlines()[-1]
+    assert "Nothing was saved: the result does not fit a Kinect v1: a of the depth is 3.9" in last
+    assert likely_side(last) == pytest.approx(30, abs=0.5)
+    assert last.endswith("add --insist to save it all the same.")
+    assert not report.exists()
+    after = {path: path.read_bytes() for path in recorded.sensors.rglob("*") if path.is_file()}
+    assert after == before
+    assert run([*words, "--insist", "--report", str(report)]) == 0
+    assert "Warning: The result does not fit a Kinect v1" in capsys.readouterr().err
+    assert "does not fit a Kinect v1" in report.read_text("utf-8")
+    raw = np.array([600.0, 750.0])
+    too_near = kept(recorded.sensors).disparity.depth_mm(raw) / USUAL_DEPTH.depth_mm(raw)
+    np.testing.assert_allclose(too_near, 24 / 30, rtol=0.01)
+
+
+def likely_side(sentence: str) -> float:
+    found = re.search(r"is more likely ([\d.]+) mm than 24 mm", sentence)
+    assert found is not None, sentence
+    return float(found[1])
 
 
 @pytest.mark.slow

@@ -61,6 +61,8 @@ class CalibratePresenter:
         Runs the long work.
     ask_folder
         Lets the user choose a folder; None is "never mind".
+    ask
+        Asks whether to save a result that can hardly be right; the sentence says why.
     """
 
     def __init__(
@@ -69,9 +71,10 @@ class CalibratePresenter:
         store: SensorStore,
         jobs: Jobs,
         ask_folder: Callable[[], Path | None],
+        ask: Callable[[str], bool],
     ) -> None:
         self._panel, self._store, self._jobs = panel, store, jobs
-        self._ask_folder = ask_folder
+        self._ask_folder, self._ask = ask_folder, ask
         self._serial = ""
         self._sensor: Sensor | None = None
         self._step = STEPS[0]
@@ -182,9 +185,9 @@ class CalibratePresenter:
         self._start(work, self._show_result)
 
     def save(self) -> None:
-        """Keep the result for this sensor, with its reports."""
+        """Keep the result for this sensor, with its reports; one in doubt when the user insists."""
         result = self._result
-        if result is None:
+        if result is None or (result.doubt and not self._ask(result.doubt)):
             return
 
         def keep(progress: Progress) -> Path:
@@ -246,6 +249,7 @@ class CalibratePresenter:
 
     def _show_result(self, result: StepResult) -> None:
         self._result = result
+        self._panel.show_error(result.doubt)
         question = tr("Save it, if this is what you expect.")
         self._panel.show_next([*result.sentences, *result.advice, question])
         self._show_buttons()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,6 +13,8 @@ from pytestqt.qtbot import QtBot
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
+from insole_core.calibration.plausibility import USUAL_DEPTH
+from insole_core.sensing.nominal import BURRUS
 from insole_studio.bootstrap import Application
 from insole_studio.capture.place import Place
 from insole_studio.stages.calibrate.rows import BoardSize
@@ -31,10 +34,22 @@ class Chosen:
         return self.folder
 
 
+class Asked:
+    """Answers whether to save all the same, and keeps what was asked."""
+
+    def __init__(self) -> None:
+        self.sentences: list[str] = []
+        self.answer = False
+
+    def __call__(self, sentence: str) -> bool:
+        self.sentences.append(sentence)
+        return self.answer
+
+
 @pytest.fixture(scope="session")
 def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("pictures")
-    device = SimulatedDevice(smooth_distortion(3, 3.0))
+    device = SimulatedDevice(smooth_distortion(3, 3.0), disparity=USUAL_DEPTH)
     write_boards(folder / "boards", device, 5)
     write_walls(folder / "walls", device, WALLS[:3], 1)
     return folder
@@ -46,11 +61,16 @@ def chosen() -> Chosen:
 
 
 @pytest.fixture
+def asked() -> Asked:
+    return Asked()
+
+
+@pytest.fixture
 def stage(
-    qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen, asked: Asked
 ) -> Iterator[CalibrateStage]:
     store = SensorStore(tmp_path / "sensors")
-    built = CalibrateStage(store, Place(store), tmp_path / "pictures", chosen)
+    built = CalibrateStage(store, Place(store), tmp_path / "pictures", chosen, asked)
     built.show()
     yield built
     built.close()
@@ -159,6 +179,38 @@ def test_a_step_before_its_time(
     settle()
     assert "was not calibrated yet" in stage.view.error_text()
     assert not stage.view.save.isEnabled()
+
+
+def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
+    stage: CalibrateStage, chosen: Chosen, asked: Asked, pictures: Path, settle, tmp_path: Path
+) -> None:
+    give_serial(stage)
+    stage.presenter.edit_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm * 0.8))
+    chosen.folder = pictures / "boards"
+    for key in ("camera", "stereo"):
+        stage.presenter.choose_step(key)
+        for button in (stage.view.choose, stage.view.calibrate, stage.view.save):
+            button.click()
+            settle()
+        assert bool(asked.sentences) is (key == "stereo")
+    (sentence,) = asked.sentences
+    assert "does not fit a Kinect v1" in sentence
+    likely = re.search(r"the square of the board is more likely ([\d.]+) mm than 24 mm", sentence)
+    assert likely is not None, sentence
+    assert float(likely[1]) == pytest.approx(BOARD.square_mm, abs=0.6)
+    assert stage.view.error_text() == sentence
+    store = SensorStore(tmp_path / "sensors")
+    before = store.load("SIM1")
+    assert before is not None
+    assert before.disparity == BURRUS
+    asked.answer = True
+    stage.view.save.click()
+    settle()
+    after = store.load("SIM1")
+    assert after is not None
+    assert after.disparity != BURRUS
+    assert "Depth to colour is saved for sensor SIM1." in stage.view.next_text()
+    assert stage.view.error_text() == ""
 
 
 def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settle) -> None:
