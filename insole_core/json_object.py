@@ -1,4 +1,9 @@
-"""Strict JSON: every wrong or missing value is one sentence that names the file and the key."""
+"""Strict JSON: every wrong or missing value is one sentence that names the file and the key.
+
+Not msgspec or pydantic: what is read becomes arrays and values of other shapes, so their models
+make the readers longer; msgspec tells neither the wrong value nor the key of a map, and pydantic
+takes 0.1 s to load.
+"""
 
 from __future__ import annotations
 
