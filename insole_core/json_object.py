@@ -85,7 +85,7 @@ class JsonObject:
             where = f"{self.file}: {self.place}".removesuffix(".").removesuffix(": ")
             raise InputError(
                 f"{where} is of version {version}, which is newer than this program (it reads "
-                f"version {newest}); update the program."
+                f"up to {newest}); install a newer Insole Studio."
             )
         return self.integer("version", 1, newest)
 
