@@ -205,7 +205,7 @@ def test_a_template_of_a_newer_version_is_one_sentence(opened: Application, tmp_
     path.write_text(path.read_text().replace('"version": 1', '"version": 99'))
     before = opened.case.record
     act(opened, "apply_template")
-    assert "newer version" in said(opened)
+    assert "install a newer Insole Studio" in said(opened)
     assert opened.case.record is before
 
 

@@ -122,12 +122,24 @@ def test_check_that_is_off_is_not_made():
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"format": "x"}, "no export rules"),
-        ({"rules": {"colour": {}}}, "must name checks"),
-        ({"rules": {"step": {"policy": "never"}}}, 'policy of "step"'),
-        ({"rules": {"step": {"policy": "warning"}}}, 'limit of "step"'),
-        ({"rules": {"step": {"policy": "warning", "limit": -1}}}, "must be 0 to 1000"),
-        ({"rules": {"block": {"policy": "warning", "size_mm": [1]}}}, "size_mm of the block"),
+        ({"format": "x"}, "format is 'x', but must be \"insole-export-rules\""),
+        ({"version": 2}, "version 2, which is newer"),
+        ({"rules": {"colour": {}}}, "rules.colour is no check; those are watertight, thickness"),
+        ({"rules": {"step": 3}}, "rules.step must be an object"),
+        ({"rules": {"step": {"policy": "never"}}}, 'rules.step.policy is "never", but must be'),
+        ({"rules": {"step": {"policy": "warning"}}}, "rules.step.limit is missing"),
+        (
+            {"rules": {"step": {"policy": "warning", "limit": -1}}},
+            "rules.step.limit is -1, but must lie between 0 and 1000",
+        ),
+        (
+            {"rules": {"block": {"policy": "warning", "size_mm": [1]}}},
+            "rules.block.size_mm has 1 numbers, but must have 3",
+        ),
+        (
+            {"rules": {"block": {"policy": "warning", "size_mm": [1, -1, 1]}}},
+            r"rules.block.size_mm\[1\] is -1, but must lie between 0 and 1000",
+        ),
     ],
 )
 def test_bad_rules(tmp_path: Path, change, sentence):
@@ -135,7 +147,7 @@ def test_bad_rules(tmp_path: Path, change, sentence):
     path.write_text(
         json.dumps({"format": "insole-export-rules", "version": 1, "rules": {}} | change)
     )
-    with pytest.raises(InputError, match=sentence):
+    with pytest.raises(InputError, match=rf"rules\.json.*{sentence}"):
         read_rules(path)
 
 

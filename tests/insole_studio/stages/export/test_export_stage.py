@@ -238,7 +238,7 @@ def broken_rules(tmp_path: Path) -> None:
 def test_rules_that_cannot_be_read_are_named_and_the_products_hold(
     broken_rules: None, stage: ExportStage, settle: Callable[[], None]
 ) -> None:
-    assert "no valid JSON" in stage.view.error_text()
+    assert "export.json is not valid JSON" in stage.view.error_text()
     assert sign_of(stage, "watertight") is CheckState.PASSED
 
 
