@@ -42,7 +42,7 @@ def press(app: Application, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> Non
 
 
 def click_side(app: Application, side: Side) -> None:
-    QTest.mouseClick(app.stage.patient.sides.button(side), LEFT_BUTTON)
+    QTest.mouseClick(app.stage.patient.sides.buttons[side], LEFT_BUTTON)
 
 
 def design(app: Application) -> InsoleDesign:
