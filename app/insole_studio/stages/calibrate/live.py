@@ -119,7 +119,7 @@ class LivePictures:
             self._service.close()
         self._service, self.states, self.problem = None, (), ""
         self._numbers, self._newest, self._in_infrared = {}, {}, ""
-        self._end_draft()
+        self.end_taking()
 
     def forget_places(self) -> None:
         """Begin another step: nothing was taken yet."""
@@ -144,7 +144,7 @@ class LivePictures:
                     done = Path(self._draft.name) / "session"
                 else:
                     self.problem = event.sentence
-                    self._end_draft()
+                    self.end_taking()
         state = self._state(serial)
         if state is not None:
             self._watch_infrared(serial if kind == "infrared" else "")
@@ -225,9 +225,6 @@ class LivePictures:
 
     def end_taking(self) -> None:
         """Forget the capture that was kept, or could not be."""
-        self._end_draft()
-
-    def _end_draft(self) -> None:
         if self._draft is not None:
             self._draft.cleanup()
         self._draft = None
