@@ -13,7 +13,6 @@ from insole_core.errors import InputError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.horn import absolute_orientation
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import adjacency
 from insole_core.geometry.transforms import transform
 from insole_core.json_object import JsonObject
 
@@ -94,7 +93,7 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
         )
     brightness = mesh.colors @ np.array(_LUMA)
     dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
-    _, piece = connected_components(adjacency(mesh)[dark][:, dark], directed=False)
+    _, piece = connected_components(mesh.links.adjacency[dark][:, dark], directed=False)
     spots = [dark[piece == number] for number in range(piece.max(initial=-1) + 1)]
     dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
     if len(dots) != DOTS:

@@ -16,7 +16,7 @@ from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import is_border, smoothed_normals
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.touches import Touches
 from insole_core.geometry.transforms import rotation_about
 
@@ -309,7 +309,7 @@ def _low_touches(touches: Touches) -> Touches:
 
 def _near_border(mesh: TriangleMesh) -> BoolArray:
     """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
-    return _grown(_grown(is_border(mesh), mesh.triangles), mesh.triangles)
+    return _grown(_grown(mesh.links.is_border, mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from simulated_view import simulate_view
 
 from insole_core.export.stl import write_stl
 from insole_core.foot.mesh_file import read_mesh
@@ -18,7 +19,6 @@ from insole_core.insole.design import InsoleDesign
 from insole_core.recording.session import Manifest, Session
 from insole_core.recording.writer import write_session
 from insole_core.simulate import FootShape, build_foot
-from insole_core.simulate.one_view import simulate_view
 from insole_core.simulate.scene import load_reference_system
 from insole_core.solids.solid import insole_solid
 from insole_studio.cli import run

@@ -14,11 +14,11 @@ from insole_studio.commands.calibration import (
     shift,
     stereo,
 )
-from insole_studio.commands.subcommands import Step, add_steps
+from insole_studio.commands.subcommands import Command, add_steps
 
 NAME = "calibrate"
 HELP = "calibrate a sensor, or measure a reference system, from folders of images"
-STEPS: tuple[Step, ...] = (
+STEPS: tuple[Command, ...] = (
     camera.COLOR,
     distortion,
     camera.DEPTH,

@@ -13,11 +13,11 @@ from insole_studio.commands.evaluation import (
     resolution,
     wall,
 )
-from insole_studio.commands.subcommands import Step, add_steps
+from insole_studio.commands.subcommands import Command, add_steps
 
 NAME = "evaluate"
 HELP = "evaluate a sensor from folders of images; a limit that is not kept is exit code 1"
-KINDS: tuple[Step, ...] = (wall, resolution, alignment, known_object, artefact, noise)
+KINDS: tuple[Command, ...] = (wall, resolution, alignment, known_object, artefact, noise)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

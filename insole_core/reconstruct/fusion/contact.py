@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.border_growth import Border
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.touches import Touches
 from insole_core.reconstruct.fusion.rim import Beyond, Rim
 from insole_core.reconstruct.views_at_once import for_views
@@ -58,7 +58,7 @@ def bend_to(rims: list[Rim], everywhere: bool, border: Border) -> tuple[BoolArra
 
 def drawn_to(mesh: TriangleMesh, rims: list[Rim]) -> TriangleMesh:
     """Move what lies next to the outlines onto them, and its neighbours less and less."""
-    mean = laplacian(mesh)
+    mean = mesh.links.laplacian
     for _ in range(_ROUNDS):
         held, way = _ways(mesh, rims)
         step = np.zeros_like(mesh.vertices)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from simulated_view import simulate_view
 
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.one_view import one_view_surface
@@ -16,7 +17,6 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.design import InsoleDesign, Pelott
 from insole_core.recording.session import View
-from insole_core.simulate.one_view import simulate_view
 from insole_core.solids.solid import insole_solid, positive_solid
 
 pytestmark = pytest.mark.slow

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from insole_core.calibration.board import Board, Chequerboard
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import ByteArray
 from insole_core.progress import Progress
 from insole_core.sensing.nominal import nominal_kinect
 from insole_core.sensing.sensor import Sensor
@@ -22,31 +21,10 @@ from insole_studio.workbench.calibration_readiness import Readiness
 from insole_studio.workbench.calibration_steps import StepResult
 from insole_studio.workbench.sensor_store import SensorStore
 
+if TYPE_CHECKING:
+    from insole_studio.stages.calibrate.view import CalibrateView
+
 CHANNEL = "calibrate"
-
-
-class CalibratePanel(Protocol):
-    """What the panel shows, and the intents it emits."""
-
-    serial_edited: Any
-    step_chosen: Any
-    board_edited: Any
-    folder_requested: Any
-    look_chosen: Any
-    calibrate_requested: Any
-    save_requested: Any
-
-    def show_serials(self, serials: Sequence[str]) -> None: ...  # noqa: D102
-    def show_steps(self, rows: Sequence[StepRow]) -> None: ...  # noqa: D102
-    def show_step(self, title: str, instruction: str, uses_board: bool) -> None: ...  # noqa: D102
-    def show_board(self, board: BoardSize) -> None: ...  # noqa: D102
-    def show_looks(self, rows: Sequence[LookRow]) -> None: ...  # noqa: D102
-    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
-    def show_no_picture(self, sentence: str) -> None: ...  # noqa: D102
-    def show_next(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
-    def show_error(self, sentence: str) -> None: ...  # noqa: D102
-    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
-    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
 
 
 class CalibratePresenter:
@@ -67,7 +45,7 @@ class CalibratePresenter:
 
     def __init__(
         self,
-        panel: CalibratePanel,
+        panel: CalibrateView,
         store: SensorStore,
         jobs: Jobs,
         ask_folder: Callable[[], Path | None],

@@ -14,7 +14,6 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.capture.draft import Draft
-from insole_studio.capture.frame_board import Kind, Picture
 from insole_studio.capture.left_drafts import LeftDraft
 from insole_studio.capture.messages import (
     Cancel,
@@ -37,7 +36,7 @@ from insole_studio.jobs import Jobs
 from insole_studio.stages.capture.assignment import Assignment, options_of
 from insole_studio.stages.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.stages.capture.view_names import views_text
-from insole_studio.stages.capture.watch import SensorWatch
+from insole_studio.stages.capture.watch import Pictures, SensorWatch
 from insole_studio.texts import tr
 
 TILT_STEP_DEG = 2.0
@@ -73,12 +72,11 @@ class CapturePanel(Protocol):
     def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
 
 
-class Service(Protocol):
+class Service(Pictures, Protocol):
     """What the presenter needs of the capture service."""
 
     def send(self, command: Command) -> None: ...  # noqa: D102
     def news(self) -> list[Event]: ...  # noqa: D102
-    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None: ...  # noqa: D102
 
 
 class CapturePresenter:

@@ -92,7 +92,7 @@ def step_lines(stage: CalibrateStage) -> list[str]:
 
 
 def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
-    assert "serial number" in stage.view.next_text()
+    assert "serial number" in stage.view.next_steps.text()
     assert not stage.view.choose.isEnabled()
     give_serial(stage)
     assert stage.view.choose.isEnabled()
@@ -102,7 +102,7 @@ def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
 
 def test_what_is_no_serial_number(stage: CalibrateStage) -> None:
     give_serial(stage, "../x")
-    assert "is no serial number" in stage.view.error_text()
+    assert "is no serial number" in stage.view.error.text()
     assert not stage.view.choose.isEnabled()
 
 
@@ -116,21 +116,21 @@ def test_colour_camera_from_folder_to_device(
     chosen.folder = pictures / "boards"
     stage.view.choose.click()
     settle()
-    assert "5 of 5 can be used." in stage.view.next_text()
-    assert "Take 5 more pictures" in stage.view.next_text()
-    assert "Hold the board in these parts" in stage.view.next_text()
+    assert "5 of 5 can be used." in stage.view.next_steps.text()
+    assert "Take 5 more pictures" in stage.view.next_steps.text()
+    assert "Hold the board in these parts" in stage.view.next_steps.text()
     assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
     stage.view.calibrate.click()
     settle()
-    assert "5 of 5 colour pictures were used" in stage.view.next_text()
+    assert "5 of 5 colour pictures were used" in stage.view.next_steps.text()
     assert not (tmp_path / "sensors").exists()
     stage.view.save.click()
     settle()
     sensor = SensorStore(tmp_path / "sensors").load("SIM1")
     assert sensor is not None
     assert sensor.color_camera.width == 640
-    assert "Colour camera is saved for sensor SIM1." in stage.view.next_text()
-    assert "Next: Distortion of the depth." in stage.view.next_text()
+    assert "Colour camera is saved for sensor SIM1." in stage.view.next_steps.text()
+    assert "Next: Distortion of the depth." in stage.view.next_steps.text()
     assert "done on 20" in step_lines(stage)[0]
     assert stage.view.steps.currentRow() == 1
 
@@ -144,13 +144,13 @@ def test_walls_say_which_distances_are_missing(
     chosen.folder = pictures / "walls"
     stage.view.choose.click()
     settle()
-    text = stage.view.next_text()
+    text = stage.view.next_steps.text()
     assert "Capture the wall at about these distances: 500, 900, 1000 mm." in text
     assert "Fill these parts" not in text
     stage.view.calibrate.click()
     settle()
-    assert "3 of 3 walls were used" in stage.view.next_text()
-    assert "six distances or more are better" in stage.view.next_text()
+    assert "3 of 3 walls were used" in stage.view.next_steps.text()
+    assert "six distances or more are better" in stage.view.next_steps.text()
 
 
 def test_a_folder_without_the_board(
@@ -161,7 +161,7 @@ def test_a_folder_without_the_board(
     chosen.folder = tmp_path
     stage.view.choose.click()  # The usual board has other corners.
     settle()
-    assert "0 of 1 can be used." in stage.view.next_text()
+    assert "0 of 1 can be used." in stage.view.next_steps.text()
     assert stage.view.looks.item(0).text().startswith("✗  color_000.png")
     assert not stage.view.calibrate.isEnabled()
 
@@ -177,7 +177,7 @@ def test_a_step_before_its_time(
     settle()
     stage.view.calibrate.click()
     settle()
-    assert "was not calibrated yet" in stage.view.error_text()
+    assert "was not calibrated yet" in stage.view.error.text()
     assert not stage.view.save.isEnabled()
 
 
@@ -218,7 +218,7 @@ def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settl
     chosen.folder = Path("/nowhere/at/all")
     stage.view.choose.click()
     settle()
-    assert "There is no folder" in stage.view.error_text()
+    assert "There is no folder" in stage.view.error.text()
 
 
 def test_closing_stops_the_work(
@@ -246,7 +246,7 @@ def test_a_place_that_cannot_be_written(
     (tmp_path / "sensors").write_text("in the way")
     stage.view.save.click()
     settle()
-    assert "cannot be written" in stage.view.error_text()
+    assert "cannot be written" in stage.view.error.text()
     assert stage.view.save.isEnabled()
 
 

@@ -90,7 +90,8 @@ def lower_file(solid: TriangleMesh, path: Path) -> Path:
 
 
 def number(stage: CompareStage, text: str) -> float:
-    texts = stage.view.figure_texts()
+    figures = stage.view.figures
+    texts = [figures.itemAt(i).widget().text() for i in range(figures.count())]
     return float(texts[texts.index(text) + 1].removesuffix(" mm"))
 
 
@@ -134,11 +135,11 @@ def test_picked_points_lay_one_on_the_other(
     for place in solid.vertices[[40, 900, 2500]]:
         stage.view.point_picked.emit("a", place)
         stage.view.point_picked.emit("b", B2A[:3, :3].T @ (place - B2A[:3, 3]))
-    assert "3 on A, 3 on B" in stage.view.hint_text()
+    assert "3 on A, 3 on B" in stage.view.hint.text()
     settle()
     assert number(stage, "Largest") < 0.05
     stage.view.take_back.click()
-    assert "3 on A, 2 on B" in stage.view.hint_text()
+    assert "3 on A, 2 on B" in stage.view.hint.text()
     assert not stage.view.save.isEnabled()
 
 
@@ -162,7 +163,7 @@ def test_report_of_no_known_form(
     chosen.path = tmp_path / "d.docx"
     stage.view.save.click()
     settle()
-    assert "let it end in .pdf" in stage.view.error_text()
+    assert "let it end in .pdf" in stage.view.error.text()
 
 
 @pytest.mark.slow
@@ -174,7 +175,7 @@ def test_surfaces_that_do_not_overlap(
     stage.view.alignment_chosen.emit("none")
     stage.presenter.choose_path("b", tmp_path / "far.stl")
     settle()
-    assert "too little to compare" in stage.view.error_text()
+    assert "too little to compare" in stage.view.error.text()
     assert not stage.view.tabs.isTabEnabled(1)
 
 
@@ -182,7 +183,7 @@ def test_surfaces_that_do_not_overlap(
 def test_no_dots_is_one_sentence(stage: CompareStage, settle: Callable[[], None]) -> None:
     stage.view.alignment_chosen.emit("dots")
     settle()
-    assert "pick the points instead" in stage.view.error_text()
+    assert "pick the points instead" in stage.view.error.text()
 
 
 @pytest.mark.slow

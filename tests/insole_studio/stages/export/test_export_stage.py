@@ -107,7 +107,7 @@ def order(stage: ExportStage, **changes: object) -> None:
 
 def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
     assert sign_of(stage, "watertight") is CheckState.PASSED
-    assert "triangles" in stage.view.summary_text()
+    assert "triangles" in stage.view.summary.text()
     assert stage.view.export.isEnabled()
     assert not stage.view.reason.isVisible()
 
@@ -129,7 +129,7 @@ def test_export_names_the_side_and_writes_what_is_wanted(
         "anna-left.3mf",
     ]  # fmt: skip
     assert told[0][1] == (tmp_path / "out" / "anna-left.3mf",)
-    assert "anna-left.3mf" in stage.view.summary_text()
+    assert "anna-left.3mf" in stage.view.summary.text()
 
 
 def test_pair_is_nested_into_one_block(
@@ -238,7 +238,7 @@ def broken_rules(tmp_path: Path) -> None:
 def test_rules_that_cannot_be_read_are_named_and_the_products_hold(
     broken_rules: None, stage: ExportStage, settle: Callable[[], None]
 ) -> None:
-    assert "export.json is not valid JSON" in stage.view.error_text()
+    assert "export.json is not valid JSON" in stage.view.error.text()
     assert sign_of(stage, "watertight") is CheckState.PASSED
 
 
@@ -259,11 +259,11 @@ def test_what_cannot_be_made_is_one_sentence(
 ) -> None:
     order(stage, most_triangles=2000, most_deviation_mm=0.005)
     settle()
-    assert "2000 triangles are too few" in stage.view.error_text()
+    assert "2000 triangles are too few" in stage.view.error.text()
     assert not stage.view.export.isEnabled()
     order(stage, most_triangles=None)
     settle()
-    assert stage.view.error_text() == ""
+    assert stage.view.error.text() == ""
     assert stage.view.export.isEnabled()
 
 
@@ -272,7 +272,7 @@ def test_letters_that_the_font_lacks_are_said(
 ) -> None:
     order(stage, relief="engraved", text="足 7")
     settle()
-    assert "足" in stage.view.notes_text()
+    assert "足" in stage.view.notes.text()
 
 
 def test_place_that_cannot_be_written(
@@ -281,7 +281,7 @@ def test_place_that_cannot_be_written(
     chosen.path = tmp_path / "none" / "anna.stl"
     stage.view.export.click()
     settle()
-    assert "its folder does not exist" in stage.view.error_text()
+    assert "its folder does not exist" in stage.view.error.text()
     assert stage.view.export.isEnabled()
 
 
@@ -289,22 +289,22 @@ def test_cancel_stops_the_work(stage: ExportStage, settle: Callable[[], None]) -
     order(stage, chamfer_mm=1.0)
     stage.view.cancel.click()
     settle()
-    assert "Stopped" in stage.view.error_text()
+    assert "Stopped" in stage.view.error.text()
     assert not stage.view.export.isEnabled()
 
 
 def test_another_design_is_made_anew(
     stage: ExportStage, settle: Callable[[], None], case: Case
 ) -> None:
-    before = stage.view.summary_text()
+    before = stage.view.summary.text()
     design = case.record.design
     assert design is not None
     case.apply(replace(design, thickness_mm=8.0), "Thicker")
     settle()
-    assert stage.view.summary_text() != before
+    assert stage.view.summary.text() != before
 
 
 def test_the_head_says_whose_insoles_these_are(stage: ExportStage, case: Case) -> None:
-    assert stage.view.patient_text() == "Anna Berg  ·  born 1980-01-01"
+    assert stage.view.patient.text() == "Anna Berg  ·  born 1980-01-01"
     case.apply(Patient(), "Forget the patient")
-    assert stage.view.patient_text() == "Patient without a name"
+    assert stage.view.patient.text() == "Patient without a name"
