@@ -6,6 +6,10 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("any machine", deadline=None)
+settings.load_profile("any machine")
 
 # As the command does, before numpy reads it: beside a second worker, threads of OpenBLAS only wait
 # for each other, in twice the processor time.

@@ -75,7 +75,7 @@ def _ways(mesh: TriangleMesh, rims: list[Rim]) -> tuple[BoolArray, FloatArray]:
     normals = smoothed_normals(mesh, 2)
     total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
     for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):
-        chosen = beyond.beyond_mm > 0
+        chosen = beyond.beyond_mm >= 0
         chosen[beyond.outermost] = True
         chosen &= (beyond.beyond_mm > _NEAR_MM[0]) & (beyond.beyond_mm < _NEAR_MM[1])
         chosen &= beyond.facing(normals) > _LEAST_FACING

@@ -22,12 +22,12 @@ from insole_core.solids.rules import CHECK_NAMES, Rules, read_rules
 SQUARE = np.array([(-30.0, -60), (30, -60), (30, 60), (-30, 60)])
 
 
-def plate(heights, draft_deg=0.0, step=0.5) -> TriangleMesh:
+def plate(heights, draft_deg=0.0, step=0.5, outline=SQUARE) -> TriangleMesh:
     """A plate of 60 x 120 mm whose upper side is heights(x, y)."""
     x, y = np.meshgrid(np.arange(-40, 40.1, step), np.arange(-70, 70.1, step))
     top = heights(x, y) + np.zeros_like(x)
     field = HeightField(-40.0, -70.0, step, top)
-    distance = outline_distance(SQUARE, field, 8.0)
+    distance = outline_distance(outline, field, 8.0)
     faces = Faces(top, np.zeros_like(top), np.zeros((0, 4)))
     return prism(trim(distance.inside_mm), field, faces, distance, draft_deg)
 
@@ -86,6 +86,15 @@ def test_walls_that_lean_inwards_are_undercut():
     finding = findings(plate(lambda _x, _y: 8.0, draft_deg=-10))["undercut"]
     assert not finding.passed
     assert finding.value == pytest.approx(360 * 8 / np.cos(np.radians(10)), rel=0.05)
+
+
+@pytest.mark.parametrize("wider", [1 - 1e-12, 1 + 1e-12])
+def test_an_outline_through_nodes_is_not_decided_by_last_bits(wider):
+    plain, other = (
+        plate(lambda _x, _y: 8.0, outline=outline) for outline in (SQUARE, wider * SQUARE)
+    )
+    np.testing.assert_array_equal(other.triangles, plain.triangles)
+    np.testing.assert_allclose(other.vertices, plain.vertices, rtol=0, atol=1e-6)
 
 
 @pytest.mark.slow
