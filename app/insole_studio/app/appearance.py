@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
@@ -14,19 +14,10 @@ from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Language, Settings
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.app.main_window import MainWindow
+
 LAYOUT_REST_MS = 600
-
-
-class Frame(Protocol):
-    """The window, as far as it has a look."""
-
-    def renew_icons(self) -> None:
-        """Draw the icons in the colours of the palette."""
-        ...
-
-    def layout_state(self) -> tuple[str, str]:
-        """Give geometry and docks, packed as text."""
-        ...
 
 
 class Appearance(QObject):
@@ -35,7 +26,7 @@ class Appearance(QObject):
     def __init__(
         self,
         *,
-        frame: Frame,
+        frame: MainWindow,
         stage: DesignStage,
         settings: Settings,
         messages: UserMessages,

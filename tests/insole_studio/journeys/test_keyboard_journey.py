@@ -17,6 +17,8 @@ from insole_studio.app.scripted import ScriptedStudio
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.services.questions import Questions
 
+pytestmark = pytest.mark.slow
+
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 PATIENCE_MS = 60_000
