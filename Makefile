@@ -2,10 +2,14 @@
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
+# One heap for all threads: with one each, memory that a test has freed stays with its thread.
+PYTEST := MALLOC_ARENA_MAX=1 $(BIN)/python -m pytest
+# Each worker takes a row of neighbouring modules, and of the rest of the other when it is done.
+OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 
-.PHONY: demo test lint bench clean
+.PHONY: demo test test-fast lint bench clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -21,8 +25,11 @@ demo: $(READY) ## open the application on a recorded session; without a screen d
 	$(BIN)/python -m insole_studio.demo
 
 test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
-	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest -n auto --dist loadfile -m "not display"
-	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m pytest -m display
+	$(OFFSCREEN) -m "not display"
+	QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1920x1200x24" env $(PYTEST) -m display tests/insole_studio
+
+test-fast: $(READY) ## the tests to run while working: all but those that take long
+	$(OFFSCREEN) -m "not display and not slow"
 
 lint: $(READY) ## style, types, architecture
 	$(BIN)/ruff check .

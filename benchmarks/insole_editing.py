@@ -89,7 +89,8 @@ class Hand:
         self.design = design
         self.base = contact_base(foot, design)
         self.surface = apply_pads(self.base, design)
-        self.vertices, self.normals = self.surface.nodes.copy(), self.surface.normals.copy()
+        self.vertices = self.surface.nodes.copy()
+        self.normals = self.surface.normals_of(slice(None), slice(None))
 
     def show(self, design: InsoleDesign) -> None:
         change = moved_pad(self.base, self.surface, self.design, design)
@@ -97,7 +98,7 @@ class Hand:
         shape = self.surface.heights_mm.shape
         at = window.rows, window.columns
         self.vertices.reshape(*shape, 3)[(*at, 2)] = self.surface.heights_mm[at]
-        self.normals.reshape(*shape, 3)[at] = self.surface.normals_of(*at)
+        self.normals[at] = self.surface.normals_of(*at)
 
 
 def filter_rows(field: HeightField) -> list[tuple[str, str, str, str]]:

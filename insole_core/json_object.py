@@ -1,14 +1,23 @@
-"""Strict JSON: every wrong or missing value is one sentence that names the file and the key."""
+"""Strict JSON: every wrong or missing value is one sentence that names the file and the key.
+
+Not msgspec or pydantic: what is read becomes arrays and values of other shapes, so their models
+make the readers longer; msgspec tells neither the wrong value nor the key of a map, and pydantic
+takes 0.1 s to load.
+"""
 
 from __future__ import annotations
 
 import json
 import math
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, TypeVar
 
 from insole_core.errors import InputError
+
+_Word = TypeVar("_Word", bound=str)
 
 
 @dataclass(frozen=True)
@@ -29,8 +38,25 @@ class JsonObject:
     place: str = ""
 
     @classmethod
-    def parse(cls, file: str, text: bytes) -> JsonObject:
+    def read(cls, path: Path) -> JsonObject:
         """Read the root object of a JSON file.
+
+        Raises
+        ------
+        InputError
+            When the file cannot be read, or holds no JSON object.
+        """
+        try:
+            text = path.read_bytes()
+        except OSError as error:
+            raise InputError(
+                f"{path} cannot be read: {error.strerror}; check the name of the file."
+            ) from error
+        return cls.parse(str(path), text)
+
+    @classmethod
+    def parse(cls, file: str, text: bytes) -> JsonObject:
+        """Read the root object of a JSON text.
 
         Raises
         ------
@@ -44,6 +70,24 @@ class JsonObject:
         if not isinstance(values, dict):
             raise InputError(f"{file} must hold one JSON object {{…}}; restore the file.")
         return cls(file, values)
+
+    def check_format(self, name: str, newest: int = 1) -> int:
+        """Give the version; refuse another format, and a version newer than this program.
+
+        Raises
+        ------
+        InputError
+        """
+        if self.value("format") != name:
+            raise self.fail("format", f'is {self.value("format")!r}, but must be "{name}"')
+        version = self.value("version")
+        if isinstance(version, int) and version > newest:
+            where = f"{self.file}: {self.place}".removesuffix(".").removesuffix(": ")
+            raise InputError(
+                f"{where} is of version {version}, which is newer than this program (it reads "
+                f"up to {newest}); install a newer Insole Studio."
+            )
+        return self.integer("version", 1, newest)
 
     def fail(self, key: str, problem: str) -> InputError:
         """Make the error for one key."""
@@ -61,11 +105,20 @@ class JsonObject:
 
     def object(self, key: str) -> JsonObject:
         """Give a nested object."""
-        return self._nested(key, self.value(key))
+        value = self.value(key)
+        if not isinstance(value, dict):
+            raise self.fail(key, "must be an object {…}")
+        return JsonObject(self.file, value, f"{self.place}{key}.")
 
     def objects(self, key: str) -> list[JsonObject]:
         """Give a list of objects."""
-        return [self._nested(f"{key}[{i}]", item) for i, item in enumerate(self.items(key))]
+        listed = self.listed(key)
+        return [listed.object(number) for number in listed.values]
+
+    def listed(self, key: str) -> JsonObject:
+        """Give a list as an object with the keys ``[0]``, ``[1]`` …"""
+        values = {f"[{i}]": item for i, item in enumerate(self.items(key))}
+        return JsonObject(self.file, values, f"{self.place}{key}")
 
     def items(self, key: str) -> list[Any]:
         """Give a list of anything."""
@@ -74,19 +127,21 @@ class JsonObject:
             raise self.fail(key, "must be a list […]")
         return value
 
-    def text(self, key: str) -> str:
-        """Give a string that is not empty."""
+    def text(self, key: str, *, empty: bool = False) -> str:
+        """Give a string, which may be empty only where that is allowed."""
         value = self.value(key)
-        if not isinstance(value, str) or not value:
+        if not isinstance(value, str):
+            raise self.fail(key, "must be a text")
+        if not (value or empty):
             raise self.fail(key, "must be a text that is not empty")
         return value
 
-    def choice(self, key: str, allowed: Sequence[str]) -> str:
-        """Give one of a few words."""
+    def choice(self, key: str, allowed: Sequence[_Word]) -> _Word:
+        """Give one of a few words, or of a `StrEnum`."""
         value = self.value(key)
         if value not in allowed:
             raise self.fail(key, f"is {_short(value)}, but must be {_alternatives(allowed)}")
-        return str(value)
+        return allowed[allowed.index(value)]
 
     def flag(self, key: str) -> bool:
         """Give true or false."""
@@ -97,7 +152,14 @@ class JsonObject:
 
     def number(self, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a finite number from `low` to `high`."""
-        return self._number(key, self.value(key), low, high)
+        value = self.value(key)
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise self.fail(key, f"is {_short(value)}, but must be a number")
+        if not abs(value) <= sys.float_info.max:
+            raise self.fail(key, f"is {_cut(str(value))}, but must be a finite number")
+        if not low <= value <= high:
+            raise self.fail(key, f"is {value}, but must lie between {low:g} and {high:g}")
+        return float(value)
 
     def integer(self, key: str, low: int, high: int) -> int:
         """Give a whole number from `low` to `high`."""
@@ -106,33 +168,42 @@ class JsonObject:
             raise self.fail(key, f"is {number}, but must be a whole number")
         return int(number)
 
-    def numbers(self, key: str, count: int) -> tuple[float, ...]:
-        """Give a list of exactly `count` finite numbers."""
-        values = self.items(key)
-        if len(values) != count:
-            raise self.fail(key, f"has {len(values)} numbers, but must have {count}")
-        return tuple(
-            self._number(f"{key}[{i}]", value, -math.inf, math.inf)
-            for i, value in enumerate(values)
-        )
+    def numbers(
+        self, key: str, count: int, low: float = -math.inf, high: float = math.inf
+    ) -> tuple[float, ...]:
+        """Give a list of exactly `count` finite numbers from `low` to `high`."""
+        listed = self.listed(key)
+        if len(listed.values) != count:
+            raise self.fail(key, f"has {len(listed.values)} numbers, but must have {count}")
+        return tuple(listed.number(number, low, high) for number in listed.values)
 
-    def _nested(self, key: str, value: Any) -> JsonObject:
-        if not isinstance(value, dict):
-            raise self.fail(key, "must be an object {…}")
-        return JsonObject(self.file, value, f"{self.place}{key}.")
+    def pair(self, key: str) -> tuple[float, float]:
+        """Give a list of two finite numbers."""
+        u, v = self.numbers(key, 2)
+        return u, v
 
-    def _number(self, key: str, value: Any, low: float, high: float) -> float:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.fail(key, f"is {_short(value)}, but must be a number")
-        if not math.isfinite(value):
-            raise self.fail(key, f"is {value}, but must be a finite number")
-        if not low <= value <= high:
-            raise self.fail(key, f"is {value}, but must lie between {low:g} and {high:g}")
-        return float(value)
+    def triple(self, key: str) -> tuple[float, float, float]:
+        """Give a list of three finite numbers."""
+        x, y, z = self.numbers(key, 3)
+        return x, y, z
+
+    def vectors(self, key: str, count: int) -> list[tuple[float, ...]]:
+        """Give a list of lists of `count` finite numbers each."""
+        listed = self.listed(key)
+        return [listed.numbers(number, count) for number in listed.values]
+
+    def matrix(self, key: str, size: int) -> list[tuple[float, ...]]:
+        """Give the rows of a square matrix of finite numbers."""
+        if len(self.items(key)) != size:
+            raise self.fail(key, f"must be a {size}×{size} matrix")
+        return self.vectors(key, size)
 
 
 def _short(value: Any) -> str:
-    text = json.dumps(value, ensure_ascii=False)
+    return _cut(json.dumps(value, ensure_ascii=False))
+
+
+def _cut(text: str) -> str:
     return text if len(text) <= 40 else f"{text[:37]}…"
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import threading
 import time
 from collections.abc import Callable
@@ -13,8 +12,6 @@ from typing import Generic, TypeVar
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from insole_core.progress import Cancelled, Progress
-
-log = logging.getLogger(__name__)
 
 Result = TypeVar("Result")
 Task = Callable[[Progress], Result]

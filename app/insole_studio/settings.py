@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import logging
-from dataclasses import asdict, dataclass, field, fields
+import sys
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -13,7 +14,6 @@ from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
 
-VERSION = 1
 RECENT_COUNT = 8
 
 Theme = Literal["system", "light", "dark"]
@@ -51,18 +51,7 @@ class Settings:
 
 def load_settings(path: Path) -> Settings:
     """Read the settings, keeping the default of everything that is absent or not understood."""
-    settings = Settings()
-    stored = _read(path)
-    hints = get_type_hints(Settings)
-    for known in fields(Settings):
-        value = stored.get(known.name)
-        if value is None:
-            continue
-        if _fits(value, hints[known.name]):
-            setattr(settings, known.name, value)
-        else:
-            log.warning("%s: the setting %s is not understood: %r", path, known.name, value)
-    return settings
+    return Settings(**understood(read_remembered(path), Settings, path))
 
 
 def save_settings(settings: Settings, path: Path) -> None:
@@ -74,25 +63,52 @@ def save_settings(settings: Settings, path: Path) -> None:
         When the place cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps({"version": VERSION, **asdict(settings)}, indent=1)
     with replacing_file(path) as beside:
-        beside.write_text(text, encoding="utf-8")
+        beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")
 
 
-def _read(path: Path) -> dict[str, Any]:
+def read_remembered(path: Path) -> dict[str, Any]:
+    """Read the entries of a file that the window wrote; one that is damaged has none."""
     try:
         stored = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         return {}
-    except (OSError, ValueError) as error:
-        log.warning("%s: the settings cannot be read, defaults are used: %s", path, error)
+    except (OSError, ValueError, RecursionError) as error:
+        log.warning("%s cannot be read, defaults are used: %s", path, error)
         return {}
-    return stored if isinstance(stored, dict) else {}
+    if isinstance(stored, dict):
+        return stored
+    log.warning("%s holds no JSON object {…}, defaults are used", path)
+    return {}
 
 
-def _fits(value: object, kind: Any) -> bool:
+def understood(stored: dict[str, Any], kind: type[Any], path: Path) -> dict[str, Any]:
+    """Keep the entries that are fields of a dataclass and of their type; warn of a wrong type.
+
+    Parameters
+    ----------
+    stored
+        The entries of a file.
+    kind
+        Its fields may be texts, numbers, flags, literals, lists of these, or None.
+    path
+        Of the file, for the warning.
+    """
+    hints = get_type_hints(kind)
+    known = {key: value for key, value in stored.items() if key in hints}
+    for key in [key for key, value in known.items() if not _fits(value, hints[key])]:
+        log.warning("%s: %s is not understood: %r", path, key, known.pop(key))
+    return known
+
+
+def _fits(value: Any, kind: Any) -> bool:
+    of = get_args(kind)
     if get_origin(kind) is Literal:
-        return value in get_args(kind)
+        return value in of
     if get_origin(kind) is list:
-        return isinstance(value, list) and all(isinstance(v, get_args(kind)[0]) for v in value)
-    return isinstance(value, kind)
+        return isinstance(value, list) and all(_fits(one, of[0]) for one in value)
+    if of:
+        return any(_fits(value, one) for one in of)
+    if kind is float:
+        return type(value) in (int, float) and abs(value) <= sys.float_info.max
+    return type(value) is kind  # isinstance would take true for a whole number

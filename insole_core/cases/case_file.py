@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.cases.case_json import VERSION, case_from_json, case_to_json, check_version
+from insole_core.cases.case_json import FORMAT, VERSION, case_from_json, case_to_json
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
@@ -58,7 +58,7 @@ def read_case(path: Path) -> CaseRecord:
         raise InputError(f"{path} holds no {CASE_NAME}, so it is no case; choose an .insole file.")
     case = JsonObject.parse(f"{path}: {CASE_NAME}", parts[CASE_NAME])
     names = dict(FOOT_NAMES)
-    if check_version(case) < VERSION:
+    if case.check_format(FORMAT, VERSION) < VERSION:
         case = as_version_2(case)
         names = dict.fromkeys(Side, FOOT_NAME_1)
 

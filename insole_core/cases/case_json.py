@@ -13,7 +13,6 @@ from insole_core.cases.case_record import (
     FootRecord,
     KeyPoint,
     Patient,
-    Point,
     ReferencePlane,
     ScanSource,
     Variant,
@@ -29,7 +28,6 @@ from insole_core.insole.prescription.template import Template, template_from_jso
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-case", 2
-_SIDES = [side.value for side in Side]
 
 
 def case_to_json(record: CaseRecord) -> dict[str, Any]:
@@ -43,25 +41,6 @@ def case_to_json(record: CaseRecord) -> dict[str, Any]:
     if record.at_hand is not None:
         content["at_hand"] = str(record.at_hand)
     return content
-
-
-def check_version(case: JsonObject) -> int:
-    """Give the version of a case.
-
-    Raises
-    ------
-    InputError
-        When it is no case, or one of a newer version.
-    """
-    if case.values.get("format") != FORMAT:
-        raise case.fail("format", f'must be "{FORMAT}", so this is no case')
-    version = case.integer("version", 1, 10**6)
-    if version > VERSION:
-        raise InputError(
-            f"{case.file} is of version {version}, and this program reads up to {VERSION}; "
-            "open it with a newer Insole Studio."
-        )
-    return version
 
 
 def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> CaseRecord:
@@ -82,8 +61,7 @@ def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) ->
         record = record.with_foot(foot)
     if not feet:
         return record
-    at_hand = Side(case.choice("at_hand", [side.value for side in sides]))
-    return record.at(at_hand)
+    return record.at(case.choice("at_hand", sides))
 
 
 def _foot_to_json(record: FootRecord) -> dict[str, Any]:
@@ -124,7 +102,7 @@ def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
 
 
 def _foot_record(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> FootRecord:
-    side = Side(foot.choice("side", _SIDES))
+    side = foot.choice("side", list(Side))
     variants = tuple(_variant(variant, side) for variant in foot.objects("variants"))
     names = [variant.name for variant in variants]
     if not names:
@@ -142,11 +120,7 @@ def _foot_record(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> F
 
 
 def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh]) -> Foot:
-    rows = foot.items("source2insole")
-    if len(rows) != 4:
-        raise foot.fail("source2insole", "must have four rows")
-    numbered = JsonObject(foot.file, {f"row {i}": row for i, row in enumerate(rows)}, foot.place)
-    matrix = np.array([numbered.numbers(key, 4) for key in numbered.values])
+    matrix = np.array(foot.matrix("source2insole", 4))
     if not is_rotation(matrix[:3, :3]) or not np.array_equal(matrix[3], [0, 0, 0, 1]):
         raise foot.fail("source2insole", "is no rigid transform")
     return Foot(
@@ -184,18 +158,13 @@ def _of_side(place: JsonObject, design: InsoleDesign, side: Side) -> InsoleDesig
 
 
 def _patient(patient: JsonObject) -> Patient:
-    texts = {}
-    for key in ("name", "born", "visit", "notes"):
-        value = patient.value(key)
-        if not isinstance(value, str):
-            raise patient.fail(key, "must be a text")
-        texts[key] = value
-    return Patient(**texts)
+    keys = ("name", "born", "visit", "notes")
+    return Patient(**{key: patient.text(key, empty=True) for key in keys})
 
 
 def _annotations(annotations: JsonObject) -> Annotations:
     points = tuple(
-        KeyPoint(point.text("name"), _point(point, "position_mm"))
+        KeyPoint(point.text("name"), point.triple("position_mm"))
         for point in annotations.objects("key_points")
     )
     names = [point.name for point in points]
@@ -205,17 +174,10 @@ def _annotations(annotations: JsonObject) -> Annotations:
         return Annotations(points)
     plane = annotations.object("plane")
     pitch, roll = plane.number("pitch_deg", -90, 90), plane.number("roll_deg", -90, 90)
-    return Annotations(points, ReferencePlane(_point(plane, "origin_mm"), pitch, roll))
+    return Annotations(points, ReferencePlane(plane.triple("origin_mm"), pitch, roll))
 
 
 def _source(source: JsonObject) -> ScanSource:
-    recorded_at = source.value("recorded_at")
-    if not isinstance(recorded_at, str):
-        raise source.fail("recorded_at", "must be a text")
+    recorded_at = source.text("recorded_at", empty=True)
     kind = source.choice("kind", ["session", "mesh"])
     return ScanSource(kind, source.text("path"), source.text("sha256"), recorded_at)
-
-
-def _point(values: JsonObject, key: str) -> Point:
-    x, y, z = values.numbers(key, 3)
-    return x, y, z

@@ -12,10 +12,11 @@ from itertools import product
 
 import numpy as np
 from scipy.spatial import KDTree
+from scipy.spatial.transform import Rotation
 
 from insole_core.compare.seen_surface import SurfacePoints
 from insole_core.geometry.arrays import FloatArray, IntArray
-from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.geometry.transforms import rigid
 from insole_core.progress import SILENT, Progress
 
 _TUKEY = 4.685 * 1.4826
@@ -116,8 +117,7 @@ def _step(
     normal_matrix = weighted.T @ jacobian
     damping = 1e-9 * np.trace(normal_matrix) * np.eye(6)
     motion = -np.linalg.solve(normal_matrix + damping, weighted.T @ distance)
-    angle = np.linalg.norm(motion[:3])
-    rotation = rotation_about(motion[:3], float(np.degrees(angle))) if angle > 0 else np.eye(3)
+    rotation = Rotation.from_rotvec(motion[:3]).as_matrix()
     return rigid(rotation, centre + motion[3:] - rotation @ centre)
 
 

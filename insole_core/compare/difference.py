@@ -14,8 +14,6 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
 PITCH_MM = 1.0
-THESIS_MEDIAN_PIXELS = 6
-"""The kernel of thesis 8.3: 6 by 6 pixels of about 1 mm."""
 _LEAST_AREA_MM2 = 100.0
 
 

@@ -14,7 +14,6 @@ from scipy.sparse.csgraph import connected_components
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import adjacency
 from insole_core.geometry.transforms import inverse, rigid
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.views.coloring import color_points
@@ -124,7 +123,7 @@ def _above(table: _Table, points: FloatArray, valid: BoolArray) -> BoolArray:
 
 def _middle_piece(mesh: TriangleMesh, view: View) -> TriangleMesh:
     """Keep of the pieces that may be a foot's replica the one nearest the axis of the sensor."""
-    _, piece = connected_components(adjacency(mesh), directed=False)
+    _, piece = connected_components(mesh.links.adjacency, directed=False)
     fitting: list[tuple[float, int]] = []
     for number in np.flatnonzero(np.bincount(piece) >= 100):
         places = mesh.vertices[piece == number]

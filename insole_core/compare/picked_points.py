@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 from itertools import permutations
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from scipy.sparse.csgraph import connected_components
@@ -15,8 +13,8 @@ from insole_core.errors import InputError, ReconstructionError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import adjacency
 from insole_core.geometry.transforms import transform
+from insole_core.json_object import JsonObject
 
 DOTS = 4
 """Black dots on a mould, thesis 8.2."""
@@ -38,32 +36,13 @@ def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
     InputError
         Names the file and what is wrong with it.
     """
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no valid JSON; write the points anew.") from error
-    if not isinstance(content, dict):
-        raise InputError(f'{path} must be an object with the keys "a" and "b"; write it anew.')
-    a, b = (_points(content.get(key), key, path) for key in ("a", "b"))
+    root = JsonObject.read(path)
+    a, b = (np.array(root.vectors(key, 3)).reshape(-1, 3) for key in ("a", "b"))
     if len(a) != len(b):
         raise InputError(
             f"{path} holds {len(a)} points of a and {len(b)} of b; pick each point on both."
         )
     return a, b
-
-
-def _points(value: Any, key: str, path: Path) -> FloatArray:
-    try:
-        points = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        points = np.empty(0)
-    if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
-        raise InputError(
-            f'"{key}" in {path} must be a list of points [x, y, z] in mm; pick the points again.'
-        )
-    return points
 
 
 def fit_points(a: FloatArray, b: FloatArray) -> Fit:
@@ -114,7 +93,7 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
         )
     brightness = mesh.colors @ np.array(_LUMA)
     dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
-    _, piece = connected_components(adjacency(mesh)[dark][:, dark], directed=False)
+    _, piece = connected_components(mesh.links.adjacency[dark][:, dark], directed=False)
     spots = [dark[piece == number] for number in range(piece.max(initial=-1) + 1)]
     dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
     if len(dots) != DOTS:

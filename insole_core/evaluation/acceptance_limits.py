@@ -26,13 +26,7 @@ def load_limits(path: Path) -> Limits:
     InputError
         Names the file and the key of the first violation.
     """
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise InputError(
-            f"The limits {path} cannot be read ({error.strerror}); name a file of limits."
-        ) from error
-    sections = JsonObject.parse(path.name, content).object("limits")
+    sections = JsonObject.read(path).object("limits")
     return {
         key: {name: item.number(name, 0) for name in item.values}
         for key in sections.values

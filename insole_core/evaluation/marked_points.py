@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.errors import InputError
 from insole_core.evaluation.alignment import Correspondence
 from insole_core.evaluation.color_points import points_at_color, points_at_depth
 from insole_core.geometry.arrays import FloatArray
@@ -71,25 +70,14 @@ def load_correspondences(path: Path) -> list[Correspondence]:
         Names the key of the first violation.
     """
     return [
-        Correspondence(
-            _pixel(item, "depth_px"), item.number("depth_mm", 1), _pixel(item, "color_px")
-        )
+        Correspondence(item.pair("depth_px"), item.number("depth_mm", 1), item.pair("color_px"))
         for item in _points(path)
     ]
 
 
 def _points(path: Path) -> list[JsonObject]:
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path} cannot be read ({error.strerror}); name the file.") from error
-    root = JsonObject.parse(path.name, content)
+    root = JsonObject.read(path)
     items = root.objects("points")
     if not items:
         raise root.fail("points", "is empty; mark the points in the image")
     return items
-
-
-def _pixel(item: JsonObject, key: str) -> tuple[float, float]:
-    u, v = item.numbers(key, 2)
-    return u, v

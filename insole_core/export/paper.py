@@ -25,6 +25,7 @@ from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import (
     Flowable,
     Image,
@@ -43,10 +44,14 @@ from insole_core.resources import resource_path
 
 Facts = Mapping[str, str]
 _FONT = "DejaVuSans"
+BOLD = "DejaVuSans-Bold"
 _MARGIN = 16 * mm
-_BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
-_HEAD = ParagraphStyle("head", parent=_BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
-_TITLE = ParagraphStyle("title", parent=_BODY, fontSize=16, leading=22)
+_PADDING = 6
+"""What reportlab leaves free inside the margin."""
+BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
+HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
+TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
+QUIET = colors.HexColor("#595959")
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,22 +109,21 @@ def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
     InputError
         When the exported file or the texts cannot be read.
     """
-    _register_font()
     texts = _texts("job_sheet")
     story: list[Flowable] = []
     for number, sheet in enumerate(sheets):
         story += [PageBreak()] * bool(number) + _sheet(sheet, texts)
-    _write(story, path, texts["title"])
+    write_pages(story, path, texts["title"])
 
 
 def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
-    story = [Paragraph(_safe(texts["title"]), _TITLE)]
+    story = [paragraph(texts["title"], TITLE)]
     for key in ("identification", "measures", "make"):
         story += _facts(texts[key], getattr(sheet, key))
     story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
     story += _list(texts["checks"], sheet.checks)
-    story += [Paragraph(_safe(texts["sections"]), _HEAD), _pictures(sheet)]
-    return [*story, Spacer(1, 4 * mm), Paragraph(_safe(texts["footer"]), _BODY)]
+    story += [paragraph(texts["sections"], HEAD), _pictures(sheet)]
+    return [*story, Spacer(1, 4 * mm), paragraph(texts["footer"])]
 
 
 def write_prescription(
@@ -132,16 +136,15 @@ def write_prescription(
     OutputError
         When the place cannot be written.
     """
-    _register_font()
     texts = _texts("prescription")
-    story = [Paragraph(_safe(texts["title"]), _TITLE)]
+    story = [paragraph(texts["title"], TITLE)]
     story += _facts(texts["identification"], identification)
     story += _list(texts["corrections"], corrections or ("–",))
     story += _facts(texts["make"], make)
     story += _list(texts["statement_title"], (texts["statement"],))
-    story += [Spacer(1, 20 * mm), Paragraph("_" * 40, _BODY)]
-    story += [Paragraph(_safe(texts["signature"]), _BODY)]
-    _write(story, path, texts["title"])
+    story += [Spacer(1, 20 * mm), paragraph("_" * 40)]
+    story += [paragraph(texts["signature"])]
+    write_pages(story, path, texts["title"])
 
 
 def write_report(
@@ -154,12 +157,49 @@ def write_report(
     OutputError
         When the place cannot be written.
     """
-    _register_font()
     image = Image(io.BytesIO(picture), width=135 * mm, height=120 * mm)
-    story: list[Flowable] = [Paragraph(_safe(title), _TITLE), image]
+    story: list[Flowable] = [paragraph(title, TITLE), image]
     for heading, facts in sections:
         story += _facts(heading, facts)
-    _write(story, path, title)
+    write_pages(story, path, title)
+
+
+def paragraph(text: str, style: ParagraphStyle = BODY) -> Paragraph:
+    """Set a text, whatever its script, in the product's own font."""
+    _register_font()
+    return Paragraph(escape(as_written(text)), style)
+
+
+def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -> None:
+    """Fill pages of A4 from top to bottom.
+
+    Parameters
+    ----------
+    story
+    path
+    title
+        Of the document, for its reader.
+    foot
+        The line below every page; "#" stands for its number.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    """
+
+    def draw_foot(page: Canvas, _document: SimpleDocTemplate) -> None:
+        page.setFont(_FONT, 8)
+        page.setFillColor(QUIET)
+        line = as_written(foot.replace("#", str(page.getPageNumber())))
+        page.drawString(_MARGIN + _PADDING, _MARGIN / 2, line)
+
+    with replacing_file(path) as beside:
+        document = SimpleDocTemplate(
+            str(beside), pagesize=A4, title=title, author="Insole Studio",
+            leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
+        )  # fmt: skip
+        document.build(story, onFirstPage=draw_foot, onLaterPages=draw_foot)
 
 
 def sha256_of(path: Path) -> str:
@@ -173,9 +213,10 @@ def sha256_of(path: Path) -> str:
 
 @cache
 def _register_font() -> None:
-    """Make the font known to reportlab; it asks for bold and italic, which are the same here."""
+    """Make the font known to reportlab, which asks for italics too: they are upright here."""
     pdfmetrics.registerFont(TTFont(_FONT, str(FONT_PATH)))
-    faces = dict.fromkeys(("normal", "bold", "italic", "boldItalic"), _FONT)
+    pdfmetrics.registerFont(TTFont(BOLD, str(FONT_PATH.with_stem(BOLD))))
+    faces = {"normal": _FONT, "bold": BOLD, "italic": _FONT, "boldItalic": BOLD}
     pdfmetrics.registerFontFamily(_FONT, **faces)
 
 
@@ -188,24 +229,18 @@ def _texts(name: str) -> dict[str, str]:
     return {key: str(value) for key, value in content.items()}
 
 
-def _safe(text: str) -> str:
-    return escape(as_written(text))
-
-
 def _facts(title: str, facts: Facts) -> list[Flowable]:
     if not facts:
         return []
     words = _texts("words")
-    rows = [
-        [Paragraph(_safe(words.get(text, text)), _BODY) for text in fact] for fact in facts.items()
-    ]
+    rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
     table.setStyle([("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey)])
-    return [Paragraph(_safe(title), _HEAD), table]
+    return [paragraph(title, HEAD), table]
 
 
 def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
-    return [Paragraph(_safe(title), _HEAD), *(Paragraph(_safe(line), _BODY) for line in lines)]
+    return [paragraph(title, HEAD), *(paragraph(line) for line in lines)]
 
 
 def _pictures(sheet: JobSheet) -> Image:
@@ -229,15 +264,6 @@ def _pictures(sheet: JobSheet) -> Image:
     figure.savefig(picture, format="png", dpi=150)
     picture.seek(0)
     return Image(picture, width=170 * mm, height=102 * mm)
-
-
-def _write(story: list[Flowable], path: Path, title: str) -> None:
-    with replacing_file(path) as beside:
-        page = SimpleDocTemplate(
-            str(beside), pagesize=A4, title=title, author="Insole Studio",
-            leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
-        )  # fmt: skip
-        page.build(story)
 
 
 def section_along(

@@ -60,7 +60,7 @@ class Landmark:
     confidence
         0 (a guess from the usual proportions) to 1 (set by hand).
     origin
-        "shape", "mark" (drawn on the skin) or "hand".
+        "shape" or "hand".
     deviation_mm
         Standard deviation of an outermost place in its direction, where pictures tell it.
     """

@@ -10,7 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import Landmark, Landmarks
+from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
@@ -18,7 +18,6 @@ _DARK = 0.6  # brightness of ink against the median of the skin
 _BLUE = 0.12  # of how much more blue than the skin, as a share of all light, ink is
 _AREA_MM2 = (8.0, 600.0)
 _OFFER_MM = 15.0
-_CONFIDENCE = 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,15 +48,6 @@ def skin_marks(foot: Foot, landmarks: Landmarks) -> tuple[SkinMark, ...]:
         SkinMark(point, area, _nearest(point, landmarks)) for point, area in _blobs(mesh, inked)
     ]
     return tuple(sorted(marks, key=lambda mark: -mark.area_mm2))
-
-
-def offered_landmarks(marks: tuple[SkinMark, ...]) -> dict[str, Landmark]:
-    """The landmarks that the marks mean; of two for the same the larger."""
-    return {
-        mark.landmark: Landmark(mark.point, _CONFIDENCE, "mark")
-        for mark in reversed(marks)
-        if mark.landmark
-    }
 
 
 def _is_ink(colors: FloatArray, mesh: TriangleMesh) -> BoolArray:

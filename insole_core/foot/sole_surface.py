@@ -17,7 +17,7 @@ from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import is_boundary, smoothed_normals
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.transforms import rotation_about
 
 _END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
@@ -309,7 +309,7 @@ def _low_touches(touches: ContourConstraints) -> ContourConstraints:
 
 def _near_border(mesh: TriangleMesh) -> BoolArray:
     """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
-    return _grown(_grown(is_boundary(mesh), mesh.triangles), mesh.triangles)
+    return _grown(_grown(mesh.links.is_boundary, mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy import sparse
 from scipy.sparse.csgraph import connected_components
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
@@ -12,29 +11,9 @@ from insole_core.geometry.mesh import TriangleMesh
 _SHRINK, _GROW = 0.5, -0.52
 
 
-def edges(mesh: TriangleMesh) -> tuple[IntArray, IntArray]:
-    """Give every edge once (n, 2), lower index first, and how many triangles it has (n,)."""
-    return mesh.links.edges
-
-
-def adjacency(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
-    """Give the symmetric matrix (n, n) with a 1 for every edge."""
-    return mesh.links.adjacency
-
-
-def laplacian(mesh: TriangleMesh) -> sparse.csr_array[np.float64]:
-    """Give the uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
-    return mesh.links.laplacian
-
-
-def is_boundary(mesh: TriangleMesh) -> BoolArray:
-    """Tell which vertices (n,) lie on an edge with one triangle."""
-    return mesh.links.is_boundary
-
-
 def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
     """Give the number of connected pieces, and the piece of each vertex (n,)."""
-    count, piece = connected_components(adjacency(mesh), directed=False)
+    count, piece = connected_components(mesh.links.adjacency, directed=False)
     return int(count), np.asarray(piece)
 
 
@@ -48,7 +27,7 @@ def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
 def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
     """Smooth the vertices (n, 3) without shrinking, Taubin 1995; the border stays."""
     mean = mesh.links.mean
-    inner = ~is_boundary(mesh)[:, None]
+    inner = ~mesh.links.is_boundary[:, None]
     vertices = mesh.vertices
     for _ in range(rounds):
         for step in (_SHRINK, _GROW):

@@ -13,11 +13,10 @@ from insole_core.recording.hand_edits import (
     NO_EDITS,
     HandEdits,
     NamedSpot,
-    Pixel,
     Region,
     ViewEdits,
 )
-from insole_core.recording.manifest_json import check_version, parse_box
+from insole_core.recording.manifest_json import parse_box
 from insole_core.recording.session import Manifest
 from insole_core.recording.store import ZipStore
 
@@ -73,7 +72,7 @@ def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
         Names the file and the key of the first violation.
     """
     root = JsonObject.parse(file, text)
-    check_version(root, FORMAT, VERSION)
+    root.check_format(FORMAT, VERSION)
     views = root.object("views")
     unknown = [name for name in views.values if name not in manifest.views]
     if unknown:
@@ -107,31 +106,23 @@ def _view(root: JsonObject, manifest: Manifest) -> ViewEdits:
         if marker not in known:
             raise root.fail("excluded", f"names {marker!r}, which no marker of this session is")
     named = tuple(
-        NamedSpot(spot.choice("id", known), _pixel(spot, "pixel"), spot.flag("exact"))
+        NamedSpot(spot.choice("id", known), spot.pair("pixel"), spot.flag("exact"))
         for spot in root.objects("named")
     )
     if len({spot.id for spot in named}) < len(named):
         raise root.fail("named", "names a marker twice")
-    ignored = root.items("ignored")
-    searched = root.value("searched")
+    ignored = root.listed("ignored")
     return ViewEdits(
         excluded=tuple(excluded),
         named=named,
-        ignored=tuple(_region(root, f"ignored[{i}]", item) for i, item in enumerate(ignored)),
-        searched=None if searched is None else _region(root, "searched", searched),
+        ignored=tuple(_region(ignored, number) for number in ignored.values),
+        searched=None if root.value("searched") is None else _region(root, "searched"),
         off=root.flag("off"),
     )
 
 
-def _region(root: JsonObject, key: str, corners: Any) -> Region:
-    if not isinstance(corners, list) or len(corners) < 3:
+def _region(root: JsonObject, key: str) -> Region:
+    corners = root.listed(key)
+    if len(corners.values) < 3:
         raise root.fail(key, "must be a list of three corners or more")
-    nested = JsonObject(
-        root.file, {str(i): c for i, c in enumerate(corners)}, f"{root.place}{key}."
-    )
-    return tuple(_pixel(nested, number) for number in nested.values)
-
-
-def _pixel(root: JsonObject, key: str) -> Pixel:
-    u, v = root.numbers(key, 2)
-    return u, v
+    return tuple(corners.pair(number) for number in corners.values)

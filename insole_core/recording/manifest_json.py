@@ -6,7 +6,6 @@ import re
 from datetime import datetime
 from typing import Any
 
-from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 from insole_core.recording.session import (
@@ -36,10 +35,10 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
         Names the file and the key of the first violation.
     """
     root = JsonObject.parse(file, text)
-    check_version(root, FORMAT, VERSION)
+    root.check_format(FORMAT, VERSION)
     return Manifest(
         recorded_at=_date(root),
-        side=Side(root.choice("side", [side.value for side in Side])),
+        side=root.choice("side", list(Side)),
         reference_system=parse_reference_system(root.object("reference_frame")),
         views=_view_names(root),
         volume_of_interest=parse_box(root) if root.has("volume_of_interest_mm") else None,
@@ -50,19 +49,12 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
 
 def manifest_json(manifest: Manifest) -> dict[str, Any]:
     """Give the JSON form of a manifest."""
-    system = manifest.reference_system
     values: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
         "recorded_at": manifest.recorded_at,
         "side": manifest.side.value,
-        "reference_frame": {
-            "name": system.name,
-            "markers": [
-                {"id": m.id, "position_mm": list(m.position_mm), "face": m.face}
-                for m in system.markers
-            ],
-        },
+        "reference_frame": reference_system_json(manifest.reference_system),
         "views": list(manifest.views),
     }
     if (box := manifest.volume_of_interest) is not None:
@@ -74,24 +66,6 @@ def manifest_json(manifest: Manifest) -> dict[str, Any]:
             "notes": condition.notes,
         }
     return {**values, **manifest.extra}
-
-
-def check_version(root: JsonObject, name: str, newest: int) -> None:
-    """Refuse another format than `name`, and a version that this program does not know.
-
-    Raises
-    ------
-    InputError
-    """
-    if root.value("format") != name:
-        raise root.fail("format", f'is {root.value("format")!r}, but must be "{name}"')
-    version = root.value("version")
-    if isinstance(version, int) and version > newest:
-        raise InputError(
-            f"{root.file} is of version {version}, which is newer than this program (it reads "
-            f"version {newest}); update the program."
-        )
-    root.integer("version", 1, newest)
 
 
 def _date(root: JsonObject) -> str:
@@ -114,7 +88,7 @@ def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
         Names the file and the key of the first violation.
     """
     markers = tuple(
-        Marker(item.text("id"), _xyz(item, "position_mm"), item.text("face"))
+        Marker(item.text("id"), item.triple("position_mm"), item.text("face"))
         for item in frame.objects("markers")
     )
     if len({marker.id for marker in markers}) < len(markers):
@@ -122,6 +96,16 @@ def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
     if not markers:
         raise frame.fail("markers", "is empty, but a reference system has at least 4 markers")
     return ReferenceSystem(frame.text("name"), markers)
+
+
+def reference_system_json(system: ReferenceSystem) -> dict[str, Any]:
+    """Give the JSON form of a reference system."""
+    return {
+        "name": system.name,
+        "markers": [
+            {"id": m.id, "position_mm": list(m.position_mm), "face": m.face} for m in system.markers
+        ],
+    }
 
 
 def _view_names(root: JsonObject) -> tuple[str, ...]:
@@ -144,7 +128,7 @@ def parse_box(root: JsonObject) -> Box:
     InputError
     """
     box = root.object("volume_of_interest_mm")
-    low, high = _xyz(box, "min"), _xyz(box, "max")
+    low, high = box.triple("min"), box.triple("max")
     if not all(a < b for a, b in zip(low, high, strict=True)):
         raise root.fail("volume_of_interest_mm", "must have min below max in x, y and z")
     return Box(low, high)
@@ -158,8 +142,3 @@ def _condition(root: JsonObject) -> CaptureCondition:
         condition.flag("held") if condition.has("held") else False,
         str(notes),
     )
-
-
-def _xyz(item: JsonObject, key: str) -> tuple[float, float, float]:
-    x, y, z = item.numbers(key, 3)
-    return x, y, z

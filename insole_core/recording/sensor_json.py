@@ -111,12 +111,7 @@ def _camera_json(camera: PinholeCamera) -> dict[str, Any]:
 
 
 def _depth2color(item: JsonObject) -> FloatArray:
-    rows = item.items("rotation")
-    if len(rows) != 3:
-        raise item.fail("rotation", "must be a 3×3 matrix")
-    named = {f"rotation[{i}]": row for i, row in enumerate(rows)}
-    reader = JsonObject(item.file, named, item.place)
-    rotation = np.array([reader.numbers(key, 3) for key in named])
+    rotation = np.array(item.matrix("rotation", 3))
     if not is_rotation(rotation):
         kind = "mirrored" if np.linalg.det(rotation) < 0 else "no rotation"
         raise item.fail("rotation", f"is {kind}; its rows must be right-handed unit vectors")

@@ -175,7 +175,7 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
     if record.version > VERSION:
         raise InputError(
             f"{name} is of version {record.version}, which is newer than this program (it reads "
-            f"version {VERSION}); update the program."
+            f"up to {VERSION}); install a newer Insole Studio."
         )
     _check_map(name, "offset", offset)
     if "record" not in arrays:

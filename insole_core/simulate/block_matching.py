@@ -18,11 +18,11 @@ from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray, RawA
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.simulate.device import Device
+from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
 from insole_core.simulate.ray_caster import Hits, SceneCaster
 
-_WINDOW = (9, 9)
+_WINDOW = (WINDOW_PX, WINDOW_PX)
 _SUBSAMPLES = 4
 _SPECKLE_CONTRAST = 0.2
 _SHOT_NOISE, _READ_NOISE = 0.27, 0.09
@@ -30,7 +30,6 @@ _BRIGHT_MM = 800.0
 _ALBEDO = 0.8
 _LEAST_CORRELATION = 0.56
 _LEAST_VARIANCE = 1e-4
-_BLIND_COLUMNS = 8
 _SEARCH_RAW = 12
 """The sensor searches all of its range; beyond what is there it finds nothing but rare outliers."""
 _MARGIN_PX = 14
@@ -67,7 +66,7 @@ class MatchedRecording:
         noise = rng.standard_normal(self.infrared.shape, dtype=np.float32)
         raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
         raw[self.region] = self._match(self.infrared + deviation * noise)
-        raw[:, :_BLIND_COLUMNS] = NO_READING
+        raw[:, BLIND_COLUMNS] = NO_READING
         return raw
 
     def _match(self, image: Float32Array) -> RawArray:

@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.ray_caster import Hits, SceneCaster
 
 _BACKGROUND = 26.0
 _AMBIENT = 0.42
@@ -21,6 +21,8 @@ _BLUR_SIGMA_PX = 0.6
 _NOISE = 0.35
 _NOISE_PER_LEVEL = 0.006
 _RAY_GRID_PX = 8
+_RAYS_AT_ONCE = 1 << 18
+"""A whole picture at once would take half a gigabyte for a moment."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,14 +55,21 @@ def record_color(
     color2reference = sensor2reference @ inverse(sensor.depth2color)
     rays = _pixel_rays(camera).reshape(-1, 2)
     directions = np.c_[rays, np.ones(len(rays))] @ color2reference[:3, :3].T
-    hits = caster.cast(color2reference[:3, 3], directions)
-    to_lamp = transform(color2reference, _LAMP_MM) - hits.points
-    to_lamp /= np.linalg.norm(to_lamp, axis=1, keepdims=True)
-    facing = np.clip(np.einsum("nc,nc->n", hits.normals, to_lamp), 0, 1)
+    lamp = transform(color2reference, _LAMP_MM)
     image = np.full((camera.height * camera.width, 3), _BACKGROUND, dtype=np.float32)
-    image[hits.ray] = hits.colors * (_AMBIENT + (1 - _AMBIENT) * facing)[:, None]
+    for first in range(0, len(directions), _RAYS_AT_ONCE):
+        hits = caster.cast(color2reference[:3, 3], directions[first : first + _RAYS_AT_ONCE])
+        image[first + hits.ray] = _lit(hits, lamp)
     sharp = image.reshape(camera.height, camera.width, 3)
     return ColorRecording(np.asarray(cv2.GaussianBlur(sharp, (0, 0), _BLUR_SIGMA_PX)))
+
+
+def _lit(hits: Hits, lamp: FloatArray) -> FloatArray:
+    """Colours (n, 3) of surfaces, the darker the less they face the lamp."""
+    to_lamp = lamp - hits.points
+    to_lamp /= np.linalg.norm(to_lamp, axis=1, keepdims=True)
+    facing = np.clip(np.einsum("nc,nc->n", hits.normals, to_lamp), 0, 1)
+    return np.asarray(hits.colors * (_AMBIENT + (1 - _AMBIENT) * facing)[:, None])
 
 
 def _pixel_rays(camera: PinholeCamera) -> FloatArray:

@@ -21,7 +21,7 @@ from scipy.ndimage import gaussian_filter, uniform_filter
 from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
 from insole_core.sensing.disparity import NO_READING
-from insole_core.simulate.device import Device
+from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
 from insole_core.simulate.ray_caster import SceneCaster
 
 TEMPORAL_RAW = 0.36
@@ -33,8 +33,6 @@ _CORRELATION_PX = 2.0
 _UNCORRELATED_SHARE = 0.2
 _STEEPEST_DEG = 72.0
 _STEEPEST_SPREAD_DEG = 1.5
-_BLIND_COLUMNS = 8
-_WINDOW_PX = 9
 _LEAST_SUPPORT = 0.4
 
 
@@ -108,11 +106,11 @@ def _slant_deg(normals: FloatArray, directions: FloatArray) -> FloatArray:
 
 
 def _is_matchable(raw: FloatArray) -> BoolArray:
-    """Where enough of the matching window lies on something, and the pattern is known."""
+    """Where the matching window is whole, and enough of it lies on something."""
     valid = np.isfinite(raw)
-    support = uniform_filter(valid.astype(float), _WINDOW_PX, mode="nearest")
+    support = uniform_filter(valid.astype(float), WINDOW_PX, mode="nearest")
     matchable = valid & (support >= _LEAST_SUPPORT)
-    matchable[:, :_BLIND_COLUMNS] = False
+    matchable[:, BLIND_COLUMNS] = False
     return matchable
 
 

@@ -28,7 +28,7 @@ _OUTWARD = {"sole": (0.0, 0.0, -1.0), "achilles": (0.0, -1.0, 0.0)}
 def load_reference_system(name: str = "lego-20") -> ReferenceSystem:
     """Read a reference system that comes with the product."""
     path = resource_path(f"reference_systems/{name}.json")
-    return parse_reference_system(JsonObject.parse(path.name, path.read_bytes()))
+    return parse_reference_system(JsonObject.read(path))
 
 
 def build_scene(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-export-rules", 1
@@ -19,7 +19,9 @@ CheckName: TypeAlias = Literal[
     "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"
 ]
 _LEAST_CUTTER_MM, _GREATEST_CUTTER_MM = 1.0, 40.0
+_GREATEST = 1000
 CHECK_NAMES: tuple[CheckName, ...] = get_args(CheckName)
+_WITHOUT_LIMIT = ("watertight", "block")
 
 
 @dataclass(frozen=True)
@@ -77,21 +79,25 @@ def read_rules(path: Path | None = None) -> ExportRules:
     InputError
         Names the file and the key that is missing or wrong.
     """
-    path = path or resource_path("rules/export.json")
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no valid JSON; write the rules anew.") from error
-    if not isinstance(content, dict) or (content.get("format"), content.get("version")) != (
-        FORMAT, VERSION,
-    ):  # fmt: skip
-        raise InputError(f'{path} holds no export rules; "format" must be "{FORMAT}", version 1.')
-    rules = content.get("rules")
-    if not isinstance(rules, dict) or not rules.keys() <= set(CHECK_NAMES):
-        raise InputError(f'"rules" in {path} must name checks of: {", ".join(CHECK_NAMES)}.')
-    return _parsed(rules, path)
+    root = JsonObject.read(path or resource_path("rules/export.json"))
+    root.check_format(FORMAT, VERSION)
+    rules = root.object("rules")
+    policies: dict[CheckName, Policy] = {}
+    limits: dict[CheckName, float] = {}
+    further: dict[str, Any] = {}
+    for key in rules.values:
+        if key not in CHECK_NAMES:
+            raise rules.fail(key, f"is no check; those are {', '.join(CHECK_NAMES)}")
+    for name in filter(rules.has, CHECK_NAMES):
+        rule = rules.object(name)
+        policies[name] = rule.choice("policy", get_args(Policy))
+        if name not in _WITHOUT_LIMIT:
+            limits[name] = rule.number("limit", 0, _GREATEST)
+        if name == "cutter" and rule.has("cutter_diameter_mm"):
+            further["cutter_diameter_mm"] = rule.number("cutter_diameter_mm", 0, _GREATEST)
+        if name == "block" and rule.has("size_mm"):
+            further["block_mm"] = rule.numbers("size_mm", 3, 0, _GREATEST)
+    return ExportRules(policies, limits, **further)
 
 
 def write_rules(rules: ExportRules, path: Path) -> None:
@@ -113,32 +119,3 @@ def write_rules(rules: ExportRules, path: Path) -> None:
     text = json.dumps({"format": FORMAT, "version": VERSION, "rules": content}, indent=1)
     with replacing_file(path) as beside:
         beside.write_text(text + "\n", encoding="utf-8")
-
-
-def _parsed(rules: dict[CheckName, Any], path: Path) -> ExportRules:
-    policies: dict[CheckName, Policy] = {}
-    limits: dict[CheckName, float] = {}
-    for name, rule in rules.items():
-        if not isinstance(rule, dict) or rule.get("policy") not in get_args(Policy):
-            raise InputError(
-                f'The policy of "{name}" in {path} must be "blocking", "warning" or "off".'
-            )
-        policies[name] = rule["policy"]
-        if name not in ("watertight", "block"):
-            limits[name] = _number(rule.get("limit"), f'limit of "{name}"', path)
-    diameter = rules.get("cutter", {}).get("cutter_diameter_mm", ExportRules.cutter_diameter_mm)
-    size = rules.get("block", {}).get("size_mm", list(ExportRules.block_mm))
-    if not isinstance(size, list) or len(size) != 3:
-        raise InputError(f"size_mm of the block in {path} must be [length, width, height].")
-    length, width, height = (_number(value, "size_mm of the block", path) for value in size)
-    return ExportRules(
-        policies, limits, _number(diameter, "cutter_diameter_mm", path), (length, width, height)
-    )
-
-
-def _number(value: Any, what: str, path: Path) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"The {what} in {path} must be a number.")
-    if not (math.isfinite(value) and 0 <= value <= 1000):
-        raise InputError(f"The {what} in {path} is {value:g}, and must be 0 to 1000.")
-    return float(value)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
-from insole_core.errors import InputError
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
@@ -50,14 +49,8 @@ def read_shop(path: Path | None = None) -> Shop:
     InputError
         Names the file and the key that is missing or wrong.
     """
-    path = path or resource_path("rules/shop.json")
-    try:
-        text = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
-    root = JsonObject.parse(str(path), text)
-    root.choice("format", [FORMAT])
-    root.integer("version", VERSION, VERSION)
+    root = JsonObject.read(path or resource_path("rules/shop.json"))
+    root.check_format(FORMAT, VERSION)
     layers = root.object("layers")
     return Shop(
         tuple(_block(item) for item in root.objects("blocks")),
@@ -68,10 +61,10 @@ def read_shop(path: Path | None = None) -> Shop:
 
 
 def _block(item: JsonObject) -> Block:
-    length, width, height = item.numbers("size_mm", 3)
-    if min(length, width, height) <= 0:
+    size_mm = item.triple("size_mm")
+    if min(size_mm) <= 0:
         raise item.fail("size_mm", "must be three lengths above 0")
-    return Block(item.text("name"), (length, width, height))
+    return Block(item.text("name"), size_mm)
 
 
 def _layer(item: JsonObject) -> LayerMake:

@@ -78,12 +78,14 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
     nodes = field.nodes[near.ravel(), :2]
     away, normal = _away_from(polygon, nodes)
     distance = np.linalg.norm(away, axis=1)
+    # A node on the outline is not put on either side by its last bits.
+    apart = distance > _ON_OUTLINE_MM
+    distance = np.where(apart, distance, 0.0)
     # Painting errs by up to a pixel; the normal of the nearest place knows the side exactly.
     sign[near] = np.where((away * normal).sum(axis=1) > 0, -1.0, 1.0)
     inside = sign * coarse
     inside[near] = sign[near] * distance
     outward = np.zeros((*near.shape, 2))
-    apart = distance > _ON_OUTLINE_MM
     length = np.where(apart, distance, 1.0)
     outward[near] = np.where(apart[:, None], -(sign[near] / length)[:, None] * away, normal)
     return OutlineDistance(inside, outward, reach_mm)
@@ -116,7 +118,8 @@ def _away_from(polygon: FloatArray, places: FloatArray) -> tuple[FloatArray, Flo
         for side, part in zip((before, after), share, strict=True)
     ]
     sizes = [(way**2).sum(axis=1) for way in ways]
-    corner = (share[0] == 1) & (share[1] == 0)
+    # Where both are as near, but for rounding: one side's normal may be at right angles to the way.
+    corner = np.isclose(sizes[0], sizes[1], rtol=1e-9, atol=_ON_OUTLINE_MM**2)
     normal = np.where((sizes[0] < sizes[1])[:, None], normals[before], normals[after])
     normal[corner] = normals[before[corner]] + normals[after[corner]]
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)

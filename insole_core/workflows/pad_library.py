@@ -43,10 +43,8 @@ def load_pads() -> tuple[LibraryPad, ...]:
     InputError
         When the file breaks its format.
     """
-    path = resource_path("pads/library.json")
-    library = JsonObject.parse(path.name, path.read_bytes())
-    library.choice("format", ["insole-pad-library"])
-    library.integer("version", 1, 1)
+    library = JsonObject.read(resource_path("pads/library.json"))
+    library.check_format("insole-pad-library")
     return tuple(_pad(pad) for pad in library.objects("pads"))
 
 
@@ -57,7 +55,7 @@ def _pad(pad: JsonObject) -> LibraryPad:
     )
     template = Pelott(
         centre_mm=(0.0, 0.0),
-        shape=pad.choice("shape", list(PELOTT_SHAPES)),
+        shape=pad.choice("shape", PELOTT_SHAPES),
         length_mm=length,
         width_mm=width,
         height_mm=height,

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.foot.foot import Foot
 from insole_core.foot.skin_marks import SkinMark, skin_marks
 from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
 
@@ -26,18 +28,19 @@ class PenMarks:
     """Finds the marks once for each foot: that takes a moment."""
 
     def __init__(self) -> None:
-        self._found: tuple[object, tuple[SkinMark, ...]] = (None, ())
+        self._found: WeakKeyDictionary[Foot, tuple[SkinMark, ...]] = WeakKeyDictionary()
 
     def of(self, record: CaseRecord) -> tuple[PenMark, ...]:
         """Give the marks on the foot at hand, the largest first."""
         if record.foot is None:
             return ()
         landmarks = landmarks_of(record)
-        if self._found[0] is not record.foot:
-            self._found = record.foot, skin_marks(record.foot, landmarks)
+        found = self._found.get(record.foot)
+        if found is None:
+            found = self._found[record.foot] = skin_marks(record.foot, landmarks)
         places = {name: mark.point for name, mark in landmarks.items() if name in SHOWN}
         return tuple(
-            PenMark(mark, tuple(_nearest(mark.point, places)[:MEANINGS])) for mark in self._found[1]
+            PenMark(mark, tuple(_nearest(mark.point, places)[:MEANINGS])) for mark in found
         )
 
 

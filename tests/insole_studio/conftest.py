@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -21,12 +22,14 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow
+from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.services.questions import Answer, SameSide
 from insole_studio.user_paths import UserPaths
 
 LENGTH_MM = 250.0
 
 
+@cache  # what the core keeps of a foot, its landmarks and its sole, then serves every test
 def plantar_foot(side: Side) -> Foot:
     """A sole of 80 × 250 mm that faces the ground, its arch on the medial side only."""
     x, y = np.meshgrid(np.linspace(-40, 40, 41), np.linspace(0, LENGTH_MM, 126))
@@ -106,6 +109,7 @@ def undrawn_reports(undraw_reports, monkeypatch: pytest.MonkeyPatch) -> None:
 def no_leaks() -> Iterator[None]:
     """No widget and no thread survives its test."""
     before = set(threading.enumerate())
+    gc.collect()  # else the freeze keeps forever what the test before has left in a cycle
     gc.freeze()  # what was there before need not be looked through again: collecting is quick
     yield
     if QApplication.instance() is not None:
@@ -115,6 +119,22 @@ def no_leaks() -> Iterator[None]:
         assert QApplication.topLevelWidgets() == []
     left = [thread.name for thread in set(threading.enumerate()) - before if thread.is_alive()]
     assert [name for name in left if name.startswith("studio-job")] == []
+
+
+@pytest.fixture(autouse=True)
+def undrawn(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let scenes draw only where a test asks for their picture, or is marked as drawn.
+
+    Without GL a picture takes longer than all that it shows.
+    """
+    if request.node.get_closest_marker("drawn") is None:
+        monkeypatch.setattr(ImageCanvas, "render_now", aim_only)
+
+
+def aim_only(canvas: ImageCanvas) -> None:
+    """Do all of drawing but the pixels."""
+    if canvas.plotter is not None and canvas.isVisible():
+        canvas.aim()
 
 
 @pytest.fixture

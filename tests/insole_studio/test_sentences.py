@@ -15,9 +15,12 @@ import insole_core
 import insole_studio
 from insole_core import errors
 from insole_core.calibration.boards.board import Chequerboard
+from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.resources import resource_path
+from insole_core.sensing.disparity import LinearInverseDisparity
+from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_studio.phrasebook import Phrasebook
 from insole_studio.texts import load_language, translate_core_message
 
@@ -33,6 +36,7 @@ TRANSLATED = (
 """Rooms whose errors the window shows."""
 REMARKS = (
     "calibration/applying.py", "calibration/distortion.py", "calibration/intrinsics.py",
+    "calibration/plausibility.py",
     "cases/scan.py", "compare/sources.py", "export/atomic.py", "foot/mesh_file.py",
     "foot/measures.py", "foot/placing.py", "foot/side_check.py", "reconstruct/assignment.py",
     "reconstruct/coverage.py", "reconstruct/image_assignment.py", "reconstruct/picture.py",
@@ -153,6 +157,16 @@ def test_a_reason_within_a_sentence_is_said_as_well() -> None:
     assert said == (
         "Ingen fot kan göras av s.zip, eftersom ingen av dess vyer kan användas"
         " (markörerna som syns ligger nästan på en linje, så sensorns plats är osäker)."
+    )
+
+
+def test_what_does_not_fit_a_kinect_is_said_as_well() -> None:
+    wide = LinearInverseDisparity(USUAL_DEPTH.a * 1.25, USUAL_DEPTH.b * 1.25)
+    said = Phrasebook(BOOK).say(find_misfit(nominal_kinect("A1"), 30.0, wide))
+    assert said == (
+        "Resultatet passar inte en Kinect v1: djupets a är 3.915 (vanligt: 3.038 till 3.226), "
+        "djupets b är -0.00359 (vanligt: -0.00296 till -0.00279); brädets ruta är troligare "
+        "37.5 mm än 30 mm, så mät den och ange dess verkliga sida."
     )
 
 

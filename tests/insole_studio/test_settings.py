@@ -19,19 +19,47 @@ def test_absent_settings_are_the_defaults(tmp_path: Path) -> None:
     assert load_settings(tmp_path / "none.json") == Settings()
 
 
-@pytest.mark.parametrize("text", ["", "{", "[1]", "\x00"])
+@pytest.mark.parametrize("text", ["", "{", "[1]", "\x00", "[" * 100_000])
 def test_unreadable_settings_are_the_defaults(tmp_path: Path, text: str) -> None:
     (tmp_path / "settings.json").write_text(text)
     assert load_settings(tmp_path / "settings.json") == Settings()
 
 
-def test_a_bad_entry_costs_a_warning(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
-    stored = {"theme": "pink", "linked_views": False, "recent": [1], "unknown": 1}
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("theme", "pink"),
+        ("theme", ["dark"]),
+        ("touch", 1),
+        ("author", None),
+        ("recent", [1]),
+        ("largest_residual_mm", True),
+        ("largest_residual_mm", "3"),
+        ("largest_residual_mm", float("nan")),
+        ("largest_residual_mm", 10**400),
+    ],
+)
+def test_a_bad_entry_costs_a_warning(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, key: str, value: object
+) -> None:
+    stored = {key: value, "linked_views": False, "unknown": 1}
     (tmp_path / "settings.json").write_text(json.dumps(stored))
     with caplog.at_level(logging.WARNING):
         settings = load_settings(tmp_path / "settings.json")
     assert settings == Settings(linked_views=False)
-    assert "theme" in caplog.text
+    assert key in caplog.text
+    assert "unknown" not in caplog.text
+
+
+def test_settings_of_an_earlier_program_are_kept(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    stored = {"version": 1, "theme": "dark", "largest_residual_mm": 4}
+    (tmp_path / "settings.json").write_text(json.dumps(stored))
+    assert load_settings(tmp_path / "settings.json") == Settings(
+        theme="dark", largest_residual_mm=4.0
+    )
+    assert caplog.text == ""
 
 
 def test_recent_files_are_few_and_newest_first() -> None:

@@ -15,7 +15,7 @@ from kinect_v1.pixels import encode_image
 from kinect_v1.usb_bus import UsbBus
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def images() -> Images:
     """Three pictures of every mode for every sensor."""
     return {
@@ -27,7 +27,7 @@ def images() -> Images:
     }
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def footage(
     images: Images,
 ) -> Footage:

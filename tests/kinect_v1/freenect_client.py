@@ -1,7 +1,7 @@
 """What Debian's unmodified libfreenect gets from the sensors on a bus; the standard library only.
 
 Usage: freenect_client.py REQUEST OUT. The request (JSON) names serial numbers, formats and a number
-of frames; frames and tables are written to the folder OUT, and what happened to OUT/result.json.
+of frames; frames and tables of depths are written to the folder OUT, the rest to OUT/result.json.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 LIBRARY = "libfreenect.so.0.5"
-DEPTH_FORMATS = {"depth-11": 0, "depth-10": 1, "registered": 4, "mm": 5}
+DEPTH_FORMATS = {"depth-11": 0, "depth-10": 1}
 VIDEO_FORMATS = {
     "rgb-640x480": (1, 0),
     "bayer-640x480": (1, 1),
@@ -114,12 +114,10 @@ class Device:
             getattr(self.library, f"freenect_stop_{kind}")(self.handle)
         self.library.freenect_close_device(self.handle)
 
-    def save_tables(self, folder: Path) -> dict[str, Any]:
+    def save_table(self, folder: Path) -> dict[str, Any]:
         found = self.library.freenect_copy_registration(self.handle)
-        sizes = {"raw_to_mm": 2048 * 2, "shift": 10000 * 4, "table": 640 * 480 * 2 * 4}
-        for name, size in sizes.items():
-            data = ctypes.string_at(getattr(found, name), size)
-            (folder / f"{self.serial}-{name}").write_bytes(data)
+        table = ctypes.string_at(found.raw_to_mm, 2048 * 2)
+        (folder / f"{self.serial}-raw_to_mm").write_bytes(table)
         return {
             "info": list(found.info),
             "padding": list(found.padding),
@@ -144,7 +142,7 @@ def run(request: dict[str, Any], folder: Path) -> None:
         library.freenect_process_events_timeout(context, ctypes.byref(TimeValue(0, 20_000)))
     result = {}
     for device in devices:
-        result[device.serial] = device.save_tables(folder)
+        result[device.serial] = device.save_table(folder)
         for kind in kinds:
             for number, frame in enumerate(device.frames[kind]):
                 (folder / f"{device.serial}-{kind}-{number}").write_bytes(frame)

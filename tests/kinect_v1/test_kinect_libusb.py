@@ -17,6 +17,8 @@ from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH_11
 from kinect_v1.recordings import read_depth, read_received, read_recording
 
+pytestmark = pytest.mark.slow
+
 WANTED = 4
 CLIENT = HERE / "driver_client.py"
 

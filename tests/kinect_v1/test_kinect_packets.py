@@ -196,6 +196,7 @@ def disturb(packets: list[bytes], disturbance: list[tuple[str, int, int]]) -> li
     return packets
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(
     st.sampled_from([SMALL, ROUND, LONG]),

@@ -14,6 +14,8 @@ from training.network import drawn, fit
 from training.random_objects import varied_thing
 from training.views import Example, simulate_examples
 
+pytestmark = pytest.mark.slow
+
 
 def _enclosed_mm3(mesh: TriangleMesh) -> float:
     a, b, c = np.moveaxis(mesh.vertices[mesh.triangles], 1, 0)

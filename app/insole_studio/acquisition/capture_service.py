@@ -9,7 +9,6 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CaptureStep
 from insole_studio.acquisition.capture_runner import CaptureCallbacks, CaptureRunner
@@ -178,7 +177,7 @@ class _Service:
             else Draft(order.folder, order.manifest, order.order)
         )
         watcher = CaptureCallbacks(
-            self._report, self._is_cancelled, self._wait_for_hand, self._show_captured
+            self._report, self._is_cancelled, self._wait_for_hand, self._live.show
         )
         try:
             sensors = self._live.opened
@@ -189,9 +188,6 @@ class _Service:
     def _report(self, status: CaptureStatus) -> None:
         self._last = status
         self._send(status)
-
-    def _show_captured(self, serial: str, image: RawArray | ByteArray) -> None:
-        self._live.show(serial, image)
 
     def _is_cancelled(self) -> bool:
         self._receive()

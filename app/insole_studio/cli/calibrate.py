@@ -14,11 +14,11 @@ from insole_studio.cli.calibration import (
     shift,
     stereo,
 )
-from insole_studio.cli.subcommands import Subcommand, add_steps
+from insole_studio.cli.subcommands import Command, add_steps
 
 NAME = "calibrate"
 HELP = "calibrate a sensor, or measure a reference system, from folders of images"
-STEPS: tuple[Subcommand, ...] = (
+STEPS: tuple[Command, ...] = (
     camera.COLOR,
     distortion,
     camera.DEPTH,

@@ -6,11 +6,11 @@ import argparse
 
 from insole_core.progress import Progress
 from insole_studio.cli.evaluation import alignment, artefact, known_object, noise, resolution, wall
-from insole_studio.cli.subcommands import Subcommand, add_steps
+from insole_studio.cli.subcommands import Command, add_steps
 
 NAME = "evaluate"
 HELP = "evaluate a sensor from folders of images; a limit that is not kept is exit code 1"
-KINDS: tuple[Subcommand, ...] = (wall, resolution, alignment, known_object, artefact, noise)
+KINDS: tuple[Command, ...] = (wall, resolution, alignment, known_object, artefact, noise)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -12,7 +12,7 @@ import sys
 import traceback
 from importlib.metadata import version
 from pathlib import Path
-from typing import NoReturn, Protocol
+from typing import NoReturn
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
@@ -29,22 +29,7 @@ from insole_studio.cli import (
     simulate,
     window,
 )
-
-
-class Command(Protocol):
-    """What each module of `insole_studio.commands` offers."""
-
-    NAME: str
-    HELP: str
-
-    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
-        """Declare the arguments."""
-        ...
-
-    def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
-        """Do the work; errors are raised."""
-        ...
-
+from insole_studio.cli.subcommands import Command
 
 COMMANDS: tuple[Command, ...] = (
     window,

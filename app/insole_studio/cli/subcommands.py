@@ -9,8 +9,8 @@ from typing import Protocol
 from insole_core.progress import Progress
 
 
-class Subcommand(Protocol):
-    """What the module of a step offers: the same as that of a command."""
+class Command(Protocol):
+    """What the module of a command offers, and that of each of its steps."""
 
     NAME: str
     HELP: str
@@ -24,7 +24,7 @@ class Subcommand(Protocol):
         ...
 
 
-def add_steps(parser: argparse.ArgumentParser, steps: Sequence[Subcommand], metavar: str) -> None:
+def add_steps(parser: argparse.ArgumentParser, steps: Sequence[Command], metavar: str) -> None:
     """Declare the steps of a command; the chosen one becomes ``arguments.step``."""
     chosen = parser.add_subparsers(required=True, metavar=metavar)
     for step in steps:

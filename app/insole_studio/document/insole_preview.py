@@ -315,16 +315,11 @@ def _ground_key(foot: Foot, design: InsoleDesign) -> tuple[Any, ...]:
 
 def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:
     """Unit normals (n, 3) of a field at places near or in a window, from the nearest nodes."""
-    rows, columns = field.heights_mm.shape
-    if len(xy) == 0:
-        return np.zeros((0, 3))
     first_row, first_column = max(window.first_row - 2, 0), max(window.first_column - 2, 0)
-    end_row, end_column = min(window.end_row + 2, rows), min(window.end_column + 2, columns)
-    part = field.heights_mm[first_row:end_row, first_column:end_column]
-    along_y: FloatArray = np.gradient(part, field.step_mm, axis=0)
-    along_x: FloatArray = np.gradient(part, field.step_mm, axis=1)
-    column = np.rint((xy[:, 0] - field.x0_mm) / field.step_mm).astype(int) - first_column
+    normals = field.normals_of(
+        slice(first_row, window.end_row + 2), slice(first_column, window.end_column + 2)
+    )
     row = np.rint((xy[:, 1] - field.y0_mm) / field.step_mm).astype(int) - first_row
-    i = np.clip(row, 0, part.shape[0] - 1), np.clip(column, 0, part.shape[1] - 1)
-    normals = np.stack([-along_x[i], -along_y[i], np.ones(len(xy))], axis=1)
-    return np.asarray(normals / np.sqrt(np.einsum("nc,nc->n", normals, normals))[:, None])
+    column = np.rint((xy[:, 0] - field.x0_mm) / field.step_mm).astype(int) - first_column
+    rows, columns = normals.shape[:2]
+    return np.asarray(normals[np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)])

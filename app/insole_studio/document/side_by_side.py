@@ -101,11 +101,6 @@ class SideBySide(QObject):
         self._refresh()
         self.changed.emit()
 
-    def compare_with(self, variant: str) -> None:
-        """Let another variant stand beside the chosen one."""
-        self._against = variant
-        self.show(Beside.VARIANT)
-
     def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
         """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)

@@ -7,15 +7,18 @@ there, Space presses and lets go. What the arrows drag is one gesture: it ends w
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from insole_core.geometry.arrays import FloatArray
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
-from insole_studio.scene.view_camera import ViewCamera, ViewTransform
+from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.scene.view_camera import ViewTransform
+
+if TYPE_CHECKING:
+    from insole_studio.scene.scene_view import SceneView
 
 DRAG_MM = 0.5
 CROSS_MM = 2.0
@@ -36,34 +39,10 @@ ARROWS: dict[int, tuple[int, int]] = {
 }
 
 
-class CursorTarget(Protocol):
-    """What the keys need of a view."""
-
-    camera: ViewCamera
-    handles: tuple[Handle, ...]
-
-    @property
-    def look(self) -> ViewTransform: ...  # noqa: D102
-    @property
-    def start_mm(self) -> tuple[float, float, float] | None: ...  # noqa: D102
-    def event_at(  # noqa: D102
-        self, phase: Phase, pixel: tuple[float, float], handle: str | None, fine: bool, coarse: bool
-    ) -> PointerEvent: ...
-    def begin(self, event: PointerEvent) -> bool: ...  # noqa: D102
-    def go_on(self, event: PointerEvent) -> None: ...  # noqa: D102
-    def give_up(self) -> bool: ...  # noqa: D102
-    def nudge(self, event: PointerEvent, right: int, up: int) -> bool: ...  # noqa: D102
-    def lift(self, event: PointerEvent, steps: float) -> bool: ...  # noqa: D102
-    def offer_menu(self, event: PointerEvent) -> None: ...  # noqa: D102
-    def remove(self, event: PointerEvent) -> bool: ...  # noqa: D102
-    def change_camera(self, camera: ViewCamera) -> None: ...  # noqa: D102
-    def show_pointer(self, lines: tuple[FloatArray, ...], event: PointerEvent | None) -> None: ...  # noqa: D102
-
-
 class KeyboardCursor:
     """Turns keys into the presses, moves and releases of a pointer."""
 
-    def __init__(self, view: CursorTarget) -> None:
+    def __init__(self, view: SceneView) -> None:
         self._view = view
         self._place: FloatArray | None = None
         """Where the pointer is, (3,) mm; None while it is not shown."""

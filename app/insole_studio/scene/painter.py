@@ -344,8 +344,9 @@ class Painter:
     ) -> None:
         """Show points, or lines of these lengths through them, never hidden by a surface."""
         shape = (len(points), line_lengths, tuple(look.items()))
-        if self._shapes.get(name) == shape and len(points):
-            self._plotter.actors[name].mapper.dataset.points = points
+        if self._shapes.get(name) == shape:
+            if len(points):
+                self._plotter.actors[name].mapper.dataset.points = points
             return
         self._shapes[name] = shape
         self._plotter.remove_actor(name, render=False)

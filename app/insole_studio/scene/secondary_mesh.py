@@ -48,10 +48,10 @@ class SecondaryMesh:
     def show_names(self, names: Sequence[NameLabel]) -> None:
         """Write these names and no others."""
         for number in range(self._named):
-            self._plotter.remove_actor(f"name-{number}", render=False)
+            self._plotter.remove_actor(_key(number), render=False)
         self._named = len(names)
         for number, name in enumerate(names):
-            self._write(f"name-{number}", name)
+            self._write(_key(number), name)
 
     def _write(self, key: str, name: NameLabel) -> None:
         actor = self._plotter.add_point_labels(
@@ -78,3 +78,8 @@ class SecondaryMesh:
         style.SetFrame(True)
         style.SetFrameColor(*ground)
         style.SetFrameWidth(round(FRAME_PX * self._ratio))
+
+
+def _key(number: int) -> str:
+    """Name an actor unlike those of the other names on the plotter (`name_tags`)."""
+    return f"companion-name-{number}"

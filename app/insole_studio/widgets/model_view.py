@@ -50,10 +50,10 @@ class ModelView(QWidget):
         self._warning.setObjectName("warning")
         self._warning.setWordWrap(True)
         self._warning.hide()
-        self._numbers = QLabel()
-        self._numbers.setObjectName("numbers")
-        self._numbers.setWordWrap(True)
-        self._numbers.hide()
+        self.numbers = QLabel()
+        self.numbers.setObjectName("numbers")
+        self.numbers.setWordWrap(True)
+        self.numbers.hide()
         self._scale = ScaleBar()
         self._legend = Legend()
         self._empty = EmptyPage()
@@ -66,7 +66,7 @@ class ModelView(QWidget):
         layout.setSpacing(4)
         layout.addLayout(self._header())
         layout.addWidget(self._warning)
-        layout.addWidget(self._numbers)
+        layout.addWidget(self.numbers)
         layout.addLayout(self._pages, 1)
         layout.addLayout(self._footer())
         whole = QVBoxLayout(self)
@@ -210,15 +210,10 @@ class ModelView(QWidget):
         self.scene.companion.show_names(names)
         self.scene.request_render()
 
-    @property
-    def numbers(self) -> str:
-        """What is said of the shown difference."""
-        return self._numbers.text()
-
     def show_numbers(self, text: str) -> None:
         """Say how large the shown difference is; empty hides it."""
-        self._numbers.setText(text)
-        self._numbers.setVisible(bool(text))
+        self.numbers.setText(text)
+        self.numbers.setVisible(bool(text))
 
     def show_warning(self, text: str) -> None:
         """Say what is wrong, above the view; empty hides it."""

@@ -89,7 +89,7 @@ class _Line(QFrame):
         self._more = _button("down", tr("Read all"))
         self._more.setCheckable(True)
         self._more.hide()
-        self._more.toggled.connect(self._unfold)
+        self._more.toggled.connect(self._text.unfold)
         self._text.overflowed.connect(self._show_more)
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 2, 4, 2)
@@ -105,9 +105,6 @@ class _Line(QFrame):
 
     def _show_more(self, too_long: bool) -> None:
         self._more.setVisible(too_long or self._more.isChecked())
-
-    def _unfold(self, unfolded: bool) -> None:
-        self._text.unfold(unfolded)
 
     def _take(self) -> None:
         self.taken.emit(self._key)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QTransform
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.arrays import FloatArray
@@ -17,25 +16,6 @@ STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 LEAST_TICK_PX = 28.0
 ABOVE_MM = 22.0
 """How much of the foot above the insole is shown."""
-
-
-@dataclass(frozen=True)
-class _Scale:
-    """From mm to pixels: the same in both directions."""
-
-    left_mm: float
-    low_mm: float
-    px_per_mm: float
-    frame: QRectF
-
-    def point(self, s_mm: float, z_mm: float) -> QPointF:
-        return QPointF(
-            self.frame.left() + (s_mm - self.left_mm) * self.px_per_mm,
-            self.frame.bottom() - (z_mm - self.low_mm) * self.px_per_mm,
-        )
-
-    def along_mm(self, x_px: float) -> float:
-        return self.left_mm + (x_px - self.frame.left()) / self.px_per_mm
 
 
 class SectionChart(QWidget):
@@ -91,11 +71,12 @@ class SectionChart(QWidget):
             painter.setPen(self.palette().placeholderText().color())
             painter.drawText(self.rect().adjusted(16, 0, -16, 0), flags, self._sentence)
         else:
-            scale = self._scale()
-            self._paint_rulers(painter, scale)
-            painter.setClipRect(scale.frame)
-            self._paint_cut(painter, scale)
-            self._paint_measured(painter, scale)
+            frame = self._frame()
+            mm2px = self._mm2px(frame)
+            self._paint_rulers(painter, mm2px, frame)
+            painter.setClipRect(frame)
+            self._paint_cut(painter, mm2px)
+            self._paint_measured(painter, mm2px)
         painter.end()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -108,45 +89,46 @@ class SectionChart(QWidget):
         self._pointer_px = None
         self.update()
 
-    def _scale(self) -> _Scale:
+    def _frame(self) -> QRectF:
+        return QRectF(self.rect()).adjusted(LEFT_PX, FREE_PX, -FREE_PX, -BOTTOM_PX)
+
+    def _mm2px(self, frame: QRectF) -> QTransform:
+        """From mm to pixels: the same scale in both directions."""
         assert self._top is not None
-        frame = QRectF(
-            LEFT_PX, FREE_PX, self.width() - LEFT_PX - FREE_PX, self.height() - BOTTOM_PX - FREE_PX
-        )
         low_s, high_s = self._top[0, 0], self._top[-1, 0]
         high_z = float(self._top[:, 1].max()) + ABOVE_MM / 2
         wide = max(high_s - low_s, 1.0) + 4.0
         px_per_mm = min(frame.width() / wide, frame.height() / (high_z + 1.0))
-        left = (low_s + high_s) / 2 - frame.width() / px_per_mm / 2
-        return _Scale(left, -1.0, px_per_mm, frame)
+        mm2px = QTransform.fromTranslate(frame.center().x(), frame.bottom())
+        mm2px.scale(px_per_mm, -px_per_mm)
+        return mm2px.translate(-(low_s + high_s) / 2, 1.0)
 
-    def _paint_cut(self, painter: QPainter, scale: _Scale) -> None:
+    def _paint_cut(self, painter: QPainter, mm2px: QTransform) -> None:
         assert self._top is not None
         around = np.concatenate([self._top, self._bottom[::-1]])
-        body = QPolygonF([scale.point(*point) for point in around])
+        body = QPolygonF([QPointF(*point) for point in around])
         accent = self.palette().highlight().color()
         fill = QColor(accent)
         fill.setAlpha(56)
         painter.setBrush(fill)
         painter.setPen(QPen(accent, 1.5))
-        painter.drawPolygon(body)
+        painter.drawPolygon(mm2px.map(body))
         painter.setPen(QPen(QColor("#c4684a"), 1.5))
-        painter.drawLines([QLineF(scale.point(*a), scale.point(*b)) for a, b in self._skin])
+        painter.drawLines([mm2px.map(QLineF(*a, *b)) for a, b in self._skin])
 
-    def _paint_rulers(self, painter: QPainter, scale: _Scale) -> None:
-        frame = scale.frame
+    def _paint_rulers(self, painter: QPainter, mm2px: QTransform, frame: QRectF) -> None:
         painter.setPen(QPen(self.palette().mid().color(), 1))
         painter.drawLine(frame.bottomLeft(), frame.bottomRight())
         painter.drawLine(frame.bottomLeft(), frame.topLeft())
         painter.setPen(self.palette().windowText().color())
-        for s in _ticks(scale.left_mm, scale.along_mm(frame.right()), scale.px_per_mm):
-            at = scale.point(s, scale.low_mm)
+        shown = mm2px.inverted()[0].mapRect(frame)
+        for s in _ticks(shown.left(), shown.right(), mm2px.m11()):
+            at = mm2px.map(QPointF(s, shown.top()))
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
             painter.drawText(words, Qt.AlignmentFlag.AlignCenter, f"{s:g}")
-        high = scale.low_mm + frame.height() / scale.px_per_mm
-        for z in _ticks(scale.low_mm, high, scale.px_per_mm, 18.0):
-            at = scale.point(scale.left_mm, z)
+        for z in _ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
+            at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))
             words = QRectF(0, at.y() - 9, LEFT_PX - 7, 18)
             end = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -156,18 +138,18 @@ class SectionChart(QWidget):
         painter.drawText(top, Qt.AlignmentFlag.AlignLeft, self._ends[0])
         painter.drawText(top, Qt.AlignmentFlag.AlignRight, self._ends[1])
 
-    def _paint_measured(self, painter: QPainter, scale: _Scale) -> None:
+    def _paint_measured(self, painter: QPainter, mm2px: QTransform) -> None:
         if self._pointer_px is None or self._top is None:
             return
-        s = scale.along_mm(self._pointer_px)
+        s = mm2px.inverted()[0].map(QPointF(self._pointer_px, 0.0)).x()
         thickness = self.thickness_mm(s)
         if thickness is None:
             return
         z = float(np.interp(s, self._top[:, 0], self._top[:, 1]))
         painter.setPen(QPen(self.palette().windowText().color(), 1, Qt.PenStyle.DashLine))
-        painter.drawLine(scale.point(s, z - thickness), scale.point(s, z))
-        text = f"{thickness:.1f} mm"
-        painter.drawText(scale.point(s, z) + QPointF(6, -6), text)
+        at = mm2px.map(QPointF(s, z))
+        painter.drawLine(mm2px.map(QPointF(s, z - thickness)), at)
+        painter.drawText(at + QPointF(6, -6), f"{thickness:.1f} mm")
 
 
 def _ticks(

@@ -28,28 +28,24 @@ class SideSwitch(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._menu = self._offers()
-        self._buttons = {side: self._button(side) for side in Side}
+        self.buttons = {side: self._button(side) for side in Side}
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(8)
-        for button in self._buttons.values():
+        for button in self.buttons.values():
             row.addWidget(button)
         self.show_feet(None, ())
 
     def show_feet(self, at_hand: Side | None, present: Collection[Side]) -> None:
         """Show which feet there are, and which of them is at hand."""
         self.setVisible(at_hand is not None)
-        for side, button in self._buttons.items():
+        for side, button in self.buttons.items():
             there = side in present
             button.setText(_word(side) if there else f"+ {_word(side)}")
             button.setMenu(None if there else self._menu)  # type: ignore[arg-type]
             button.setToolTip(_tip(side, there))
             button.setAccessibleName(_tip(side, there))
             button.setStyleSheet(_style(side, there, side is at_hand))
-
-    def button(self, side: Side) -> QToolButton:
-        """Give the button of a side."""
-        return self._buttons[side]
 
     def _button(self, side: Side) -> QToolButton:
         button = QToolButton()

@@ -48,6 +48,11 @@ class Board(Protocol):
     def __hash__(self) -> int: ...
 
     @property
+    def square_mm(self) -> float:
+        """Side of a square."""
+        ...
+
+    @property
     def points_mm(self) -> FloatArray:
         """(n, 3) float64, mm, board frame: every corner, row by row."""
         ...

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rotation_angle_deg, transform
 from insole_core.json_object import JsonObject
+from insole_core.recording.manifest_json import parse_reference_system, reference_system_json
 from insole_core.recording.session import Marker, ReferenceSystem
 
 _LEAST_MARKERS = 4
@@ -43,17 +43,11 @@ def load_reference_system(path: Path) -> ReferenceSystem:
     InputError
         Names the key of the first violation.
     """
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path} cannot be read ({error.strerror}); name the file.") from error
-    root = JsonObject.parse(path.name, content)
-    markers = tuple(_marker(item) for item in root.objects("markers"))
-    if len({marker.id for marker in markers}) < len(markers):
-        raise root.fail("markers", "names the same marker id twice")
-    if len(markers) < _LEAST_MARKERS:
-        raise root.fail("markers", f"has {len(markers)} markers, but at least 4 are needed")
-    return ReferenceSystem(root.text("name"), markers)
+    root = JsonObject.read(path)
+    system = parse_reference_system(root)
+    if len(system.markers) < _LEAST_MARKERS:
+        raise root.fail("markers", f"has {len(system.markers)} markers, but at least 4 are needed")
+    return system
 
 
 def save_reference_system(system: ReferenceSystem, path: Path) -> None:
@@ -63,14 +57,10 @@ def save_reference_system(system: ReferenceSystem, path: Path) -> None:
     ------
     OutputError
     """
-    values = {
-        "name": system.name,
-        "markers": [
-            {"id": m.id, "position_mm": list(m.position_mm), "face": m.face} for m in system.markers
-        ],
-    }
     with replacing_file(path) as beside:
-        beside.write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
+        beside.write_text(
+            json.dumps(reference_system_json(system), indent=1) + "\n", encoding="utf-8"
+        )
 
 
 @dataclass(frozen=True)
@@ -127,11 +117,6 @@ def check_reference_system(system: ReferenceSystem) -> tuple[FaceCheck, ...]:
 def positions(markers: Sequence[Marker]) -> FloatArray:
     """(n, 3) float64, mm, reference frame."""
     return np.array([marker.position_mm for marker in markers], dtype=float).reshape(-1, 3)
-
-
-def _marker(item: JsonObject) -> Marker:
-    x, y, z = item.numbers("position_mm", 3)
-    return Marker(item.text("id"), (x, y, z), item.text("face"))
 
 
 def _check_face(face: str, points: FloatArray, others: FloatArray) -> FaceCheck:

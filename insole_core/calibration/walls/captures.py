@@ -168,7 +168,7 @@ def _is_color(path: Path) -> bool:
 
 def _serial_beside(image: Path) -> str:
     path = image.with_name("sensor.json")
-    return JsonObject.parse(path.name, path.read_bytes()).text("serial") if path.exists() else ""
+    return JsonObject.read(path).text("serial") if path.exists() else ""
 
 
 def _peek(frames: Iterable[RawArray]) -> tuple[RawArray, Iterator[RawArray]]:

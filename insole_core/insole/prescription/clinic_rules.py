@@ -139,12 +139,10 @@ def load_rules(path: Path | None = None) -> ClinicRules:
     Raises
     ------
     InputError
-        When the file breaks its format.
+        When the file cannot be read, or breaks its format.
     """
-    path = path or resource_path("rules/rules.json")
-    content = JsonObject.parse(path.name, path.read_bytes())
-    content.choice("format", ["insole-rules"])
-    content.integer("version", 1, 1)
+    content = JsonObject.read(path or resource_path("rules/rules.json"))
+    content.check_format("insole-rules")
     rules = content.object("rules")
     limits = [f.name for f in fields(ClinicRules) if f.name != "pronation"]
     return ClinicRules(

@@ -94,13 +94,7 @@ def read_template(path: Path) -> Template:
     InputError
         Names the file and what is wrong with it.
     """
-    try:
-        content = JsonObject.parse(str(path), path.read_bytes())
-    except OSError as error:
-        raise InputError(
-            f"{path} cannot be read: {error.strerror}; check the name of the file."
-        ) from error
-    return template_from_json(content)
+    return template_from_json(JsonObject.read(path))
 
 
 def template_from_json(content: JsonObject) -> Template:
@@ -111,13 +105,9 @@ def template_from_json(content: JsonObject) -> Template:
     InputError
         Names the file and what is wrong with it.
     """
-    content.choice("format", [FORMAT])
-    if content.integer("version", 1, 10**6) > VERSION:
-        raise InputError(
-            f"{content.file} holds a template of a newer version; install a newer Insole Studio."
-        )
+    content.check_format(FORMAT, VERSION)
     anchors = content.object("anchors_mm")
-    heel, first, fifth = (_pair(anchors, name) for name in ANCHORS)
+    heel, first, fifth = (anchors.pair(name) for name in ANCHORS)
     try:
         design = design_from_json(content.value("design"))
         check_anchors(design.side, dict(zip(ANCHORS, (heel, first, fifth), strict=True)))
@@ -158,8 +148,3 @@ def _anchors(side: Side, landmarks: Landmarks) -> tuple[Place, Place, Place]:
     check_anchors(side, places)
     heel, first, fifth = (places[name] for name in ANCHORS)
     return heel, first, fifth
-
-
-def _pair(values: JsonObject, name: str) -> Place:
-    x, y = values.numbers(name, 2)
-    return x, y

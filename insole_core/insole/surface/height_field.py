@@ -8,7 +8,6 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray
-from insole_core.geometry.mesh import TriangleMesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,13 +45,11 @@ class HeightField:
         x, y = np.meshgrid(self.x_mm, self.y_mm)
         return np.stack([x.ravel(), y.ravel(), self.heights_mm.ravel()], axis=1)
 
-    @cached_property
-    def normals(self) -> FloatArray:
-        """(ny * nx, 3) unit normals of the nodes by central differences, pointing up."""
-        return self.normals_of(slice(None), slice(None)).reshape(-1, 3)
-
     def normals_of(self, rows: slice, columns: slice) -> FloatArray:
-        """Unit normals (k, l, 3) of a part of the nodes, the same as those of all."""
+        """(k, l, 3) unit normals of a part of the nodes, pointing up; the same as among all.
+
+        By central differences, one-sided where the field ends.
+        """
         (top, bottom), (left, right) = (
             at.indices(size)[:2]
             for at, size in zip((rows, columns), self.heights_mm.shape, strict=True)
@@ -90,7 +87,3 @@ class HeightField:
         a, b = index[:-1, :-1].ravel(), index[:-1, 1:].ravel()
         c, d = index[1:, 1:].ravel(), index[1:, :-1].ravel()
         return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
-
-    def mesh(self) -> TriangleMesh:
-        """Give the surface as triangles that face upwards."""
-        return TriangleMesh(self.nodes, self.triangles())

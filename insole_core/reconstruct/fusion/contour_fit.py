@@ -9,7 +9,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.boundary_extension import Border
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.reconstruct.fusion.occluding_contour import Beyond, OccludingContour
 from insole_core.reconstruct.parallel import for_views
 
@@ -60,7 +60,7 @@ def bend_to(
 
 def drawn_to(mesh: TriangleMesh, rims: list[OccludingContour]) -> TriangleMesh:
     """Move what lies next to the outlines onto them, and its neighbours less and less."""
-    mean = laplacian(mesh)
+    mean = mesh.links.laplacian
     for _ in range(_ROUNDS):
         held, way = _ways(mesh, rims)
         step = np.zeros_like(mesh.vertices)
@@ -77,7 +77,7 @@ def _ways(mesh: TriangleMesh, rims: list[OccludingContour]) -> tuple[BoolArray, 
     normals = smoothed_normals(mesh, 2)
     total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
     for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):
-        chosen = beyond.beyond_mm > 0
+        chosen = beyond.beyond_mm >= 0
         chosen[beyond.outermost] = True
         chosen &= (beyond.beyond_mm > _NEAR_MM[0]) & (beyond.beyond_mm < _NEAR_MM[1])
         chosen &= beyond.facing(normals) > _LEAST_FACING

@@ -30,6 +30,8 @@ _ROUGHEST = 0.25
 _FARTHEST_PX = 3.0
 _REACH_PX = 12.0
 _STRETCH_PX = 3
+_DECIMALS = 6
+"""What was drawn onto an outline lies on it, and not on either side by its last bits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +115,7 @@ class OccludingContour:
         vertex = np.flatnonzero(np.isfinite(away_px))
         sample = nearest[vertex]
         way = points[vertex] - self.eye_mm
-        beyond_mm = np.einsum("nc,nc->n", way, self.outward[sample])
+        beyond_mm = np.round(np.einsum("nc,nc->n", way, self.outward[sample]), _DECIMALS)
         across_px = beyond_mm * camera.fx / np.linalg.norm(way, axis=1)
         next_to = away_px[vertex] ** 2 - across_px**2 < _STRETCH_PX**2
         vertex, sample = vertex[next_to], sample[next_to]

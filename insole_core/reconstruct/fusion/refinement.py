@@ -11,7 +11,7 @@ from scipy.sparse.linalg import LinearOperator, SuperLU, cg, splu
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import laplacian, smoothed_normals
+from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
@@ -139,7 +139,7 @@ class _Plate:
 
     @staticmethod
     def of(mesh: TriangleMesh, normals: FloatArray, stiffness: float) -> _Plate:
-        bending = laplacian(mesh)
+        bending = mesh.links.laplacian
         bent_mm = np.einsum("nc,nc->n", np.asarray(bending @ mesh.vertices), normals)
         tiny = 1e-6 * sparse.eye_array(len(bent_mm))
         normal = sparse.csr_array(stiffness * (bending.T @ bending) + tiny)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 
@@ -109,7 +110,7 @@ def improved(poses: PoseBatch, sight: Sight, near: float, doubted: float = np.in
     # Turns are in rad and shifts in mm; damped alike against their own size.
     damping = _DAMPING * np.einsum("tii->ti", normal)[..., None] * np.eye(6)
     step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), pull[..., None])[..., 0]
-    turn = _rotations(step[:, :3])
+    turn = Rotation.from_rotvec(step[:, :3]).as_matrix()
     return PoseBatch(turn @ poses.rotations, poses.translations + step[:, 3:])
 
 
@@ -128,13 +129,3 @@ def _design(turned: FloatArray, points: FloatArray) -> FloatArray:
     zero = np.zeros_like(x)
     by_turn = np.stack([zero, z, -y, -z, zero, x, y, -x, zero], axis=-1).reshape(*x.shape, 3, 3)
     return np.concatenate([by_point @ by_turn, by_point], axis=-1)
-
-
-def _rotations(vectors: FloatArray) -> FloatArray:
-    """Rotation matrices (t, 3, 3) of rotation vectors (t, 3), Rodrigues."""
-    angle = np.linalg.norm(vectors, axis=1)
-    x, y, z = (vectors / np.maximum(angle, 1e-12)[:, None]).T
-    zero = np.zeros_like(x)
-    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
-    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
-    return np.asarray(np.eye(3) + sine * cross + (1 - cosine) * cross @ cross)

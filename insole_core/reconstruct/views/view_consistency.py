@@ -31,12 +31,6 @@ class ViewConsistency:
     views: IntArray
     spread_mm: FloatArray
 
-    @property
-    def typical_spread_mm(self) -> float:
-        """Median over what two views or more see; NaN where nothing is."""
-        known = self.spread_mm[np.isfinite(self.spread_mm)]
-        return float(np.median(known)) if len(known) else float("nan")
-
 
 def view_consistency(mesh: TriangleMesh, readings: list[DepthView]) -> ViewConsistency:
     """Compare the views with each other on a mesh.

@@ -31,7 +31,8 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
     ------
     OutputError
     """
-    said = dict.fromkeys((*result.sentences, *result.section.sentences, *result.advice))
+    doubt = (result.doubt,) if result.doubt else ()
+    said = dict.fromkeys((*doubt, *result.sentences, *result.section.sentences, *result.advice))
     section = replace(result.section, sentences=tuple(said))
     report = make_report(section.title, result.sensor.serial, [section])
 

@@ -42,12 +42,15 @@ class StepResult:
         The result in plain words; the first is the most important.
     advice
         What would improve it, in sentences.
+    doubt
+        Why the result can hardly be right, a sentence; it is kept only when the user insists.
     """
 
     sensor: Sensor
     section: ReportSection
     sentences: tuple[str, ...]
     advice: tuple[str, ...] = ()
+    doubt: str = ""
 
 
 def board_pictures(folder: Path, kind: str) -> list[Path]:

@@ -19,10 +19,12 @@ from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
 from insole_core.calibration.boards.intrinsics import find_boards
 from insole_core.calibration.boards.stereo import StereoCalibration, calibrate_stereo
 from insole_core.calibration.depth_sensor import add_tilt
+from insole_core.calibration.plausibility import find_misfit
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.calibration_sections import stereo_section
 from insole_core.evaluation.evaluation_sections import alignment_section
 from insole_core.progress import SILENT, Progress
+from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.steps import (
     COLOR,
@@ -70,7 +72,11 @@ def _from_infrared(folder: Path, board: Board, sensor: Sensor, progress: Progres
     numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
     result = _stereo_result(better, found.stereo, "infrared and colour pictures", numbers)
     color = [in_color for _, in_color in pairs]
-    return replace(result, advice=_advice(found.stereo, color, EACH_WITH_INFRARED))
+    return replace(
+        result,
+        advice=_advice(found.stereo, color, EACH_WITH_INFRARED),
+        doubt=find_misfit(result.sensor, board.square_mm, None),
+    )
 
 
 def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) -> StepResult:
@@ -101,7 +107,9 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
             "The distortion of the depth was not corrected yet, which turns the cameras by a "
             "degree or two; calibrate the distortion first.",
         )
-    return replace(result, advice=advice)
+    scale = LinearInverseDisparity(found.values["a"], found.values["b"])
+    doubt = find_misfit(result.sensor, board.square_mm, scale)
+    return replace(result, advice=advice, doubt=doubt)
 
 
 def _advice(

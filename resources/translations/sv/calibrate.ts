@@ -40,6 +40,10 @@
             <translation>Djupets förvrängning</translation>
         </message>
         <message>
+            <source>Do not save</source>
+            <translation>Spara inte</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
         </message>
@@ -90,6 +94,10 @@
         <message>
             <source>Print the chequerboard at 100 %, glue it to something stiff, and take 15 colour pictures of it: tilted by 20 to 40° to all sides, in all parts of the picture.</source>
             <translation>Skriv ut schackbrädet i 100 %, limma det på något styvt och ta 15 färgbilder av det: lutat 20 till 40° åt alla håll, i alla delar av bilden.</translation>
+        </message>
+        <message>
+            <source>Save anyway</source>
+            <translation>Spara ändå</translation>
         </message>
         <message>
             <source>Save it, if this is what you expect.</source>

@@ -38,11 +38,12 @@ class SimulatedDevice:
     decay: float = 0.002
     noise_raw: float = 0.6
     serial: str = "SIM1"
+    disparity: LinearInverseDisparity = DISPARITY
     generator: np.random.Generator = field(default_factory=lambda: np.random.default_rng(1))
 
     def distorted(self, plane: FloatArray) -> FloatArray:
         """(480, 640) noise-free raw numbers of a plane 1/Z = plane · (x, y, 1)."""
-        true = true_raw(plane)
+        true = true_raw(plane, self.disparity)
         return true + self.distortion_raw * np.exp(-self.decay * (true - 650))
 
     def frames(
@@ -73,8 +74,8 @@ def wall(distance_mm: float, tilt_x_deg: float = 0.0, tilt_y_deg: float = 0.0) -
     return np.array([np.tan(b), np.tan(a), 1.0]) / distance_mm
 
 
-def true_raw(plane: FloatArray) -> FloatArray:
-    return DISPARITY.raw(1 / (plane_rows(CAMERA) @ plane))
+def true_raw(plane: FloatArray, disparity: LinearInverseDisparity = DISPARITY) -> FloatArray:
+    return disparity.raw(1 / (plane_rows(CAMERA) @ plane))
 
 
 WALLS = (

@@ -56,6 +56,7 @@ def rms(values: FloatArray) -> float:
     return float(np.sqrt(np.nanmean(values**2)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("distance_mm", [700, 800, 900])
 def test_distortion_of_7_mm_falls_below_a_quarter_mm(
     device: SimulatedDevice, calibration: DistortionCalibration, distance_mm: float
@@ -84,6 +85,7 @@ def test_stated_deviation_is_that_of_the_map(
     assert 0.3 < ratio < 3
 
 
+@pytest.mark.slow
 def test_walls_of_known_position_give_the_absolute_distortion() -> None:
     shifted = SimulatedDevice(smooth_distortion(5, 2.0) + 4 + 6 * ROWS[..., 0])
     known = [
@@ -113,6 +115,7 @@ def test_the_default_beats_both_algorithms_of_the_thesis(
     assert error["default"] < error["two"] < 2
 
 
+@pytest.mark.slow
 def test_holes_and_boards_that_do_not_fill_the_view(device: SimulatedDevice) -> None:
     v, u = np.mgrid[:480, :640]
     left, right = u > 400, u < 240
@@ -140,6 +143,7 @@ def test_uncovered_pixels_are_named_and_less_trusted(device: SimulatedDevice) ->
     assert any("never filled" in sentence for sentence in result.advice)
 
 
+@pytest.mark.slow
 def test_column_bands_that_move_do_not_shift_the_map(device: SimulatedDevice) -> None:
     generator = np.random.default_rng(4)
     banded = []
@@ -163,6 +167,7 @@ def test_a_single_wall_gives_a_constant_map_and_advice(device: SimulatedDevice) 
     assert len(result.advice) == 2
 
 
+@pytest.mark.slow
 def test_a_wall_that_is_not_flat_is_left_out_by_name(
     device: SimulatedDevice, captures: list[WallCapture]
 ) -> None:
@@ -226,6 +231,7 @@ def test_cancelling_stops_the_work(captures: list[WallCapture]) -> None:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 def test_real_walls_far_apart(shared_data: Path) -> None:
     captures = read_captures(shared_data / "kinect_v1" / "walls_2")

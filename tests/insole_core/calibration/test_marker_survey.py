@@ -101,6 +101,7 @@ def assert_as_stated(error: FloatArray, deviation: FloatArray) -> None:
     assert np.abs(error / deviation).max() < 4.5
 
 
+@pytest.mark.slow
 def test_both_faces_by_views_that_see_both(
     lego: ReferenceSystem, true: dict[str, FloatArray]
 ) -> None:
@@ -120,6 +121,7 @@ def test_both_faces_by_views_that_see_both(
     assert set(check_survey(lego, survey, 2.0).moved) >= {"A1", "A4", "A7"}
 
 
+@pytest.mark.slow
 def test_both_faces_by_sensors_that_stand_still_to_each_other(
     lego: ReferenceSystem, true: dict[str, FloatArray]
 ) -> None:

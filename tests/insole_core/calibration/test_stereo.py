@@ -49,6 +49,7 @@ def pairs(count: int) -> tuple[list[BoardDetection], list[BoardDetection]]:
     return ir, color
 
 
+@pytest.mark.slow
 def test_pose_from_infrared_and_colour() -> None:
     ir, color = pairs(16)
     depth = [shifted(sighting, IR_TO_DEPTH_PX) for sighting in ir]
@@ -109,6 +110,7 @@ def everywhere() -> list[BoardInDepth]:
     return boards_in_depth(spread_poses(1, 40, BOARD, DEPTH2COLOR))
 
 
+@pytest.mark.slow
 def test_everything_from_colour_and_disparity(everywhere: list[BoardInDepth]) -> None:
     rough = PinholeCamera(640, 480, 580, 580, 319.5, 239.5)
     guess = LinearInverseDisparity(DISPARITY.a * 1.02, DISPARITY.b * 1.02)
@@ -128,6 +130,7 @@ def test_everything_from_colour_and_disparity(everywhere: list[BoardInDepth]) ->
     assert np.allclose(result.depth.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=8e-4)
 
 
+@pytest.mark.slow
 def test_few_boards_say_how_little_they_tell() -> None:
     result = calibrate_board_depth(tilted(12, 20), CAMERA, COLOR_CAMERA, DISPARITY)
     shift, _ = pose_error(result.stereo.depth2color)
@@ -135,6 +138,7 @@ def test_few_boards_say_how_little_they_tell() -> None:
     assert np.linalg.norm(result.stereo.translation_deviation_mm) > 1
 
 
+@pytest.mark.slow
 def test_pose_alone_when_all_else_is_known() -> None:
     options = BoardDepthOptions(disparity=False, centre=False, focal=False, tilt=False)
     result = calibrate_board_depth(tilted(12), CAMERA, COLOR_CAMERA, DISPARITY, options)
@@ -144,6 +148,7 @@ def test_pose_alone_when_all_else_is_known() -> None:
     assert result.deviations == {}
 
 
+@pytest.mark.slow
 def test_a_tilt_of_all_raw_numbers_goes_into_the_correction(everywhere: list[BoardInDepth]) -> None:
     tilt = DisparityCorrection(np.zeros((480, 640), np.float32))
     slanted = add_tilt(tilt, CAMERA, (-1.5, 1.0))

@@ -1,9 +1,11 @@
 from __future__ import annotations
 
 import re
+import runpy
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,15 +15,6 @@ from simulated_device import CAMERA, DISPARITY
 
 from insole_core.calibration.boards.board import Charuco, Chequerboard
 from insole_core.calibration.markers.reference_file import load_reference_system
-from insole_core.calibration.print_targets import (
-    A3_MM,
-    A4_MM,
-    brick_steps,
-    draw_charuco,
-    draw_chequerboard,
-    write_building_plan,
-    write_chequerboard,
-)
 from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.geometry.arrays import ByteArray
@@ -29,6 +22,7 @@ from insole_core.resources import resource_path
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.sensor import Sensor
 
+targets = SimpleNamespace(**runpy.run_path(str(resource_path("targets/make.py"))))
 PX_PER_MM = 5.0
 
 
@@ -41,14 +35,14 @@ def printed(figure: Figure) -> ByteArray:
 
 def test_the_printed_chequerboard_has_its_true_size() -> None:
     board = Chequerboard(10, 7, 25)
-    found = board.find("print", printed(draw_chequerboard(board, A4_MM, "")))
+    found = board.find("print", printed(targets.draw_chequerboard(board, targets.A4_MM)))
     steps = np.linalg.norm(np.diff(found.pixels.reshape(7, 10, 2), axis=1), axis=-1)
     assert np.allclose(steps / PX_PER_MM, 25, atol=0.05)
 
 
 def test_the_printed_charuco_board_has_its_true_size() -> None:
     board = Charuco(10, 7, 27, 20)
-    found = board.find("print", printed(draw_charuco(board, A4_MM, "")))
+    found = board.find("print", printed(targets.draw_charuco(board, targets.A4_MM)))
     assert len(found.pixels) == 54
     spread = np.ptp(found.pixels, axis=0) / np.ptp(found.points_mm[:, :2], axis=0)
     assert np.allclose(spread, PX_PER_MM, rtol=2e-3)
@@ -56,8 +50,9 @@ def test_the_printed_charuco_board_has_its_true_size() -> None:
 
 def test_a_board_that_does_not_fit(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="does not fit a page"):
-        write_chequerboard(Chequerboard(10, 7, 30), A4_MM, tmp_path / "x.pdf")
-    write_chequerboard(Chequerboard(10, 7, 30), A3_MM, tmp_path / "x.pdf")
+        targets.draw_chequerboard(Chequerboard(10, 7, 30), targets.A4_MM)
+    page = targets.draw_chequerboard(Chequerboard(10, 7, 30), targets.A3_MM)
+    targets.write([page], tmp_path / "x.pdf")
     box = re.search(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+)", (tmp_path / "x.pdf").read_bytes())
     assert box is not None
     assert float(box[1]) == pytest.approx(420 / 25.4 * 72, abs=0.1)
@@ -65,10 +60,12 @@ def test_a_board_that_does_not_fit(tmp_path: Path) -> None:
 
 def test_the_building_plan(tmp_path: Path) -> None:
     system = load_reference_system(resource_path("reference_systems/lego-20.json"))
-    write_building_plan(system, tmp_path / "plan.pdf")
+    pages = targets.draw_building_plan(system)
+    assert len(pages) == 2 * len({marker.face for marker in system.markers})
+    targets.write(pages, tmp_path / "plan.pdf")
     assert (tmp_path / "plan.pdf").read_bytes().startswith(b"%PDF")
     for face in ("sole", "achilles"):
-        steps = brick_steps(system.facing((face,)))
+        steps = targets.brick_steps(system.facing((face,)))
         assert min(step[1] for step in steps) == 0
         # Everything stands on plates, or on studs turned sideways (2.5 plates).
         assert all(step[3] % 1 == 0 or step[3] % 2.5 == 0 for step in steps)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from simulated_view import simulate_view
 
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.one_view import one_view_surface
@@ -16,8 +17,9 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
 from insole_core.recording.session import View
-from insole_core.simulate.one_view import simulate_view
 from insole_core.solids.solid import insole_solid, positive_solid
+
+pytestmark = pytest.mark.slow
 
 PAD = Pelott(centre_mm=(5.0, 150.0), height_mm=5.0)
 DOTS = np.array([(-20.0, 40), (18, 55), (25, 175), (-30, 150)])

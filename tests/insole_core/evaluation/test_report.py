@@ -95,6 +95,7 @@ def report() -> Report:
     )
 
 
+@pytest.mark.slow
 def test_html_holds_everything(report: Report, tmp_path: Path) -> None:
     write_html(report, tmp_path / "report.html")
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
@@ -110,6 +111,7 @@ def pages(path: Path) -> int:
     return content.count(b"/Type /Page ") + content.count(b"/Type /Page\n")
 
 
+@pytest.mark.slow
 def test_pdf_has_the_pages(report: Report, tmp_path: Path) -> None:
     write_pdf(report, tmp_path / "report.pdf")
     plots = sum(len(section.plots) for section in report.sections)

@@ -66,7 +66,7 @@ def test_words_of_the_facts_can_be_edited(tmp_path: Path, monkeypatch: pytest.Mo
     (folder / "words.json").write_text('{"side": "Sida", "left": "vänster"}')
     monkeypatch.setattr(paper, "resource_path", lambda name: tmp_path / name)
     shown: list[str] = []
-    monkeypatch.setattr(paper, "_safe", lambda text: shown.append(text) or text)
+    monkeypatch.setattr(paper, "as_written", lambda text: shown.append(text) or text)
     write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf")
     assert {"Sida", "vänster"} <= set(shown)
     (folder / "words.json").write_text("{")

@@ -68,6 +68,7 @@ def test_pose_of_a_mesh_does_not_matter(left_mesh, left_foot, side, seed):
     assert any("toes point" in note for note in foot.notes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_feet_of_other_shapes_keep_their_side(seed):
     rng = np.random.default_rng(seed)
@@ -192,6 +193,7 @@ def test_back_of_a_foot_alone_is_refused(left_mesh):
         place_foot(back, Side.LEFT, frame="reference")
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 def test_real_plantar_scan_is_a_right_foot(shared_data: Path):
     mesh = read_mesh(shared_data / "feet" / "plantar_scan.obj").mesh
@@ -204,6 +206,7 @@ def test_real_plantar_scan_is_a_right_foot(shared_data: Path):
         place_foot(mesh, Side.LEFT, frame="unknown")
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
 def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):

@@ -29,6 +29,7 @@ def model(request) -> FootModel:
     return build_foot(vary_shape(rng, [Side.RIGHT, Side.LEFT][request.param % 2]), rng)
 
 
+@pytest.mark.slow
 def test_landmarks_of_simulated_feet(model):
     foot = place_foot(model.mesh, model.shape.side, frame="reference")
     found = find_landmarks(foot)
@@ -75,6 +76,7 @@ def test_measures_of_simulated_feet(model):
     assert got.keys() == DEFINITIONS.keys()
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
 def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
@@ -180,6 +182,7 @@ def test_measures_that_stand_on_a_badly_seen_place_are_named(left_mesh, left_foo
     assert "heel_width" not in found
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("session", ["left_a", "right_b"])
 def test_measures_of_a_fused_foot(shared_data: Path, session: str):

@@ -9,7 +9,7 @@ import pytest
 
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmark, find_landmarks
-from insole_core.foot.skin_marks import offered_landmarks, skin_marks
+from insole_core.foot.skin_marks import skin_marks
 from insole_core.geometry.side import Side
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
@@ -29,9 +29,9 @@ def test_pen_cross_is_found_and_offered(marked_foot):
     assert 60 < mark.area_mm2 < 300
     assert mark.landmark == ""
     near = {"sore_spot": Landmark(mark.point + np.array([4.0, 3.0, 0.0]), 0.5)}
-    offered = offered_landmarks(skin_marks(foot, near))
-    assert offered["sore_spot"].origin == "mark"
-    assert np.array_equal(offered["sore_spot"].point, mark.point)
+    (offered,) = skin_marks(foot, near)
+    assert offered.landmark == "sore_spot"
+    assert np.array_equal(offered.point, mark.point)
 
 
 def test_no_colours_no_marks(marked_foot):

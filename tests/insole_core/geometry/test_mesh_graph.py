@@ -38,9 +38,9 @@ def test_the_surface_ends_where_the_lattice_is_unknown() -> None:
 
 
 def test_a_ball_has_no_border_and_half_of_it_has_one(ball: TriangleMesh) -> None:
-    assert not mesh_graph.is_boundary(ball).any()
+    assert not ball.links.is_boundary.any()
     half = ball.part(ball.vertices[:, 2] > 0)
-    border = mesh_graph.is_boundary(half)
+    border = half.links.is_boundary
     assert 0 < half.vertices[border, 2].max() < 2.0
 
 

@@ -77,6 +77,7 @@ def test_block_has_the_size_of_foot_and_margin(left_foot):
     assert mesh.vertices.max(axis=0)[:2] == pytest.approx(low.max(axis=0) + 15, abs=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("grid_mm", [0.5, 1.0, 2.0])
 @pytest.mark.parametrize("centre", [(12.3, 150.4), (-3.5, 140.5), (8.0, 152.0)])
 def test_apex_is_where_it_was_asked_for(left_foot, grid_mm, centre):
@@ -110,6 +111,7 @@ def test_pad_that_is_switched_off_leaves_no_trace(left_foot):
     assert np.array_equal(plain.triangles, with_off.triangles)
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(
     ("file", "side"),

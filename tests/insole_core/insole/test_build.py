@@ -232,6 +232,7 @@ def test_building_can_be_cancelled_and_reports_its_steps(left_foot):
         )
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 def test_ankle_does_not_press_through_the_sole(shared_data: Path):
     mesh = read_mesh(shared_data / "sessions" / "left_a" / "truth.ply").mesh

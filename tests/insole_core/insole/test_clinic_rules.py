@@ -212,7 +212,7 @@ def test_template_file_comes_back(left_foot, tmp_path):
     assert read_template(tmp_path / "t.json") == template
     newer = {**template_to_json(template), "version": 2}
     (tmp_path / "t.json").write_text(json.dumps(newer))
-    with pytest.raises(InputError, match="newer version"):
+    with pytest.raises(InputError, match="version 2, which is newer than this program"):
         read_template(tmp_path / "t.json")
 
 

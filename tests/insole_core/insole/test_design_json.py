@@ -151,6 +151,7 @@ def test_example_of_the_contract_is_read():
     VALIDATOR.validate(CONTRACT)
 
 
+@pytest.mark.slow
 @given(design=designs)
 @settings(max_examples=60, deadline=None)
 def test_every_design_comes_back_and_obeys_the_schema(design):

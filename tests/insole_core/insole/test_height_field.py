@@ -26,7 +26,7 @@ def test_beyond_the_field_there_is_no_height():
 
 
 def test_mesh_faces_up_and_covers_the_field():
-    mesh = FIELD.mesh()
+    mesh = TriangleMesh(FIELD.nodes, FIELD.triangles())
     assert len(mesh.triangles) == 2 * 2 * 3
     assert (mesh.triangle_normals[:, 2] > 0).all()
     shadow = TriangleMesh(mesh.vertices * [1, 1, 0], mesh.triangles)

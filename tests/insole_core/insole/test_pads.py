@@ -121,6 +121,7 @@ def places_about(pad: Pelott, step: float) -> np.ndarray:
     return np.stack([x, y], axis=-1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", PAD_SHAPES)
 @pytest.mark.parametrize("blend_mm", [None, 3.0, 90.0])
 @pytest.mark.parametrize("height_mm", [5.0, -2.0])

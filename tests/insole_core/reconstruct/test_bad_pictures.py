@@ -77,6 +77,7 @@ def covered(whole: Reconstruction, name: str, left: int) -> Callable[[ByteArray]
     return cover
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("left", [3, 4])
 def test_a_view_of_three_or_four_markers_is_left_out(
     session: Session, whole: Reconstruction, left: int
@@ -85,14 +86,17 @@ def test_a_view_of_three_or_four_markers_is_left_out(
     assert "markers" in said
 
 
+@pytest.mark.slow
 def test_a_dark_picture(session: Session) -> None:
     assert "almost dark" in said_of(with_colors(session, "right", scaled(0.08, 0)), "right")
 
 
+@pytest.mark.slow
 def test_an_overexposed_picture(session: Session) -> None:
     assert "overexposed" in said_of(with_colors(session, "right", scaled(3.0, 200)), "right")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sigma_px", [5.0, 12.0])
 def test_a_picture_out_of_focus(session: Session, sigma_px: float) -> None:
     blurred = with_colors(
@@ -101,6 +105,7 @@ def test_a_picture_out_of_focus(session: Session, sigma_px: float) -> None:
     assert "out of focus" in said_of(blurred, "right")
 
 
+@pytest.mark.slow
 def test_a_foot_cut_off_by_the_edge_of_the_picture(session: Session) -> None:
     left_px = 300
 
@@ -126,6 +131,7 @@ def test_a_foot_cut_off_by_the_edge_of_the_picture(session: Session) -> None:
     assert "cut off at the left edge" in said
 
 
+@pytest.mark.slow
 def test_a_reference_system_moved_between_two_views(session: Session) -> None:
     """As if everything but the foot had been lifted by 6 mm before the right view was taken."""
 

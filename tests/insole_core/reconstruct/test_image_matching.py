@@ -54,6 +54,7 @@ def look(
     return np.vstack([pixels, others])[order], truth[order], pose
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.integers(0, 4), st.integers(0, 8))
 def test_every_marker_is_named_rightly_or_the_view_is_refused(
@@ -70,6 +71,7 @@ def test_every_marker_is_named_rightly_or_the_view_is_refused(
     assert np.linalg.norm(moved - MARKERS, axis=1).mean() < 4.0
 
 
+@pytest.mark.slow
 def test_hardly_a_view_is_refused() -> None:
     refused = 0
     for seed in range(20):

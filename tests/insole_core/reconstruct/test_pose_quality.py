@@ -62,6 +62,7 @@ def test_every_limit_refuses_with_the_worst_markers(
     assert len(refused.value.registration.fixes) == 12
 
 
+@pytest.mark.slow
 def test_a_refused_view_is_reported_with_its_markers(session: Session) -> None:
     result = reconstruct(session, limits=RegistrationLimits(displacement_mm=0.7))
     left, _, top = result.views
@@ -73,6 +74,7 @@ def test_a_refused_view_is_reported_with_its_markers(session: Session) -> None:
     assert top.displacement_mm > 0.7
 
 
+@pytest.mark.slow
 def test_a_bumped_marker_is_named_and_does_not_count(session: Session, left: MeasuredView) -> None:
     system = bumped(session.manifest.reference_system, "S6", 9.0)
     off = replace(session, manifest=replace(session.manifest, reference_system=system))

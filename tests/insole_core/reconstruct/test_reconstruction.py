@@ -240,6 +240,7 @@ def test_a_side_that_no_view_shows_is_named(session: Session) -> None:
     assert 'side of the markers "achilles"' in warning
 
 
+@pytest.mark.slow
 def test_one_view_recorded_under_two_names(session: Session) -> None:
     left, right = view_of(session, "left"), view_of(session, "right")
     other = replace(left, name="right", sensor=replace(left.sensor, serial="other"))
@@ -249,6 +250,7 @@ def test_one_view_recorded_under_two_names(session: Session) -> None:
     assert right.sensor.serial != left.sensor.serial
 
 
+@pytest.mark.slow
 def test_frames_in_which_something_moved_are_left_out_and_told(session: Session) -> None:
     view = view_of(session, "left")
     still = np.stack([view.read_depth(i) for i in range(view.depth_count)])
@@ -272,6 +274,7 @@ def test_frames_in_which_something_moved_are_left_out_and_told(session: Session)
     assert "1 of its 9 depth frames are left out" in warning
 
 
+@pytest.mark.slow
 def test_a_preview_comes_before_the_foot(session: Session) -> None:
     previews: list[TriangleMesh] = []
     result = reconstruct(session, on_preview=previews.append)
@@ -283,6 +286,7 @@ def test_a_preview_comes_before_the_foot(session: Session) -> None:
     assert 0 < np.median(result.deviation_mm) < 2
 
 
+@pytest.mark.slow
 def test_markers_are_recognised_by_colour_where_depth_fails_on_them(session: Session) -> None:
     usual = reconstruct(session)
     view = view_of(session, "left")

@@ -63,7 +63,7 @@ def make_sensor(serial: str, face: str, corrected: bool) -> Sensor:
 def make_view(name: str, sensor: Sensor, depth_count: int) -> View:
     rows, columns = np.mgrid[:480, :640]
     depth = np.stack([400 + rows + i for i in range(depth_count)]).astype(np.uint16)
-    depth[:, :, :8] = 2047
+    depth[:, :, 632:] = 2047
     color = np.stack([rows % 256, columns % 256, 0 * rows + len(name)], axis=-1)[None]
     color = color.astype(np.uint8)
     return View(name, sensor, depth_count, 1, depth.__getitem__, color.__getitem__)

@@ -227,6 +227,7 @@ def test_path_traversal(tmp_path: Path, name: str) -> None:
     assert "leads out of the archive" in error_of(archive)
 
 
+@pytest.mark.slow
 def test_bomb(tmp_path: Path) -> None:
     archive = tmp_path / "s.zip"
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as opened:

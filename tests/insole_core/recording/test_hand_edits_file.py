@@ -49,6 +49,7 @@ views = st.builds(
 )
 
 
+@pytest.mark.slow
 @given(st.dictionaries(st.sampled_from(MANIFEST.views), views))
 def test_every_correction_comes_back(by_view: dict[str, ViewEdits]) -> None:
     edits = HandEdits(by_view)

@@ -21,12 +21,12 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def left_foot() -> FootModel:
     return build_foot(FootShape(), np.random.default_rng(3), COARSE_MM)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def right_session() -> SimulatedSession:
     """A right foot, two bursts, small colour images."""
     return simulate_session(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from insole_core.calibration.walls.captures import read_depth
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_about
 from insole_core.sensing.disparity import NO_READING
@@ -68,6 +70,30 @@ def test_noise_is_that_of_a_real_sensor(device: Device, tilt_deg: float, fixed: 
     assert error.std() == pytest.approx(fixed, abs=0.1)
 
 
+def test_only_the_last_eight_columns_hold_no_reading(device: Device) -> None:
+    """As in real captures, a window of nine columns reads 632 of 640."""
+    rng = np.random.default_rng(1)
+    strip = np.array([[-600.0, -15.0, DISTANCE_MM], [600.0, 15.0, DISTANCE_MM]])
+    wall = SceneCaster(_square(600))
+    recording = record_matched_depth(wall, device, np.eye(4), rng, things=strip)
+    read = recording.frame(rng)[235:250] < NO_READING
+
+    assert read[:, :8].mean() > 0.5
+    assert read[:, 8:632].mean() > 0.95
+    assert not read[:, 632:].any()
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize("folder", ["walls_1", "walls_2", "board_1"])
+def test_real_captures_end_at_the_same_column(folder: str, shared_data: Path) -> None:
+    frames = [
+        read_depth(path) for path in sorted((shared_data / "kinect_v1" / folder).glob("*.png"))
+    ]
+    seen = (np.stack(frames) < NO_READING).any(axis=(0, 1))
+
+    np.testing.assert_array_equal(np.flatnonzero(seen), np.arange(632))
+
+
 @pytest.mark.parametrize(("wavelength_mm", "share"), [(15.0, 0.5), (40.0, 0.85)])
 def test_narrow_relief_is_lost(device: Device, wavelength_mm: float, share: float) -> None:
     """A window is 11.6 mm wide here; half of a relief of a toe's width is lost in it."""
@@ -119,6 +145,7 @@ def test_rows_of_a_pattern_are_those_of_the_whole() -> None:
     )
 
 
+@pytest.mark.slow
 def test_an_ideal_session_shows_the_same_foot() -> None:
     """Same seed, same foot and poses; only the depth is made otherwise."""
     usual = SimulationOptions(seed=4, frames=2, color_size=(640, 480), foot_cell_mm=4.0)

@@ -154,6 +154,7 @@ def test_the_heel_is_redder_than_the_arch(left_foot: FootModel) -> None:
     assert redness[plantar & (y < -75)].mean() > redness[plantar & (abs(y) < 20)].mean() + 8
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None)
 @given(st.integers(0, 10_000))
 def test_every_drawn_foot_is_closed(seed: int) -> None:

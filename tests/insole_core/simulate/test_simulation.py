@@ -120,6 +120,7 @@ def test_the_measured_surface_lies_on_the_truth(right_session: SimulatedSession)
         assert np.percentile(distance, 90) < 6.0
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_session_in_any_order() -> None:
     first, second = (simulate_session(replace(SMALL, seed=9, frames=2)) for _ in range(2))
 
@@ -134,6 +135,7 @@ def test_the_same_seed_gives_the_same_session_in_any_order() -> None:
         assert not np.array_equal(one.read_depth(0), later)
 
 
+@pytest.mark.slow
 def test_another_seed_another_distance_and_shape(right_session: SimulatedSession) -> None:
     shape = FootShape(length_mm=230)
     simulated = simulate_session(replace(SMALL, seed=1, distance_mm=650.0, shape=shape))

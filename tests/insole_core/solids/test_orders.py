@@ -43,6 +43,7 @@ def piece_of(insole: Insole, rules: ExportRules | None = None, **order) -> Part:
     return make_part(insole, Order(**order), rules or read_rules().only(("watertight",)))
 
 
+@pytest.mark.slow
 def test_layers_are_the_insole_cut_in_three(layered):
     piece = piece_of(layered, layered=True)
     parts = piece.parts(SHOP)
@@ -104,6 +105,7 @@ def write(delivery: ExportJob, places: ExportPaths) -> None:
         run_export_job(delivery, places, beside)
 
 
+@pytest.mark.slow
 def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
     pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
     places = ExportPaths(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))

@@ -19,6 +19,8 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import KINDS, make_solid
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def solids() -> list[TriangleMesh]:

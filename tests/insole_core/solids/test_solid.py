@@ -45,6 +45,7 @@ def check_manifold(mesh: TriangleMesh) -> None:
     assert mesh.volume_mm3 > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("draft_deg", [-8, 0, 3, 25])
 @pytest.mark.parametrize("bottom", ["flat", "following"])
 @pytest.mark.parametrize("kind", KINDS)
@@ -109,6 +110,7 @@ def test_rim_is_bevelled(insole):
     assert lowered[middle] == pytest.approx(np.clip(3 - inside[middle], 0, None), abs=0.05)
 
 
+@pytest.mark.slow
 def test_following_bottom_keeps_the_thickness_everywhere(insole):
     design = replace(insole.design, bottom="following", thickness_mm=4.0)
     shell = build_insole(insole.foot, design)

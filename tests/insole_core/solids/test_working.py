@@ -42,6 +42,7 @@ def check_by_admesh(mesh: TriangleMesh, path: Path) -> None:
         assert line.split(":")[1].split()[0] == "0", line
 
 
+@pytest.mark.slow
 def test_simplified_solid_keeps_its_promise(left, tmp_path: Path):
     result = simplify(left, 40_000, 0.05)
     assert len(result.mesh.triangles) <= 40_000 < len(left.triangles)
@@ -57,6 +58,7 @@ def test_solid_below_the_target_stays_as_it_is(left):
     assert result.deviation_mm == 0
 
 
+@pytest.mark.slow
 def test_target_that_cannot_be_met(left):
     with pytest.raises(DesignError, match="100 triangles are too few"):
         simplify(left, 100, 0.05)
@@ -119,6 +121,7 @@ def test_letters_of_any_script(text, known):
     assert with_known_letters(text) == known
 
 
+@pytest.mark.slow
 def test_pair_in_one_block(left, right):
     nest = nest_pair(left, right, (340, 220, 40))
     bodies = [to_manifold(mesh) for mesh in nest.meshes]

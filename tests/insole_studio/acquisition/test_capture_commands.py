@@ -51,6 +51,7 @@ def test_sensors_as_json(small_session: Path, capsys: pytest.CaptureFixture[str]
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("name", ["left_a", "right_d"])
 def test_a_session_comes_through_bit_for_bit(name: str, shared_data: Path, tmp_path: Path) -> None:
@@ -98,6 +99,7 @@ def test_plan_and_condition_are_the_callers(small_session: Path, tmp_path: Path)
     ]
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_captured_as_it_was_begun(
     small_session: Path,
     tmp_path: Path,

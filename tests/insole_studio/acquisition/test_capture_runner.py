@@ -36,6 +36,7 @@ def marks(bench: Bench, view: str) -> list[int]:
     return [int(stored.read_depth(i)[0, 0]) - 400 for i in range(stored.depth_count)]
 
 
+@pytest.mark.slow
 def test_every_view_is_what_its_sensor_sent(bench: Bench, condition: CaptureCondition) -> None:
     assert bench.capture(PLAN) == tuple(
         f"Sensor {serial} is not calibrated; the numbers of its factory are used, which are "
@@ -54,6 +55,7 @@ def test_every_view_is_what_its_sensor_sent(bench: Bench, condition: CaptureCond
     assert [facts[view]["calibration"] for view in VIEWS] == ["factory"] * 3
 
 
+@pytest.mark.slow
 def test_only_the_sensor_that_captures_shines(bench: Bench) -> None:
     shining: dict[str, set[str]] = {view: set() for view in VIEWS}
 
@@ -65,6 +67,7 @@ def test_only_the_sensor_that_captures_shines(bench: Bench) -> None:
     assert shining == {view: {serial} for view, serial in ASSIGNMENT}
 
 
+@pytest.mark.slow
 def test_simultaneous_sensors_shine_together(bench: Bench) -> None:
     plan = make_plan(ASSIGNMENT, frames=FRAMES, simultaneous=True)
     bench.capture(plan)
@@ -72,6 +75,7 @@ def test_simultaneous_sensors_shine_together(bench: Bench) -> None:
     assert bench.draft.views == VIEWS
 
 
+@pytest.mark.slow
 def test_frames_of_a_projector_that_warms_up_are_left_out(
     make: Callable[..., Bench],
 ) -> None:
@@ -83,6 +87,7 @@ def test_frames_of_a_projector_that_warms_up_are_left_out(
     assert all(facts[view]["settled_after_s"] > 0.1 / 8 for view in VIEWS)
 
 
+@pytest.mark.slow
 def test_phases_follow_each_other(bench: Bench) -> None:
     bench.capture(PLAN)
     phases = [status.phase for status in bench.told]
@@ -94,6 +99,7 @@ def test_phases_follow_each_other(bench: Bench) -> None:
     assert fractions[-1] == 1.0
 
 
+@pytest.mark.slow
 def test_damaged_frames_are_left_out_and_counted(bench: Bench) -> None:
     bench.kinects["B2"].camera.inject(Fault("lost", "depth", at=2 * 242, count=1))
     bench.capture(PLAN)
@@ -164,6 +170,7 @@ def test_a_lost_sensor_leaves_what_is_there(bench: Bench) -> None:
     assert read_session(bench.draft.folder).manifest.views == ("left",)
 
 
+@pytest.mark.slow
 def test_what_was_left_is_taken_up_again(bench: Bench, make: Callable[..., Bench]) -> None:
     bench.capture(PLAN.only(["left"]))
     bench.draft.close()
@@ -179,6 +186,7 @@ def test_a_folder_that_no_capture_left_is_refused(small_session: Path) -> None:
         Draft.reopen(small_session, VIEWS)
 
 
+@pytest.mark.slow
 def test_a_view_can_be_repeated(bench: Bench) -> None:
     bench.capture(PLAN)
     before = marks(bench, "right")
@@ -229,6 +237,7 @@ def test_a_draft_without_views_leaves_nothing(bench: Bench) -> None:
     assert not bench.draft.folder.exists()
 
 
+@pytest.mark.slow
 def test_the_session_is_published_whole(bench: Bench, tmp_path: Path) -> None:
     bench.capture(PLAN)
     out = tmp_path / "session"
@@ -237,6 +246,7 @@ def test_the_session_is_published_whole(bench: Bench, tmp_path: Path) -> None:
     assert not bench.draft.folder.exists()
 
 
+@pytest.mark.slow
 def test_the_session_can_be_an_archive(bench: Bench, tmp_path: Path) -> None:
     bench.capture(PLAN)
     bench.draft.publish(tmp_path / "session.zip")

@@ -37,6 +37,7 @@ def pump_until(live: LiveSensors, is_done: Callable[[], bool]) -> None:
         time.sleep(0.002)
 
 
+@pytest.mark.slow
 def test_a_sensor_that_is_plugged_in_again_comes_back(bench: Bench, live: LiveSensors) -> None:
     assert [state.serial for state in live.summary.states] == list(SERIALS)
     assert not live.is_time_to_find

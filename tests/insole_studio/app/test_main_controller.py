@@ -32,6 +32,7 @@ def add_pelott(app: Application) -> Pelott:
     return pad
 
 
+@pytest.mark.slow
 def test_save_and_open_give_the_same_case(
     opened: Application, settle: Settle, tmp_path: Path
 ) -> None:

@@ -43,6 +43,7 @@ def prescription(path: Path, **design: object) -> list[str]:
     return ["--prescription", str(path)]
 
 
+@pytest.mark.slow
 def test_disk_that_is_full_while_exporting(
     call: list[str],
     tmp_path: Path,
@@ -68,6 +69,7 @@ def test_folder_of_that_name(
     assert "a folder of that name is there" in last_line(capsys)
 
 
+@pytest.mark.slow
 def test_existing_file_is_replaced_as_a_whole(call: list[str], tmp_path: Path) -> None:
     (tmp_path / "i.stl").write_text("old")
     assert run(call) == 0
@@ -103,6 +105,7 @@ def test_designs_that_cannot_be_made(
     assert [path.name for path in tmp_path.iterdir()] == ["design.json"]
 
 
+@pytest.mark.slow
 def test_block_too_small_for_a_pair(
     call: list[str], scan: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -114,6 +117,7 @@ def test_block_too_small_for_a_pair(
     assert [path.name for path in tmp_path.iterdir()] == ["right.ply"]
 
 
+@pytest.mark.slow
 def test_scan_with_holes_and_several_shells(
     scan: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -131,6 +135,7 @@ def test_scan_with_holes_and_several_shells(
     assert "open" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["Åsa Öberg", "محمد", "王小明", "Иванов", "a'b c&d"])
 def test_names_of_any_script(scan: Path, tmp_path: Path, name: str) -> None:
     out, sheet = tmp_path / f"{name}.3mf", tmp_path / f"{name}.pdf"

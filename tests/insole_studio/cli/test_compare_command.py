@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from simulated_view import simulate_view
 
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot_placement import place_foot
@@ -18,7 +19,6 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.recording.session import Manifest, Session
 from insole_core.recording.writer import write_session
 from insole_core.simulate import FootShape, build_foot
-from insole_core.simulate.one_view import simulate_view
 from insole_core.simulate.scene import load_reference_system
 from insole_core.solids.solid import insole_solid
 from insole_studio.cli.main import run
@@ -41,6 +41,7 @@ def last_line(capsys: pytest.CaptureFixture[str]) -> str:
     return capsys.readouterr().err.strip().splitlines()[-1]
 
 
+@pytest.mark.slow
 def test_offset_and_every_output(pair: tuple[str, str], tmp_path: Path) -> None:
     outputs = {"report": "d.json", "picture": "d.png", "surface": "d.ply"}
     options = [word for key, name in outputs.items() for word in (f"--{key}", str(tmp_path / name))]
@@ -53,6 +54,7 @@ def test_offset_and_every_output(pair: tuple[str, str], tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["d.json", "d.ply", "d.png"]
 
 
+@pytest.mark.slow
 def test_best_fit_is_the_default(pair: tuple[str, str], tmp_path: Path) -> None:
     assert run(["compare", *pair, "--report", str(tmp_path / "d.json")]) == 0
     values = json.loads((tmp_path / "d.json").read_text())
@@ -69,6 +71,7 @@ def test_picked_points(pair: tuple[str, str], tmp_path: Path) -> None:
     assert json.loads((tmp_path / "d.json").read_text())["max"] < 0.01
 
 
+@pytest.mark.slow
 def test_mould_in_one_view_without_a_reference_system(
     pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -15,6 +15,8 @@ from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def call(tmp_path_factory: pytest.TempPathFactory) -> list[str]:

@@ -101,6 +101,7 @@ def test_a_damaged_copy_is_not_offered(tmp_path: Path) -> None:
     assert find_recovered(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_the_next_start_opens_the_recovered_case(
     app: Application, make_foot: Any, places: UserPaths, qapp: QApplication
 ) -> None:

@@ -18,6 +18,8 @@ from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.resources import resource_path
 from insole_core.workflows.foot_landmarks import metatarsal_line
 
+pytestmark = pytest.mark.slow
+
 PAIR_ACTIONS, SINGLE_ACTIONS = 12, 9
 
 

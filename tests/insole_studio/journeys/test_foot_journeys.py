@@ -101,6 +101,7 @@ def test_a_pen_mark_becomes_a_landmark_or_the_place_of_a_pelott(bench: Applicati
     assert len(bench.case.history) == 2
 
 
+@pytest.mark.slow
 def test_the_foot_is_turned_by_numbers_and_aligned_by_its_landmarks(
     bench: Application, settle: Callable[[], None]
 ) -> None:

@@ -17,6 +17,8 @@ from insole_studio.features.design.tools.key_point_tool import confidence, shown
 from insole_studio.services.questions import Questions
 from insole_studio.user_paths import UserPaths
 
+pytestmark = pytest.mark.slow
+
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 PATIENCE_MS = 60_000

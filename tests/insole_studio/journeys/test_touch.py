@@ -35,6 +35,7 @@ def cut_numbers(stage: QWidget) -> list[str]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("fingers")
 def test_the_export_stage_is_whole(opened: Application, settle: Callable[[], None]) -> None:
     opened.window.actions_by_key["export"].trigger()

@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from hands import Hands
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.workflows.foot_landmarks import metatarsal_line
+
+pytestmark = pytest.mark.slow
 
 MOST_ACTIONS = 12
 

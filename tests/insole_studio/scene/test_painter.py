@@ -14,6 +14,7 @@ from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.painter import Painter, direction_words
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.scene.secondary_mesh import NameLabel, SecondaryMesh
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, fitted, look
 
 SIZE = (300, 400)
@@ -130,6 +131,29 @@ def test_marks_appear_and_go(painter: Painter, plotter: Any, make_foot: Any) -> 
     painter.show_lines("outlines", [], "red", 2.0)
     painter.show_directions(None, None)
     assert np.abs(pixels(plotter) - bare).max() <= 2
+
+
+def test_key_points_and_the_names_of_two_feet_leave_each_other_alone(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    aim(painter, make_foot(Side.LEFT).mesh)
+    companion = SecondaryMesh(plotter)
+    feet = [NameLabel("LEFT", np.array([-30.0, 120.0, 0.0]), "#1668b8")]
+    points = [MarkedPoint("Heel", (0.0, 20.0, 0.0))]
+    companion.show_names(feet)
+    only_feet = pixels(plotter)
+    painter.show_key_points(points)
+    both = pixels(plotter)
+    painter.show_key_points([])
+    assert np.abs(pixels(plotter) - only_feet).max() <= 2
+    painter.show_key_points(points)
+    companion.show_names([])
+    only_points = pixels(plotter)
+    companion.show_names(feet)
+    assert np.abs(pixels(plotter) - both).max() <= 2
+    assert (only_points != both).any()
+    companion.show_names([])
+    assert np.abs(pixels(plotter) - only_points).max() <= 2
 
 
 @pytest.mark.parametrize("side", list(Side))

@@ -29,13 +29,23 @@ def run_step(
     arguments: argparse.Namespace,
     progress: Progress,
     work: Callable[[Sensor, Progress], StepResult],
+    insist: bool = False,
 ) -> None:
     """Take the sensor as it is known so far, make it better, and keep it with its reports.
+
+    Parameters
+    ----------
+    arguments
+    progress
+    work
+    insist
+        Keep a result that can hardly be right; the warning says so.
 
     Raises
     ------
     InsoleError
     """
+    from insole_core.errors import CalibrationError
     from insole_core.sensing.nominal_kinect import nominal_kinect
     from insole_core.workflows.calibration.calibration_storage import keep_step
 
@@ -43,10 +53,20 @@ def run_step(
     store = store_of(arguments)
     known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
     result = work(known, progress.part(0, 0.9))
+    if result.doubt and not insist:
+        raise CalibrationError(
+            f"Nothing was saved: {_clause(result.doubt)}, or add --insist to save it all the same."
+        )
     progress.step(0.9, "Writing the calibration and its reports")
     folder = keep_step(result, store, arguments.report)
     for sentence in result.sentences:
         print(sentence)
+    if result.doubt:
+        print(f"Warning: {result.doubt}", file=sys.stderr)
     for sentence in result.advice:
         print(f"Advice: {sentence}", file=sys.stderr)
     progress.step(1.0, f"Done: {folder}")
+
+
+def _clause(sentence: str) -> str:
+    return sentence[:1].lower() + sentence[1:].removesuffix(".")

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Protocol
 
 import cv2
 import numpy as np
@@ -36,14 +35,13 @@ from insole_studio.acquisition.capture_plan import make_plan
 from insole_studio.acquisition.capture_status import CaptureStatus, Phase
 from insole_studio.acquisition.guidance import depth_colors
 from insole_studio.acquisition.messages import (
-    Command,
-    Event,
     Infrared,
     Message,
     Sensors,
     SensorState,
     Start,
 )
+from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.texts import tr
 
@@ -54,15 +52,6 @@ _STEADY_MM, _NEW_MM = 4.0, 45.0
 _VIEW, _FRAMES = "calibration", 10
 _SHOWN: dict[LiveKind, Kind] = {"boards": "color", "walls": "depth", "infrared": "infrared"}
 _KINDS: tuple[Kind, ...] = tuple(_SHOWN.values())
-
-
-class Service(Protocol):
-    """The capture service, as far as it is needed."""
-
-    def send(self, command: Command) -> None: ...  # noqa: D102
-    def news(self) -> list[Event]: ...  # noqa: D102
-    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None: ...  # noqa: D102
-    def close(self) -> None: ...  # noqa: D102
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,9 +84,9 @@ class LivePictures:
         For the manifest of what is captured.
     """
 
-    def __init__(self, make_service: Callable[[], Service], system: ReferenceSystem) -> None:
+    def __init__(self, make_service: Callable[[], CaptureService], system: ReferenceSystem) -> None:
         self._make_service, self._system = make_service, system
-        self._service: Service | None = None
+        self._service: CaptureService | None = None
         self._draft: tempfile.TemporaryDirectory[str] | None = None
         self._numbers: dict[Kind, int] = {}
         self._newest: dict[Kind, Picture] = {}
@@ -130,7 +119,7 @@ class LivePictures:
             self._service.close()
         self._service, self.states, self.problem = None, (), ""
         self._numbers, self._newest, self._in_infrared = {}, {}, ""
-        self._end_draft()
+        self.end_taking()
 
     def forget_places(self) -> None:
         """Begin another step: nothing was taken yet."""
@@ -155,7 +144,7 @@ class LivePictures:
                     done = Path(self._draft.name) / "session"
                 else:
                     self.problem = event.sentence
-                    self._end_draft()
+                    self.end_taking()
         state = self._state(serial)
         if state is not None:
             self._watch_infrared(serial if kind == "infrared" else "")
@@ -236,9 +225,6 @@ class LivePictures:
 
     def end_taking(self) -> None:
         """Forget the capture that was kept, or could not be."""
-        self._end_draft()
-
-    def _end_draft(self) -> None:
         if self._draft is not None:
             self._draft.cleanup()
         self._draft = None

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import ByteArray
 from insole_core.workflows.calibration.picture_folders import LiveKind, folder_of_today
 from insole_studio.features.calibrate.live_pictures import LiveInspection, LivePictures
 from insole_studio.features.calibrate.presenter import CalibratePresenter
@@ -14,20 +13,10 @@ from insole_studio.features.calibrate.rows import LiveRow
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.calibrate.view import CalibrateView
+
 _GLANCE, _KEEP = "calibrate glance", "calibrate keep"
-
-
-class LivePanel(Protocol):
-    """What the panel shows of the live picture, and the intents it emits."""
-
-    live_toggled: Any
-    automatic_toggled: Any
-    take_requested: Any
-    step_chosen: Any
-
-    def show_live(self, row: LiveRow) -> None: ...  # noqa: D102
-    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
-    def show_serial(self, serial: str) -> None: ...  # noqa: D102
 
 
 class LivePresenter:
@@ -46,7 +35,7 @@ class LivePresenter:
 
     def __init__(
         self,
-        panel: LivePanel,
+        panel: CalibrateView,
         presenter: CalibratePresenter,
         live: LivePictures,
         jobs: Jobs,

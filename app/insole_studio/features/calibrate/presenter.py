@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from insole_core.calibration.boards.board import Board, Chequerboard
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import ByteArray
 from insole_core.progress import Progress
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.sensor import Sensor
@@ -22,31 +21,10 @@ from insole_studio.features.calibrate.rows import BoardSize, Buttons, LookRow, S
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.calibrate.view import CalibrateView
+
 CHANNEL = "calibrate"
-
-
-class CalibratePanel(Protocol):
-    """What the panel shows, and the intents it emits."""
-
-    serial_edited: Any
-    step_chosen: Any
-    board_edited: Any
-    folder_requested: Any
-    look_chosen: Any
-    calibrate_requested: Any
-    save_requested: Any
-
-    def show_serials(self, serials: Sequence[str]) -> None: ...  # noqa: D102
-    def show_steps(self, rows: Sequence[StepRow]) -> None: ...  # noqa: D102
-    def show_step(self, title: str, instruction: str, uses_board: bool) -> None: ...  # noqa: D102
-    def show_board(self, board: BoardSize) -> None: ...  # noqa: D102
-    def show_looks(self, rows: Sequence[LookRow]) -> None: ...  # noqa: D102
-    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
-    def show_no_picture(self, sentence: str) -> None: ...  # noqa: D102
-    def show_next(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
-    def show_error(self, sentence: str) -> None: ...  # noqa: D102
-    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
-    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
 
 
 class CalibratePresenter:
@@ -61,17 +39,20 @@ class CalibratePresenter:
         Runs the long work.
     ask_folder
         Lets the user choose a folder; None is "never mind".
+    ask
+        Asks whether to save a result that can hardly be right; the sentence says why.
     """
 
     def __init__(
         self,
-        panel: CalibratePanel,
+        panel: CalibrateView,
         store: SensorStore,
         jobs: Jobs,
         ask_folder: Callable[[], Path | None],
+        ask: Callable[[str], bool],
     ) -> None:
         self._panel, self._store, self._jobs = panel, store, jobs
-        self._ask_folder = ask_folder
+        self._ask_folder, self._ask = ask_folder, ask
         self._serial = ""
         self._sensor: Sensor | None = None
         self._step = STEPS[0]
@@ -182,9 +163,9 @@ class CalibratePresenter:
         self._start(work, self._show_result)
 
     def save(self) -> None:
-        """Keep the result for this sensor, with its reports."""
+        """Keep the result for this sensor, with its reports; one in doubt when the user insists."""
         result = self._result
-        if result is None:
+        if result is None or (result.doubt and not self._ask(result.doubt)):
             return
 
         def keep(progress: Progress) -> Path:
@@ -246,6 +227,7 @@ class CalibratePresenter:
 
     def _show_result(self, result: StepResult) -> None:
         self._result = result
+        self._panel.show_error(result.doubt)
         question = tr("Save it, if this is what you expect.")
         self._panel.show_next([*result.sentences, *result.advice, question])
         self._show_buttons()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QFileDialog, QVBoxLayout
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QVBoxLayout
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -17,7 +17,7 @@ from insole_studio.features.calibrate.live_presenter import LivePresenter
 from insole_studio.features.calibrate.presenter import CalibratePresenter
 from insole_studio.features.calibrate.view import CalibrateView
 from insole_studio.jobs import Jobs
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.tab_order import StageFrame
 
 _SIZE = (1180, 680)
@@ -37,6 +37,8 @@ class CalibrateStage(StageFrame):
         Keeps the pictures that are taken of them.
     ask_folder
         Lets the user choose a folder; by default in a dialog.
+    ask
+        Asks whether to save a result that can hardly be right; by default in a dialog.
     """
 
     closed = Signal()
@@ -47,6 +49,7 @@ class CalibrateStage(StageFrame):
         place: SensorSource,
         folder: Path,
         ask_folder: Callable[[], Path | None] | None = None,
+        ask: Callable[[str], bool] | None = None,
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Calibrate sensors") + " – Insole Studio")
@@ -57,7 +60,7 @@ class CalibrateStage(StageFrame):
         layout.addWidget(self.view)
         self.jobs = Jobs(self)
         self.presenter = CalibratePresenter(
-            self.view, store, self.jobs, ask_folder or self._ask_folder
+            self.view, store, self.jobs, ask_folder or self._ask_folder, ask or self._ask
         )
         live = LivePictures(lambda: CaptureService(place), place.workplace().system)
         self.live = LivePresenter(self.view, self.presenter, live, self.jobs, folder)
@@ -77,3 +80,13 @@ class CalibrateStage(StageFrame):
     def _ask_folder(self) -> Path | None:
         name = QFileDialog.getExistingDirectory(self, tr("Folder with the images"))
         return Path(name) if name else None
+
+    def _ask(self, sentence: str) -> bool:
+        box = QMessageBox(self)
+        box.setWindowTitle(tr("Insole Studio"))
+        box.setText(translate_core_message(sentence))
+        anyway = box.addButton(tr("Save anyway"), QMessageBox.ButtonRole.AcceptRole)
+        stop = box.addButton(tr("Do not save"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(stop)
+        box.exec()
+        return box.clickedButton() is anyway

@@ -57,10 +57,10 @@ class CalibrateView(QWidget):
         self.serial_line.editingFinished.connect(self._serial_typed)
         self.steps = QListWidget()
         self.steps.currentItemChanged.connect(self._step_chosen)
-        self._title, self._instruction, self._next = QLabel(), QLabel(), QLabel()
+        self._title, self._instruction, self.next_steps = QLabel(), QLabel(), QLabel()
         self._title.setObjectName("heading")
-        self._error = MessageLabel("warning")
-        for label in (self._instruction, self._next):
+        self.error = MessageLabel("warning")
+        for label in (self._instruction, self.next_steps):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._columns, self._rows = _count_field(), _count_field()
@@ -83,8 +83,8 @@ class CalibrateView(QWidget):
         self.automatic.setChecked(True)
         self.automatic.toggled.connect(self.automatic_toggled)
         self.take = _button(tr("Take picture"), self.take_requested)
-        self._live_sentence = QLabel()
-        self._live_sentence.setWordWrap(True)
+        self.live_sentence = QLabel()
+        self.live_sentence.setWordWrap(True)
         self._progress = ProgressBar()
         self._layout()
 
@@ -152,17 +152,17 @@ class CalibrateView(QWidget):
         self.automatic.setVisible(row.running)
         self.take.setVisible(row.running)
         self.take.setEnabled(row.can_take)
-        self._live_sentence.setText(translate_core_message(row.sentence))
+        self.live_sentence.setText(translate_core_message(row.sentence))
 
     def show_next(self, sentences: Sequence[str]) -> None:
         """Show what comes next, or what was found."""
-        self._next.setText(
+        self.next_steps.setText(
             "\n".join(f"• {translate_core_message(sentence)}" for sentence in sentences)
         )
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence hides it."""
-        self._error.say(sentence)
+        self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
@@ -177,18 +177,6 @@ class CalibrateView(QWidget):
     def board(self) -> BoardSize:
         """Give the board as it stands in the fields."""
         return BoardSize(self._columns.value(), self._rows.value(), self._square.value())
-
-    def next_text(self) -> str:
-        """Give what is shown to come next."""
-        return self._next.text()
-
-    def live_text(self) -> str:
-        """Give what is said of the live picture."""
-        return self._live_sentence.text()
-
-    def error_text(self) -> str:
-        """Give the error that is shown."""
-        return self._error.text()
 
     def _board_form(self) -> QWidget:
         corners = QHBoxLayout()
@@ -206,13 +194,13 @@ class CalibrateView(QWidget):
         left, middle, right = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
         _stack(left, QLabel(tr("Sensor")), self.serial, self.steps)
         _stack(middle, self._title, self._instruction, self._board, self.choose)
-        _stack(middle, self._next, self._error)
+        _stack(middle, self.next_steps, self.error)
         middle.addStretch(1)
         _stack(middle, self._progress, self.calibrate, self.save)
         controls = QHBoxLayout()
         for widget in (self.live, self.take, self.automatic):
             controls.addWidget(widget)
-        controls.addWidget(self._live_sentence, 1)
+        controls.addWidget(self.live_sentence, 1)
         right.addLayout(controls)
         right.addWidget(self._picture, 2)
         right.addWidget(self.looks, 1)

@@ -31,10 +31,9 @@ from insole_studio.acquisition.messages import (
     Tilt,
 )
 from insole_studio.acquisition.plan_request import PlanRequest
-from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.acquisition.unfinished_captures import UnfinishedCapture
 from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
-from insole_studio.features.capture.sensor_watch import SensorWatch
+from insole_studio.features.capture.sensor_watch import Pictures, SensorWatch
 from insole_studio.features.capture.view_assignment import ViewAssignment, options_of
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
@@ -73,12 +72,11 @@ class CapturePanel(Protocol):
     def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
 
 
-class Service(Protocol):
+class Service(Pictures, Protocol):
     """What the presenter needs of the capture service."""
 
     def send(self, command: Command) -> None: ...  # noqa: D102
     def news(self) -> list[Event]: ...  # noqa: D102
-    def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None: ...  # noqa: D102
 
 
 class CapturePresenter:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from insole_core.compare.comparison import Alignment
 from insole_core.compare.comparison_source import ComparisonSource
 from insole_core.compare.seen_surface import facing
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
@@ -24,46 +24,17 @@ from insole_core.workflows.compare_case import (
     write_comparison,
 )
 from insole_studio.document.case import Case
-from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, FigureRow, figure_rows
+from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, figure_rows
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.compare.view import CompareView
+
 READING, COMPARING, WRITING = "read", "compare", "write"
 LEAST_POINTS = 3
-
-
-class ComparePanel(Protocol):
-    """What the panel shows, and the intents it emits."""
-
-    source_chosen: Any
-    alignment_chosen: Any
-    median_edited: Any
-    point_picked: Any
-    take_back_requested: Any
-    save_requested: Any
-    cancel_requested: Any
-
-    def show_sources(  # noqa: D102
-        self, options: Sequence[tuple[str, str]], chosen: dict[str, str]
-    ) -> None: ...
-    def show_source(  # noqa: D102
-        self, which: str, mesh: TriangleMesh | None, from_above: bool
-    ) -> None: ...
-    def show_points(self, which: str, points: Sequence[MarkedPoint]) -> None: ...  # noqa: D102
-    def show_result(  # noqa: D102
-        self, mesh: TriangleMesh, coloring: Coloring, from_above: bool
-    ) -> None: ...
-    def show_picture(self, picture: ByteArray) -> None: ...  # noqa: D102
-    def show_figures(self, rows: Sequence[FigureRow]) -> None: ...  # noqa: D102
-    def show_picking(self, on: bool, hint: str) -> None: ...  # noqa: D102
-    def show_tab(self, number: int) -> None: ...  # noqa: D102
-    def show_has_result(self, there: bool) -> None: ...  # noqa: D102
-    def show_notes(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
-    def show_error(self, sentence: str) -> None: ...  # noqa: D102
-    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
-    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
 
 
 class ComparePresenter:
@@ -84,7 +55,7 @@ class ComparePresenter:
 
     def __init__(
         self,
-        panel: ComparePanel,
+        panel: CompareView,
         *,
         case: Case,
         jobs: Jobs,

@@ -73,13 +73,13 @@ class CompareView(QWidget):
         self.alignment.edited.connect(self.alignment_chosen)
         self.median = NumberField(tr("pixels"), least=1, greatest=25, step=1, decimals=0)
         self.median.edited.connect(self.median_edited)
-        self._hint = QLabel()
-        self._hint.setObjectName("quiet")
-        self._hint.setWordWrap(True)
-        self._notes, self._error = MessageLabel("quiet"), MessageLabel("warning")
-        self._figures = QGridLayout()
-        self._figures.setColumnStretch(0, 1)
-        self._figures.setHorizontalSpacing(12)
+        self.hint = QLabel()
+        self.hint.setObjectName("quiet")
+        self.hint.setWordWrap(True)
+        self._notes, self.error = MessageLabel("quiet"), MessageLabel("warning")
+        self.figures = QGridLayout()
+        self.figures.setColumnStretch(0, 1)
+        self.figures.setHorizontalSpacing(12)
         self._progress = ProgressBar()
         self.take_back = _button(tr("Take the last point back"), self.take_back_requested.emit)
         self.cancel = _button(tr("Cancel"), self.cancel_requested.emit)
@@ -121,8 +121,8 @@ class CompareView(QWidget):
 
     def show_figures(self, rows: Sequence[FigureRow]) -> None:
         """Show the figures; rows without numbers are headings."""
-        while self._figures.count():
-            item = self._figures.takeAt(0)
+        while self.figures.count():
+            item = self.figures.takeAt(0)
             widget = None if item is None else item.widget()
             if widget is not None:
                 widget.hide()  # it goes only when the event loop comes round
@@ -134,13 +134,13 @@ class CompareView(QWidget):
                 label.setObjectName("heading" if heading else "")
                 if column:
                     label.setAlignment(Qt.AlignmentFlag.AlignRight)
-                self._figures.addWidget(label, number, column)
+                self.figures.addWidget(label, number, column)
 
     def show_picking(self, on: bool, hint: str) -> None:
         """Let places be picked or not, and say how far it is."""
         for picker in self.pickers.values():
             picker.is_on = on
-        self._hint.setText(hint)
+        self.hint.setText(hint)
         self.take_back.setVisible(on)
 
     def show_tab(self, number: int) -> None:
@@ -158,7 +158,7 @@ class CompareView(QWidget):
 
     def show_error(self, sentence: str) -> None:
         """Say what went wrong; an empty sentence hides it."""
-        self._error.say(sentence)
+        self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
@@ -169,19 +169,6 @@ class CompareView(QWidget):
         self.save.setEnabled(buttons.save)
         self.cancel.setVisible(buttons.cancel)
         self.take_back.setEnabled(buttons.take_back)
-
-    def figure_texts(self) -> list[str]:
-        """Give the texts of the table, row by row."""
-        labels = (self._figures.itemAt(i) for i in range(self._figures.count()))
-        return [label.widget().text() for label in labels if label is not None]  # type: ignore[union-attr]
-
-    def error_text(self) -> str:
-        """Give the error that is shown."""
-        return self._error.text()
-
-    def hint_text(self) -> str:
-        """Give what is said of picking."""
-        return self._hint.text()
 
     def close_scenes(self) -> None:
         """Free the renderers."""
@@ -198,7 +185,7 @@ class CompareView(QWidget):
         form.addRow(tr("Median filter"), self.median)
         mark_labels(form)
         left.addLayout(form)
-        for widget in (self._hint, self.take_back, self._notes):
+        for widget in (self.hint, self.take_back, self._notes):
             left.addWidget(widget)
         left.addStretch(1)
         pair = QWidget()
@@ -210,9 +197,9 @@ class CompareView(QWidget):
         self.tabs.addTab(self.result, tr("Difference in 3-D"))
         self.tabs.addTab(self.map_picture, tr("Difference maps"))
         self.tabs.setDocumentMode(True)
-        right.addLayout(self._figures)
+        right.addLayout(self.figures)
         right.addStretch(1)
-        right.addWidget(self._error)
+        right.addWidget(self.error)
         right.addWidget(self._progress)
         buttons = QHBoxLayout()
         buttons.addWidget(self.cancel)

@@ -6,16 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.solid_file import merged
-from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.solids.checks import Finding, Override
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
@@ -36,7 +33,6 @@ from insole_studio.document.case import Case
 from insole_studio.features.export.rows import (
     TITLES,
     Buttons,
-    CheckRow,
     check_row,
     notes_of,
     patient_text,
@@ -47,40 +43,12 @@ from insole_studio.features.export.rows import (
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr
 
+if TYPE_CHECKING:
+    from insole_studio.features.export.view import ExportView
+
 MAKING, WRITING = "make", "write"
 _NO_SPOTS = np.zeros((0, 3))
 _NEST = "nest"
-
-
-class ExportPanel(Protocol):
-    """What the panel shows, and the intents it emits."""
-
-    choice_edited: Any
-    cutter_edited: Any
-    rule_edited: Any
-    check_chosen: Any
-    piece_chosen: Any
-    reason_edited: Any
-    export_requested: Any
-    cancel_requested: Any
-
-    def show_patient(self, text: str) -> None: ...  # noqa: D102
-    def show_choice(self, choice: OrderChoice, has_pair: bool) -> None: ...  # noqa: D102
-    def show_cutter(self, diameter_mm: float) -> None: ...  # noqa: D102
-    def show_checks(self, rows: Sequence[CheckRow]) -> None: ...  # noqa: D102
-    def show_pieces(self, names: dict[str, str], chosen: str) -> None: ...  # noqa: D102
-    def show_piece(  # noqa: D102
-        self, mesh: TriangleMesh | None, side: Side | None, words: Side | None, again: bool
-    ) -> None: ...
-    def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None: ...  # noqa: D102
-    def show_block(self, edges: Sequence[FloatArray], again: bool) -> None: ...  # noqa: D102
-    def look_at(self, place_mm: FloatArray, text: str) -> None: ...  # noqa: D102
-    def forget_label(self) -> None: ...  # noqa: D102
-    def show_summary(self, text: str) -> None: ...  # noqa: D102
-    def show_notes(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
-    def show_error(self, sentence: str) -> None: ...  # noqa: D102
-    def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
-    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
 
 
 class ExportPresenter:
@@ -108,7 +76,7 @@ class ExportPresenter:
 
     def __init__(
         self,
-        panel: ExportPanel,
+        panel: ExportView,
         *,
         case: Case,
         jobs: Jobs,

@@ -60,10 +60,10 @@ class ExportView(QWidget):
         self._pieces = QButtonGroup(self)
         self._pieces.setExclusive(True)
         self._piece_row = QHBoxLayout()
-        self._patient = QLabel()
-        self._patient.setObjectName("numbers")
-        self._summary = MessageLabel()
-        self._error, self._notes = MessageLabel("warning"), MessageLabel("warning")
+        self.patient = QLabel()
+        self.patient.setObjectName("numbers")
+        self.summary = MessageLabel()
+        self.error, self.notes = MessageLabel("warning"), MessageLabel("warning")
         self._reason_label = QLabel(tr("Export all the same, because"))
         self.reason = QLineEdit()
         self.reason.setPlaceholderText(tr("Reason, for the record"))
@@ -85,7 +85,7 @@ class ExportView(QWidget):
 
     def show_patient(self, text: str) -> None:
         """Say whose insoles these are."""
-        self._patient.setText(text)
+        self.patient.setText(text)
 
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
         """Show what is ordered."""
@@ -167,15 +167,15 @@ class ExportView(QWidget):
 
     def show_summary(self, text: str) -> None:
         """Say what the piece is."""
-        self._summary.say(text)
+        self.summary.say(text)
 
     def show_notes(self, sentences: Sequence[str]) -> None:
         """Say what should be known; nothing hides it."""
-        self._notes.say_all(sentences)
+        self.notes.say_all(sentences)
 
     def show_error(self, sentence: str) -> None:
         """Say what went wrong; an empty sentence hides it."""
-        self._error.say(sentence)
+        self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
         """Show how far the work is; nothing when there is none."""
@@ -187,22 +187,6 @@ class ExportView(QWidget):
         self.cancel.setVisible(buttons.cancel)
         self.reason.setVisible(buttons.reason)
         self._reason_label.setVisible(buttons.reason)
-
-    def patient_text(self) -> str:
-        """Give what is said of the patient."""
-        return self._patient.text()
-
-    def summary_text(self) -> str:
-        """Give what is said of the piece."""
-        return self._summary.text()
-
-    def error_text(self) -> str:
-        """Give the error that is shown."""
-        return self._error.text()
-
-    def notes_text(self) -> str:
-        """Give what is said beside the checks."""
-        return self._notes.text()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Give the columns the width that their style needs."""
@@ -228,11 +212,11 @@ class ExportView(QWidget):
         self._piece_row.addStretch(1)
         middle.addLayout(self._piece_row)
         middle.addWidget(self.model, 1)
-        self._summary.setContentsMargins(8, 0, 8, 0)
-        middle.addWidget(self._summary)
+        self.summary.setContentsMargins(8, 0, 8, 0)
+        middle.addWidget(self.summary)
         right.addWidget(_heading(tr("Checks")))
         right.addWidget(self._checks_area, 1)
-        for widget in (self._notes, self._error, self._reason_label, self.reason, self._progress):
+        for widget in (self.notes, self.error, self._reason_label, self.reason, self._progress):
             right.addWidget(widget)
         buttons = QHBoxLayout()
         buttons.addWidget(self.cancel)
@@ -253,7 +237,7 @@ class ExportView(QWidget):
             (parts[2], self._checks_area, _CHECKS_PX),
         )
         whole = QVBoxLayout(self)
-        whole.addWidget(self._patient)
+        whole.addWidget(self.patient)
         whole.addLayout(layout, 1)
 
 

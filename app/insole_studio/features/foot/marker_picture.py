@@ -12,6 +12,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QPainter,
+    QPainterPath,
     QPaintEvent,
     QPen,
     QPolygonF,
@@ -67,7 +68,6 @@ class MarkerPicture(QWidget):
         self._searched: Region | None = None
         self._selected = ""
         self._zoom = 1.0
-        self._fits_marks = False
         self._middle = QPointF()
         self._pressed: QPointF | None = None
         self._dragged: Mark | None = None
@@ -274,9 +274,11 @@ class MarkerPicture(QWidget):
         painter.setPen(QPen(_REGION, 2, Qt.PenStyle.DashLine))
         shade = QColor(0, 0, 0, 110)
         if self._searched is not None:
-            whole = QPolygonF(QRectF(self.rect()))
-            painter.setBrush(shade)
-            painter.drawPolygon(whole.subtracted(self._polygon(self._searched)))
+            searched, around = self._polygon(self._searched), QPainterPath()
+            around.addRect(self.rect())
+            around.addPolygon(searched)
+            painter.fillPath(around, shade)
+            painter.drawPolygon(searched)
         painter.setBrush(shade)
         for region in self._ignored:
             painter.drawPolygon(self._polygon(region))

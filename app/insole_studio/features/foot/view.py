@@ -180,10 +180,6 @@ class FootStageView(QWidget):
             button.setEnabled(bool(sentence))
             button.setToolTip(f"{verb}: {sentence}" if sentence else verb)
 
-    def sentences(self) -> str:
-        """Give what is said."""
-        return self._sentences.text()
-
     def renew_icons(self) -> None:
         """Draw the icons in the colours of the palette."""
         for button, name in ((self.undo, "undo"), (self.redo, "redo")):

@@ -66,12 +66,6 @@ class ViewTable(QTableWidget):
         lines = min(max(len(rows), 2), _MOST_LINES)
         self.setFixedHeight(self.horizontalHeader().sizeHint().height() + lines * _ROW_PX + 4)
 
-    def text_at(self, row: int, title: str) -> str:
-        """Give what a line says under a heading."""
-        titles = [column[0] for column in _columns()]
-        item = self.item(row, titles.index(title))
-        return "" if item is None else item.text()
-
     def _show_row(self, number: int, row: ViewRow) -> None:
         for column, (_title, _tip, text) in enumerate(_columns()):
             item = QTableWidgetItem(text(row))

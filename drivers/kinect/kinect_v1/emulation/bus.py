@@ -26,7 +26,6 @@ from kinect_v1.isochronous import unplugged
 from kinect_v1.packets import PacketBlock, PacketReceiver
 from kinect_v1.usb_bus import RunningStream, StreamingBackend, UsbError
 
-AS_FAST_AS_POSSIBLE = float("inf")
 _BLOCK = 64
 _ENDPOINTS_PER_CONTROLLER = 2
 """What an EHCI controller carries."""
@@ -64,7 +63,7 @@ class EmulatedBus(StreamingBackend):
     controllers
         The bus number of each sensor; by default every one has a controller of its own.
     speed
-        Of the sensors' time; 1 = real, `AS_FAST_AS_POSSIBLE` = no waiting.
+        Of the sensors' time; 1 = real, inf = no waiting.
     """
 
     def __init__(

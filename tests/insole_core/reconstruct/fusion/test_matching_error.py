@@ -77,6 +77,7 @@ def test_nothing_is_foretold_of_a_plane(network: Network, slope: tuple[float, fl
     assert np.abs(error[25:-25, 25:-25]).max() < (0.2 if any(slope) else 0.01)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 10_000), st.floats(0.1, 1000))
 def test_the_foretold_error_is_bounded(seed: int, spread: float) -> None:
@@ -141,6 +142,7 @@ def test_a_sensor_turned_about_its_axis_is_corrected_alike(turns: int) -> None:
     assert np.nanmax(np.abs(expected - upright.raw)) > 0.2
 
 
+@pytest.mark.slow
 def test_the_toes_of_a_simulated_foot_come_nearer_to_the_truth() -> None:
     rng = np.random.default_rng(20)
     foot = build_foot(FootShape(250, 99, 67), rng, 2.2).mesh

@@ -10,6 +10,7 @@ import pytest
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD_CALL, write_boards, write_walls
 
+from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_studio.cli.main import run
 
 
@@ -26,7 +27,7 @@ class Recorded:
 @pytest.fixture(scope="session")
 def recorded_once(tmp_path_factory: pytest.TempPathFactory, undraw_reports) -> Recorded:
     folder = tmp_path_factory.mktemp("recorded")
-    device = SimulatedDevice(smooth_distortion(3, 3.0))
+    device = SimulatedDevice(smooth_distortion(3, 3.0), disparity=USUAL_DEPTH)
     recorded = Recorded(
         write_boards(folder / "boards", device, 10),
         write_boards(folder / "infrared", device, 8, ("color", "ir")),

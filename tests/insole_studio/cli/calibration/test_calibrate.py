@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -24,6 +25,7 @@ from simulated_folders import (
     write_walls,
 )
 
+from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_core.calibration.stored_correction import MOST_DAYS
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
@@ -64,6 +66,7 @@ def test_distortion_is_kept_beside_the_colour_camera(recorded) -> None:
     assert figures["rms_after_raw"] < 0.7
 
 
+@pytest.mark.slow
 def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     store = SensorStore(recorded.sensors)
     store.save(replace(kept(recorded.sensors), depth_camera=CAMERA))
@@ -73,9 +76,38 @@ def test_depth_beside_colour_from_raw_depth(recorded) -> None:
     assert rotation_angle_deg(between) < 0.5
     np.testing.assert_allclose(found.depth2color[:3, 3], SENSOR.depth2color[:3, 3], atol=8)
     raw = np.array([600.0, 750.0])
-    np.testing.assert_allclose(found.disparity.depth_mm(raw), DISPARITY.depth_mm(raw), rtol=0.01)
+    np.testing.assert_allclose(found.disparity.depth_mm(raw), USUAL_DEPTH.depth_mm(raw), rtol=0.01)
 
 
+def test_a_square_of_another_side_is_kept_only_when_insisted(
+    recorded, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = {path: path.read_bytes() for path in recorded.sensors.rglob("*") if path.is_file()}
+    report = tmp_path / "stereo.json"
+    words = call("stereo", recorded.boards, recorded.sensors, "--board", "9x6", "--square", "24")
+    assert run([*words, "--report", str(report)]) == 1
+    last = capsys.readouterr().err.strip().splitlines()[-1]
+    assert "Nothing was saved: the result does not fit a Kinect v1: a of the depth is 3.9" in last
+    assert likely_side(last) == pytest.approx(30, abs=0.5)
+    assert last.endswith("add --insist to save it all the same.")
+    assert not report.exists()
+    after = {path: path.read_bytes() for path in recorded.sensors.rglob("*") if path.is_file()}
+    assert after == before
+    assert run([*words, "--insist", "--report", str(report)]) == 0
+    assert "Warning: The result does not fit a Kinect v1" in capsys.readouterr().err
+    assert "does not fit a Kinect v1" in report.read_text("utf-8")
+    raw = np.array([600.0, 750.0])
+    too_near = kept(recorded.sensors).disparity.depth_mm(raw) / USUAL_DEPTH.depth_mm(raw)
+    np.testing.assert_allclose(too_near, 24 / 30, rtol=0.01)
+
+
+def likely_side(sentence: str) -> float:
+    found = re.search(r"is more likely ([\d.]+) mm than 24 mm", sentence)
+    assert found is not None, sentence
+    return float(found[1])
+
+
+@pytest.mark.slow
 def test_depth_camera_and_stereo_from_infrared(recorded) -> None:
     assert run(call("depth", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
     assert run(call("stereo", recorded.infrared, recorded.sensors, *BOARD_CALL)) == 0
@@ -119,6 +151,7 @@ def walls_with_boards(tmp_path: Path) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_walls_whose_planes_a_board_tells(walls_with_boards: Path, tmp_path: Path) -> None:
     SensorStore(tmp_path / "own").save(SENSOR)
     words = call("distortion", walls_with_boards, tmp_path / "own", *BOARD_CALL)
@@ -262,6 +295,7 @@ def beside(recorded, tmp_path: Path) -> Path:
     return recorded.sensors
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REFUSED)
 def test_refused_with_one_sentence(name: str, beside: Path, tmp_path: Path, capsys) -> None:
     prepare, expected = REFUSED[name]
@@ -275,6 +309,7 @@ def test_refused_with_one_sentence(name: str, beside: Path, tmp_path: Path, caps
     assert {path: path.stat().st_mtime_ns for path in beside.rglob("*")} == before
 
 
+@pytest.mark.slow
 def test_stereo_needs_the_colour_camera_first(recorded, tmp_path: Path, last_line) -> None:
     assert run(call("stereo", recorded.boards, tmp_path / "new", *BOARD_CALL)) == 1
     assert "was not calibrated yet" in last_line()
@@ -319,6 +354,7 @@ def test_session_takes_the_kept_calibration(
         np.testing.assert_array_equal(after.read_depth(0), before.read_depth(0))
 
 
+@pytest.mark.slow
 def test_correction_of_another_sensor(
     recorded, tmp_path: Path, small_session: Path, capsys
 ) -> None:

@@ -34,6 +34,7 @@ def numbers(report: Path) -> dict[str, dict[str, float]]:
     return section["numbers"]
 
 
+@pytest.mark.slow
 def test_wall_before_and_after(recorded, tmp_path: Path) -> None:
     report = tmp_path / "wall.json"
     words = ["evaluate", "wall", str(recorded.walls), "--serial", "SIM1"]
@@ -119,6 +120,7 @@ def test_resolution(perfect: list[str], tmp_path: Path) -> None:
     assert numbers(report)["x_mm"]["value"] == pytest.approx(950 / CAMERA.fx, rel=0.01)
 
 
+@pytest.mark.slow
 def test_alignment_of_infrared_and_colour(recorded, perfect, tmp_path: Path) -> None:
     report = tmp_path / "a.json"
     words = ["evaluate", "alignment", str(recorded.infrared), *perfect, *BOARD_CALL]
@@ -143,6 +145,7 @@ def test_alignment_of_marked_points(perfect, tmp_path: Path) -> None:
     assert numbers(report)["y_px"]["value"] == pytest.approx(-5, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_board_as_known_object(recorded, perfect, tmp_path: Path) -> None:
     device = SimulatedDevice(np.zeros((480, 640)))
     boards = write_boards(tmp_path / "boards", device, 4)
@@ -289,6 +292,7 @@ def test_wrong_calls(name: str, recorded, last_line) -> None:
     assert expected in last_line()
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.usefixtures("undrawn_reports")
 def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
@@ -317,6 +321,7 @@ def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
     assert numbers(report)["mean_abs_mm"]["value"] < 1.24
 
 
+@pytest.mark.slow
 @pytest.mark.shared
 def test_real_walls_left_out(shared_data: Path, tmp_path: Path) -> None:
     report = tmp_path / "wall.json"

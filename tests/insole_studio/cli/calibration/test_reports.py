@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from simulated_folders import BOARD_CALL
 
 from insole_studio.cli.main import run
+
+pytestmark = pytest.mark.slow
 
 SUFFIXES = (".html", ".json", ".pdf")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,6 +13,8 @@ from pytestqt.qtbot import QtBot
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
+from insole_core.calibration.plausibility import USUAL_DEPTH
+from insole_core.sensing.nominal_kinect import BURRUS
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application
@@ -31,10 +34,22 @@ class Chosen:
         return self.folder
 
 
+class Asked:
+    """Answers whether to save all the same, and keeps what was asked."""
+
+    def __init__(self) -> None:
+        self.sentences: list[str] = []
+        self.answer = False
+
+    def __call__(self, sentence: str) -> bool:
+        self.sentences.append(sentence)
+        return self.answer
+
+
 @pytest.fixture(scope="session")
 def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("pictures")
-    device = SimulatedDevice(smooth_distortion(3, 3.0))
+    device = SimulatedDevice(smooth_distortion(3, 3.0), disparity=USUAL_DEPTH)
     write_boards(folder / "boards", device, 5)
     write_walls(folder / "walls", device, WALLS[:3], 1)
     return folder
@@ -46,11 +61,16 @@ def chosen() -> Chosen:
 
 
 @pytest.fixture
+def asked() -> Asked:
+    return Asked()
+
+
+@pytest.fixture
 def stage(
-    qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path, chosen: Chosen, asked: Asked
 ) -> Iterator[CalibrateStage]:
     store = SensorStore(tmp_path / "sensors")
-    built = CalibrateStage(store, SensorSource(store), tmp_path / "pictures", chosen)
+    built = CalibrateStage(store, SensorSource(store), tmp_path / "pictures", chosen, asked)
     built.show()
     yield built
     built.close()
@@ -72,7 +92,7 @@ def step_lines(stage: CalibrateStage) -> list[str]:
 
 
 def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
-    assert "serial number" in stage.view.next_text()
+    assert "serial number" in stage.view.next_steps.text()
     assert not stage.view.choose.isEnabled()
     give_serial(stage)
     assert stage.view.choose.isEnabled()
@@ -82,10 +102,11 @@ def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
 
 def test_what_is_no_serial_number(stage: CalibrateStage) -> None:
     give_serial(stage, "../x")
-    assert "is no serial number" in stage.view.error_text()
+    assert "is no serial number" in stage.view.error.text()
     assert not stage.view.choose.isEnabled()
 
 
+@pytest.mark.slow
 def test_colour_camera_from_folder_to_device(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
 ) -> None:
@@ -95,25 +116,26 @@ def test_colour_camera_from_folder_to_device(
     chosen.folder = pictures / "boards"
     stage.view.choose.click()
     settle()
-    assert "5 of 5 can be used." in stage.view.next_text()
-    assert "Take 5 more pictures" in stage.view.next_text()
-    assert "Hold the board in these parts" in stage.view.next_text()
+    assert "5 of 5 can be used." in stage.view.next_steps.text()
+    assert "Take 5 more pictures" in stage.view.next_steps.text()
+    assert "Hold the board in these parts" in stage.view.next_steps.text()
     assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
     stage.view.calibrate.click()
     settle()
-    assert "5 of 5 colour pictures were used" in stage.view.next_text()
+    assert "5 of 5 colour pictures were used" in stage.view.next_steps.text()
     assert not (tmp_path / "sensors").exists()
     stage.view.save.click()
     settle()
     sensor = SensorStore(tmp_path / "sensors").load("SIM1")
     assert sensor is not None
     assert sensor.color_camera.width == 640
-    assert "Colour camera is saved for sensor SIM1." in stage.view.next_text()
-    assert "Next: Distortion of the depth." in stage.view.next_text()
+    assert "Colour camera is saved for sensor SIM1." in stage.view.next_steps.text()
+    assert "Next: Distortion of the depth." in stage.view.next_steps.text()
     assert "done on 20" in step_lines(stage)[0]
     assert stage.view.steps.currentRow() == 1
 
 
+@pytest.mark.slow
 def test_walls_say_which_distances_are_missing(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
 ) -> None:
@@ -122,13 +144,13 @@ def test_walls_say_which_distances_are_missing(
     chosen.folder = pictures / "walls"
     stage.view.choose.click()
     settle()
-    text = stage.view.next_text()
+    text = stage.view.next_steps.text()
     assert "Capture the wall at about these distances: 500, 900, 1000 mm." in text
     assert "Fill these parts" not in text
     stage.view.calibrate.click()
     settle()
-    assert "3 of 3 walls were used" in stage.view.next_text()
-    assert "six distances or more are better" in stage.view.next_text()
+    assert "3 of 3 walls were used" in stage.view.next_steps.text()
+    assert "six distances or more are better" in stage.view.next_steps.text()
 
 
 def test_a_folder_without_the_board(
@@ -139,7 +161,7 @@ def test_a_folder_without_the_board(
     chosen.folder = tmp_path
     stage.view.choose.click()  # The usual board has other corners.
     settle()
-    assert "0 of 1 can be used." in stage.view.next_text()
+    assert "0 of 1 can be used." in stage.view.next_steps.text()
     assert stage.view.looks.item(0).text().startswith("✗  color_000.png")
     assert not stage.view.calibrate.isEnabled()
 
@@ -155,8 +177,40 @@ def test_a_step_before_its_time(
     settle()
     stage.view.calibrate.click()
     settle()
-    assert "was not calibrated yet" in stage.view.error_text()
+    assert "was not calibrated yet" in stage.view.error.text()
     assert not stage.view.save.isEnabled()
+
+
+def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
+    stage: CalibrateStage, chosen: Chosen, asked: Asked, pictures: Path, settle, tmp_path: Path
+) -> None:
+    give_serial(stage)
+    stage.presenter.edit_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm * 0.8))
+    chosen.folder = pictures / "boards"
+    for key in ("camera", "stereo"):
+        stage.presenter.choose_step(key)
+        for button in (stage.view.choose, stage.view.calibrate, stage.view.save):
+            button.click()
+            settle()
+        assert bool(asked.sentences) is (key == "stereo")
+    (sentence,) = asked.sentences
+    assert "does not fit a Kinect v1" in sentence
+    likely = re.search(r"the square of the board is more likely ([\d.]+) mm than 24 mm", sentence)
+    assert likely is not None, sentence
+    assert float(likely[1]) == pytest.approx(BOARD.square_mm, abs=0.6)
+    assert stage.view.error_text() == sentence
+    store = SensorStore(tmp_path / "sensors")
+    before = store.load("SIM1")
+    assert before is not None
+    assert before.disparity == BURRUS
+    asked.answer = True
+    stage.view.save.click()
+    settle()
+    after = store.load("SIM1")
+    assert after is not None
+    assert after.disparity != BURRUS
+    assert "Depth to colour is saved for sensor SIM1." in stage.view.next_text()
+    assert stage.view.error_text() == ""
 
 
 def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settle) -> None:
@@ -164,7 +218,7 @@ def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settl
     chosen.folder = Path("/nowhere/at/all")
     stage.view.choose.click()
     settle()
-    assert "There is no folder" in stage.view.error_text()
+    assert "There is no folder" in stage.view.error.text()
 
 
 def test_closing_stops_the_work(
@@ -178,6 +232,7 @@ def test_closing_stops_the_work(
     assert not stage.jobs.is_running()
 
 
+@pytest.mark.slow
 def test_a_place_that_cannot_be_written(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
 ) -> None:
@@ -191,7 +246,7 @@ def test_a_place_that_cannot_be_written(
     (tmp_path / "sensors").write_text("in the way")
     stage.view.save.click()
     settle()
-    assert "cannot be written" in stage.view.error_text()
+    assert "cannot be written" in stage.view.error.text()
     assert stage.view.save.isEnabled()
 
 

@@ -50,6 +50,7 @@ def button(stage: CaptureStage, text: str) -> QPushButton:
     return next(b for b in stage.findChildren(QPushButton) if b.text() == text)
 
 
+@pytest.mark.slow
 def test_from_sensors_to_a_session(stage: CaptureStage, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: len(cards(stage)) == 3, timeout=PATIENCE_MS)
     qtbot.waitUntil(

@@ -40,6 +40,7 @@ def opened_stage(application: Application) -> CaptureStage:
     return stage
 
 
+@pytest.mark.slow
 def test_a_captured_foot_comes_onto_the_bench(
     emulating: Application, qtbot: QtBot, places: UserPaths
 ) -> None:

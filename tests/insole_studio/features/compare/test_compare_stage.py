@@ -90,10 +90,12 @@ def lower_file(solid: TriangleMesh, path: Path) -> Path:
 
 
 def number(stage: CompareStage, text: str) -> float:
-    texts = stage.view.figure_texts()
+    figures = stage.view.figures
+    texts = [figures.itemAt(i).widget().text() for i in range(figures.count())]
     return float(texts[texts.index(text) + 1].removesuffix(" mm"))
 
 
+@pytest.mark.slow
 def test_insole_and_foot_of_the_case_are_compared_at_once(
     stage: CompareStage, settle: Callable[[], None]
 ) -> None:
@@ -102,6 +104,7 @@ def test_insole_and_foot_of_the_case_are_compared_at_once(
     assert stage.view.save.isEnabled()
 
 
+@pytest.mark.slow
 def test_surface_from_a_file_is_fitted(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
     chosen: Chosen,
@@ -113,12 +116,14 @@ def test_surface_from_a_file_is_fitted(
     assert stage.view.sources["b"].currentText() == "insole Fuß.stl"
 
 
+@pytest.mark.slow
 def test_nothing_is_chosen(stage: CompareStage, settle: Callable[[], None], chosen: Chosen) -> None:
     before = stage.view.sources["b"].currentText()
     stage.view.source_chosen.emit("b", "folder")
     assert stage.view.sources["b"].currentText() == before
 
 
+@pytest.mark.slow
 def test_picked_points_lay_one_on_the_other(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
 ) -> None:
@@ -130,14 +135,15 @@ def test_picked_points_lay_one_on_the_other(
     for place in solid.vertices[[40, 900, 2500]]:
         stage.view.point_picked.emit("a", place)
         stage.view.point_picked.emit("b", B2A[:3, :3].T @ (place - B2A[:3, 3]))
-    assert "3 on A, 3 on B" in stage.view.hint_text()
+    assert "3 on A, 3 on B" in stage.view.hint.text()
     settle()
     assert number(stage, "Largest") < 0.05
     stage.view.take_back.click()
-    assert "3 on A, 2 on B" in stage.view.hint_text()
+    assert "3 on A, 2 on B" in stage.view.hint.text()
     assert not stage.view.save.isEnabled()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".pdf", ".json", ".png", ".ply"])
 def test_report(
     stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, suffix: str
@@ -150,15 +156,17 @@ def test_report(
         assert json.loads(chosen.path.read_text())["unit"] == "mm"
 
 
+@pytest.mark.slow
 def test_report_of_no_known_form(
     stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
     chosen.path = tmp_path / "d.docx"
     stage.view.save.click()
     settle()
-    assert "let it end in .pdf" in stage.view.error_text()
+    assert "let it end in .pdf" in stage.view.error.text()
 
 
+@pytest.mark.slow
 def test_surfaces_that_do_not_overlap(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
 ) -> None:
@@ -167,16 +175,18 @@ def test_surfaces_that_do_not_overlap(
     stage.view.alignment_chosen.emit("none")
     stage.presenter.choose_path("b", tmp_path / "far.stl")
     settle()
-    assert "too little to compare" in stage.view.error_text()
+    assert "too little to compare" in stage.view.error.text()
     assert not stage.view.tabs.isTabEnabled(1)
 
 
+@pytest.mark.slow
 def test_no_dots_is_one_sentence(stage: CompareStage, settle: Callable[[], None]) -> None:
     stage.view.alignment_chosen.emit("dots")
     settle()
-    assert "pick the points instead" in stage.view.error_text()
+    assert "pick the points instead" in stage.view.error.text()
 
 
+@pytest.mark.slow
 def test_median_filter_compares_anew(stage: CompareStage, settle: Callable[[], None]) -> None:
     before = number(stage, "Largest")
     stage.view.median.setValue(6)

@@ -107,11 +107,12 @@ def order(stage: ExportStage, **changes: object) -> None:
 
 def test_piece_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[], None]) -> None:
     assert sign_of(stage, "watertight") is CheckState.PASSED
-    assert "triangles" in stage.view.summary_text()
+    assert "triangles" in stage.view.summary.text()
     assert stage.view.export.isEnabled()
     assert not stage.view.reason.isVisible()
 
 
+@pytest.mark.slow
 def test_export_names_the_side_and_writes_what_is_wanted(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -128,7 +129,7 @@ def test_export_names_the_side_and_writes_what_is_wanted(
         "anna-left.3mf",
     ]  # fmt: skip
     assert told[0][1] == (tmp_path / "out" / "anna-left.3mf",)
-    assert "anna-left.3mf" in stage.view.summary_text()
+    assert "anna-left.3mf" in stage.view.summary.text()
 
 
 def test_pair_is_nested_into_one_block(
@@ -160,6 +161,7 @@ def test_pair_without_a_block_is_two_files(
     ]
 
 
+@pytest.mark.slow
 def test_files_that_are_there_are_replaced_only_on_demand(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -175,6 +177,7 @@ def test_files_that_are_there_are_replaced_only_on_demand(
     assert (tmp_path / "anna-left-job-sheet.pdf").read_bytes().startswith(b"%PDF")
 
 
+@pytest.mark.slow
 def test_order_is_remembered_without_the_patient(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -195,6 +198,7 @@ def test_memory_that_cannot_be_read_costs_nothing(tmp_path: Path, text: str) -> 
     assert LastOrder(tmp_path / "order.json", SHOP).load() == OrderChoice()
 
 
+@pytest.mark.slow
 def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
@@ -234,7 +238,7 @@ def broken_rules(tmp_path: Path) -> None:
 def test_rules_that_cannot_be_read_are_named_and_the_products_hold(
     broken_rules: None, stage: ExportStage, settle: Callable[[], None]
 ) -> None:
-    assert "no valid JSON" in stage.view.error_text()
+    assert "export.json is not valid JSON" in stage.view.error.text()
     assert sign_of(stage, "watertight") is CheckState.PASSED
 
 
@@ -249,16 +253,17 @@ def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None])
     assert (x, y) == pytest.approx(worst[:2])
 
 
+@pytest.mark.slow
 def test_what_cannot_be_made_is_one_sentence(
     stage: ExportStage, settle: Callable[[], None]
 ) -> None:
     order(stage, most_triangles=2000, most_deviation_mm=0.005)
     settle()
-    assert "2000 triangles are too few" in stage.view.error_text()
+    assert "2000 triangles are too few" in stage.view.error.text()
     assert not stage.view.export.isEnabled()
     order(stage, most_triangles=None)
     settle()
-    assert stage.view.error_text() == ""
+    assert stage.view.error.text() == ""
     assert stage.view.export.isEnabled()
 
 
@@ -267,7 +272,7 @@ def test_letters_that_the_font_lacks_are_said(
 ) -> None:
     order(stage, relief="engraved", text="足 7")
     settle()
-    assert "足" in stage.view.notes_text()
+    assert "足" in stage.view.notes.text()
 
 
 def test_place_that_cannot_be_written(
@@ -276,7 +281,7 @@ def test_place_that_cannot_be_written(
     chosen.path = tmp_path / "none" / "anna.stl"
     stage.view.export.click()
     settle()
-    assert "its folder does not exist" in stage.view.error_text()
+    assert "its folder does not exist" in stage.view.error.text()
     assert stage.view.export.isEnabled()
 
 
@@ -284,22 +289,22 @@ def test_cancel_stops_the_work(stage: ExportStage, settle: Callable[[], None]) -
     order(stage, chamfer_mm=1.0)
     stage.view.cancel.click()
     settle()
-    assert "Stopped" in stage.view.error_text()
+    assert "Stopped" in stage.view.error.text()
     assert not stage.view.export.isEnabled()
 
 
 def test_another_design_is_made_anew(
     stage: ExportStage, settle: Callable[[], None], case: Case
 ) -> None:
-    before = stage.view.summary_text()
+    before = stage.view.summary.text()
     design = case.record.design
     assert design is not None
     case.apply(replace(design, thickness_mm=8.0), "Thicker")
     settle()
-    assert stage.view.summary_text() != before
+    assert stage.view.summary.text() != before
 
 
 def test_the_head_says_whose_insoles_these_are(stage: ExportStage, case: Case) -> None:
-    assert stage.view.patient_text() == "Anna Berg  ·  born 1980-01-01"
+    assert stage.view.patient.text() == "Anna Berg  ·  born 1980-01-01"
     case.apply(Patient(), "Forget the patient")
-    assert stage.view.patient_text() == "Patient without a name"
+    assert stage.view.patient.text() == "Patient without a name"

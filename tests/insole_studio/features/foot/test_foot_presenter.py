@@ -161,6 +161,7 @@ def test_a_session_is_shown_and_its_foot_made(made: Bench) -> None:
     assert len(np.unique(mesh.colors, axis=0)) == 3
 
 
+@pytest.mark.slow
 def test_a_foot_that_was_opened_for_design_is_handed_over_once(bench: Bench) -> None:
     bench.open(hand_over=True)
     assert len(bench.handed) == 1
@@ -226,6 +227,7 @@ def test_regions_limit_the_search(opened: Bench) -> None:
     assert opened.panel.marks["S4"].by_hand  # shown although there is no pose
 
 
+@pytest.mark.slow
 def test_a_view_is_left_out_and_the_foot_made_again(made: Bench) -> None:
     made.panel.view_switched.emit("right", False)
     assert not made.panel.rows["right"].on
@@ -240,6 +242,7 @@ def test_a_view_is_left_out_and_the_foot_made_again(made: Bench) -> None:
     assert any("switched off" in warning for warning in made.handed[0].warnings)
 
 
+@pytest.mark.slow
 def test_going_on_with_corrections_makes_the_foot_first(made: Bench) -> None:
     made.panel.view_switched.emit("right", False)
     assert made.panel.buttons.is_stale
@@ -253,6 +256,7 @@ def test_going_on_with_corrections_makes_the_foot_first(made: Bench) -> None:
     assert made.left == [True]
 
 
+@pytest.mark.slow
 def test_the_coarse_foot_can_be_designed_on_while_the_fine_one_is_made(bench: Bench) -> None:
     bench.presenter.open(bench.session, hand_over=False)
     bench.until(lambda: bench.presenter._made is not None)
@@ -269,6 +273,7 @@ def test_the_coarse_foot_can_be_designed_on_while_the_fine_one_is_made(bench: Be
     assert len(first.foot.mesh.vertices) < len(second.foot.mesh.vertices)
 
 
+@pytest.mark.slow
 def test_a_foot_that_is_made_does_not_answer_for_a_session_opened_meanwhile(
     bench: Bench, tmp_path: Path
 ) -> None:
@@ -362,6 +367,7 @@ def other_side(bench: Bench, tmp_path: Path) -> Bench:
     return bench
 
 
+@pytest.mark.slow
 def test_a_foot_that_looks_like_the_other_is_asked_about(other_side: Bench) -> None:
     other_side.open(hand_over=True)
     (sentence,) = other_side.asked

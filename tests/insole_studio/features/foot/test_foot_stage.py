@@ -51,6 +51,13 @@ def stage(app: Application, qtbot: QtBot, session: Path) -> FootStage:
     return opened
 
 
+def cell(stage: FootStage, row: int, title: str) -> str:
+    """What a line of the table says under a heading."""
+    table = stage.view.table
+    titles = [table.horizontalHeaderItem(i).text() for i in range(table.columnCount())]
+    return table.item(row, titles.index(title)).text()
+
+
 def mark(stage: FootStage, marker: str) -> Mark:
     return next(m for m in stage.view.markers.picture._marks if m.id == marker)
 
@@ -79,6 +86,7 @@ def drag(stage: FootStage, start: QPointF, *way: QPointF) -> None:
     QTest.mouseRelease(picture, LEFT, pos=way[-1].toPoint())
 
 
+@pytest.mark.slow
 def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     app: Application, settle: Callable[[], None], session: Path
 ) -> None:
@@ -87,8 +95,8 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     stage = shown_stage(app)
     assert stage.isVisible()
     assert app.case.foot is not None
-    assert stage.view.table.text_at(0, "Markers") == "12 / 12"
-    assert stage.view.table.text_at(0, "Remarks") == "Good"
+    assert cell(stage, 0, "Markers") == "12 / 12"
+    assert cell(stage, 0, "Remarks") == "Good"
     QTest.mouseClick(stage.view.go_on, LEFT)
     assert app.features.foot.stage is None
     QTest.qWaitForWindowActive(app.window)
@@ -105,6 +113,7 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     assert len(app.case.history) == 0  # looking changes nothing
 
 
+@pytest.mark.slow
 def test_a_foot_made_again_keeps_its_design(
     app: Application, settle: Callable[[], None], session: Path
 ) -> None:
@@ -126,12 +135,13 @@ def test_a_foot_made_again_keeps_its_design(
     assert app.case.foot is first
 
 
+@pytest.mark.slow
 def test_a_click_excludes_and_includes(stage: FootStage) -> None:
     at = mark(stage, "S3").pixel
     click(stage, at)
     choose(stage, "Exclude S3")
     assert mark(stage, "S3").state == "excluded"
-    assert stage.view.table.text_at(0, "Markers") == "11 / 12"
+    assert cell(stage, 0, "Markers") == "11 / 12"
     click(stage, at)
     choose(stage, "Include S3")
     assert mark(stage, "S3").state == "used"
@@ -139,6 +149,7 @@ def test_a_click_excludes_and_includes(stage: FootStage) -> None:
     assert mark(stage, "S3").state == "excluded"
 
 
+@pytest.mark.slow
 def test_keys_go_from_mark_to_mark(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     picture.setFocus()
@@ -150,6 +161,7 @@ def test_keys_go_from_mark_to_mark(stage: FootStage) -> None:
     assert mark(stage, "S2").state == "used"
 
 
+@pytest.mark.slow
 def test_a_marker_is_dragged(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     start = picture.to_widget(mark(stage, "S6").pixel)
@@ -161,6 +173,7 @@ def test_a_marker_is_dragged(stage: FootStage) -> None:
     assert stage.presenter.edits.of("left").named[0].exact
 
 
+@pytest.mark.slow
 def test_a_spot_is_another_marker_and_a_place_is_one(stage: FootStage) -> None:
     click(stage, mark(stage, "S2").pixel)
     choose(stage, "This is", "S9")
@@ -190,11 +203,12 @@ def test_a_tick_leaves_a_view_out(stage: FootStage) -> None:
     assert item is not None
     item.setCheckState(Qt.CheckState.Unchecked)
     assert stage.presenter.edits.of("right").off
-    assert stage.view.table.text_at(1, "Remarks") == "Left out by hand"
+    assert cell(stage, 1, "Remarks") == "Left out by hand"
     stage.view.table.setCurrentCell(2, 0)
     assert mark(stage, "A1").state == "used"
 
 
+@pytest.mark.slow
 def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: FootStage) -> None:
     picture = stage.view.markers.picture
     fitted = picture._zoom
@@ -206,6 +220,7 @@ def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: FootStage) ->
     stage.view.markers.menu.close()
 
 
+@pytest.mark.slow
 def test_the_box_is_dragged_by_a_face(stage: FootStage) -> None:
     scene, before = stage.view.foot.scene, stage.presenter.box
     assert before is not None
@@ -226,6 +241,7 @@ def test_the_box_is_dragged_by_a_face(stage: FootStage) -> None:
     assert stage.presenter.box == before
 
 
+@pytest.mark.slow
 def test_escape_gives_a_drag_of_the_box_up(stage: FootStage) -> None:
     scene, before = stage.view.foot.scene, stage.presenter.box
     handle = next(h for h in scene.handles if h.name == "box-x-max")
@@ -247,6 +263,7 @@ def test_a_number_bounds_the_box(stage: FootStage) -> None:
     assert stage.view.box.box().max_mm == (20.0, 20.0, 20.0)
 
 
+@pytest.mark.slow
 def test_corrections_are_there_when_the_session_is_opened_again(
     stage: FootStage, session: Path
 ) -> None:

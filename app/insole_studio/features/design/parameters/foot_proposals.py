@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from weakref import WeakKeyDictionary
 
-from insole_core.cases.case_record import KeyPoint
+from insole_core.cases.case_record import Annotations, KeyPoint
 from insole_core.errors import InputError
 from insole_core.foot.alignment import PoseAngles, pose_angles
+from insole_core.foot.foot import Foot
 from insole_core.foot.measures import measure
 from insole_core.insole.prescription.clinic_rules import ClinicRules
 from insole_core.insole.prescription.corrections import CorrectionBase
@@ -34,7 +36,9 @@ class FootProposals:
         self._case = case
         self._rules = rules
         self._marks = PenMarks()
-        self._measured: tuple[object, float | None] = (None, None)
+        self._measured: WeakKeyDictionary[Foot, tuple[Annotations, float | None]] = (
+            WeakKeyDictionary()
+        )
 
     def landmark_groups(self) -> list[FieldGroup]:
         """Give the pose of the foot, and each mark of a pen with what it may mean."""
@@ -141,11 +145,11 @@ class FootProposals:
         record = self._case.record
         if record.foot is None:
             return None
-        key = record.foot, record.annotations
-        if self._measured[0] != key:
+        kept = self._measured.get(record.foot)
+        if kept is None or kept[0] != record.annotations:
             angle = measure(record.foot, landmarks_of(record))["achilles_angle_deg"]
-            self._measured = key, angle
-        return self._measured[1]
+            kept = self._measured[record.foot] = record.annotations, angle
+        return kept[1]
 
     def _proposed_deg(self) -> float:
         eversion = self._eversion_deg()

@@ -1,8 +1,11 @@
-"""Boards and plans to print at true size."""
+"""Make what is printed at true size: ``python resources/targets/make.py``.
+
+The boards beside this file, and the plan of the reference system of bricks.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +15,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from insole_core.calibration.boards.board import Charuco, Chequerboard
-from insole_core.calibration.markers.reference_file import positions
+from insole_core.calibration.markers.reference_file import load_reference_system, positions
 from insole_core.errors import UsageError
-from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
 from insole_core.recording.session import Marker, ReferenceSystem
 
@@ -28,53 +30,48 @@ _INCH_MM = 25.4
 _RULER_MM = 100.0
 
 
-def write_chequerboard(board: Chequerboard, page_mm: tuple[float, float], path: Path) -> None:
-    """Write a chequerboard as PDF; print it at 100 % and check the ruler.
-
-    Raises
-    ------
-    UsageError
-        When it does not fit the page.
-    OutputError
-    """
-    text = f"{board.columns}×{board.rows} inner corners, square {board.square_mm:g} mm"
-    _write([draw_chequerboard(board, page_mm, text)], path)
+def main() -> None:
+    """Write the boards and the plan to their places among the resources."""
+    here = Path(__file__).parent
+    write([draw_chequerboard(Chequerboard(10, 7, 25), A4_MM)], here / "chequerboard-a4-25mm.pdf")
+    write([draw_chequerboard(Chequerboard(12, 8, 30), A3_MM)], here / "chequerboard-a3-30mm.pdf")
+    write([draw_charuco(Charuco(10, 7, 27, 20), A4_MM)], here / "charuco-a4-27mm.pdf")
+    systems = here.parent / "reference_systems"
+    plan = draw_building_plan(load_reference_system(systems / "lego-20.json"))
+    write(plan, systems / "lego-20-plan.pdf")
 
 
-def write_charuco(board: Charuco, page_mm: tuple[float, float], path: Path) -> None:
-    """Write a ChArUco board as PDF; print it at 100 % and check the ruler.
-
-    Raises
-    ------
-    UsageError
-        When it does not fit the page.
-    OutputError
-    """
-    text = (
-        f"ChArUco {board.columns}×{board.rows}, square {board.square_mm:g} mm, marker "
-        f"{board.marker_mm:g} mm, {board.dictionary}"
-    )
-    _write([draw_charuco(board, page_mm, text)], path)
+def write(pages: Sequence[Figure], path: Path) -> None:
+    """Write pages as PDF; print it at 100 % and check the ruler."""
+    with PdfPages(path, metadata={"CreationDate": None}) as pdf:
+        for page in pages:
+            pdf.savefig(page)
 
 
-def write_building_plan(system: ReferenceSystem, path: Path) -> None:
-    """Write how to build a reference system from bricks, and templates of its faces at true size.
+def draw_building_plan(system: ReferenceSystem) -> list[Figure]:
+    """Say how to build a reference system from bricks, with templates of its faces at true size.
 
     Raises
     ------
     UsageError
         When a face does not fit A3.
-    OutputError
     """
     pages = []
     for face in dict.fromkeys(marker.face for marker in system.markers):
         markers = system.facing((face,))
         pages += [_table_page(system.name, face, markers), _template_page(face, markers)]
-    _write(pages, path)
+    return pages
 
 
-def draw_chequerboard(board: Chequerboard, page_mm: tuple[float, float], text: str) -> Figure:
-    """Draw a chequerboard on a page at true size."""
+def draw_chequerboard(board: Chequerboard, page_mm: tuple[float, float]) -> Figure:
+    """Draw a chequerboard on a page at true size.
+
+    Raises
+    ------
+    UsageError
+        When it does not fit the page.
+    """
+    text = f"{board.columns}×{board.rows} inner corners, square {board.square_mm:g} mm"
     columns, rows = board.columns + 1, board.rows + 1
     figure, axes = _page(page_mm, (columns * board.square_mm, rows * board.square_mm), text)
     for row in range(rows):
@@ -83,8 +80,18 @@ def draw_chequerboard(board: Chequerboard, page_mm: tuple[float, float], text: s
     return figure
 
 
-def draw_charuco(board: Charuco, page_mm: tuple[float, float], text: str) -> Figure:
-    """Draw a ChArUco board on a page at true size."""
+def draw_charuco(board: Charuco, page_mm: tuple[float, float]) -> Figure:
+    """Draw a ChArUco board on a page at true size.
+
+    Raises
+    ------
+    UsageError
+        When it does not fit the page.
+    """
+    text = (
+        f"ChArUco {board.columns}×{board.rows}, square {board.square_mm:g} mm, marker "
+        f"{board.marker_mm:g} mm, {board.dictionary}"
+    )
     size = (board.columns * board.square_mm, board.rows * board.square_mm)
     figure, axes = _page(page_mm, size, text)
     picture = board.pattern().generateImage((board.columns * 200, board.rows * 200), marginSize=0)
@@ -194,9 +201,5 @@ def _box(axes: Axes, x: float, y: float, side: float, color: str = "black") -> N
     axes.add_patch(Rectangle((x, y), side, side, facecolor=color, edgecolor="none"))
 
 
-def _write(pages: Sequence[Figure], path: Path) -> None:
-    save: Callable[[Figure], None]
-    with replacing_file(path) as beside, PdfPages(beside, metadata={"CreationDate": None}) as pdf:
-        save = pdf.savefig
-        for page in pages:
-            save(page)
+if __name__ == "__main__":
+    main()
