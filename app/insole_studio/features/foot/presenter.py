@@ -19,7 +19,7 @@ from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.session import Box
 from insole_core.workflows.open_scan import ScannedFoot
-from insole_core.workflows.reconstruction_job import (
+from insole_core.workflows.make_foot import (
     MadeFoot,
     make_foot,
     measure_session,
