@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,7 +39,7 @@ class ViewConsistency:
         return float(np.median(known)) if len(known) else float("nan")
 
 
-def view_consistency(mesh: TriangleMesh, readings: list[DepthView]) -> ViewConsistency:
+def view_consistency(mesh: TriangleMesh, readings: Iterable[DepthView]) -> ViewConsistency:
     """Compare the views with each other on a mesh.
 
     Parameters
