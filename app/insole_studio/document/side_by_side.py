@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -70,7 +69,6 @@ class SideBySide(QObject):
         self._jobs = jobs
         self._against = ""
         self._last_chosen: tuple[Side, str] | None = None
-        self._soles: WeakKeyDictionary[Foot, HeightField] = WeakKeyDictionary()
         self._laid: tuple[object, Built, FloatArray] | None = None
         self.kind = Beside.NOTHING
         self.built: Built | None = None
@@ -121,9 +119,7 @@ class SideBySide(QObject):
 
     def sole_of(self, foot: Foot) -> HeightField:
         """Give the heights of a foot as seen from below; kept, as they take a while."""
-        if foot not in self._soles:
-            self._soles[foot] = sole_heights(foot)
-        return self._soles[foot]
+        return foot.derived.get("heights from below", (), lambda: sole_heights(foot))
 
     def _refresh(self) -> None:
         self._note_chosen()
