@@ -52,8 +52,3 @@ class Memo:
                 return None
             results.move_to_end(key)
             return results[key]
-
-    def clear(self) -> None:
-        """Forget everything."""
-        with self._lock:
-            self._kinds.clear()

@@ -156,7 +156,7 @@ def build_application(
     jobs = Jobs()
     case = Case()
     surface = InsolePreview(case, jobs)
-    counterpart = SideBySide(case, jobs)
+    counterpart = SideBySide(case, jobs, surface.builder)
     section, pads, rules = SectionModel(), load_pads(), load_rules()
     tool_controller = ToolController(case, make_tools(section))
     stage = DesignStage(

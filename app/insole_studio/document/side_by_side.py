@@ -14,11 +14,10 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import Progress
-from insole_core.solids.solid import insole_solid
+from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.jobs import Jobs
@@ -63,8 +62,11 @@ class SideBySide(QObject):
     changed = Signal()
     failed = Signal(str)
 
-    def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:
+    def __init__(
+        self, case: Case, jobs: Jobs, builder: InsoleBuilder, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
+        self._builder = builder
         self._case = case
         self._jobs = jobs
         self._against = ""
@@ -156,9 +158,8 @@ class SideBySide(QObject):
 
     def _build(self, foot: Foot, design: InsoleDesign) -> None:
         def build(progress: Progress) -> Built:
-            insole = build_insole(foot, design, progress.part(0.0, 0.7))
-            progress.step(0.7, "Trimming the insole")
-            return Built(foot, design, insole.contact, insole_solid(insole), self.sole_of(foot))
+            insole, solid = self._builder.solid(foot, design, progress)
+            return Built(foot, design, insole.contact, solid, self.sole_of(foot))
 
         def take(built: Built) -> None:
             self.built = built
