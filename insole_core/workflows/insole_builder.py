@@ -82,11 +82,11 @@ class BareInsole:
         low = field.y0_mm + (window.first_row - 1) * field.step_mm
         high = field.y0_mm + window.end_row * field.step_mm
         order, y = self._by_y
-        found: IntArray = order[slice(*np.searchsorted(y, [low, high]))]
+        found = order[slice(*np.searchsorted(y, [low, high]))]
         x = self.solid.vertices[found, 0]
         left = field.x0_mm + (window.first_column - 1) * field.step_mm
         right = field.x0_mm + window.end_column * field.step_mm
-        return found[(x > left) & (x < right)]
+        return np.asarray(found[(x > left) & (x < right)])
 
     @cached_property
     def _by_y(self) -> tuple[IntArray, FloatArray]:

@@ -20,7 +20,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, UserPaths, build_application
-from insole_studio.app.scripted import ScriptedStudio
+from insole_studio.app.scripted import ScriptedStudio, export_at_stage
 from insole_studio.services.questions import Answer, SameSide
 
 LENGTH_MM = 250.0
@@ -168,6 +168,18 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
         qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
 
     return wait
+
+
+@pytest.fixture
+def export(app: Application, questions: CannedQuestions) -> Callable[[Path], Path]:
+    """Order at the export stage what it offers, and give the one file of the solid."""
+
+    def order(path: Path) -> Path:
+        questions.path = path
+        (written,) = export_at_stage(app)
+        return written
+
+    return order
 
 
 @pytest.fixture
