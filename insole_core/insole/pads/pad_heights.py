@@ -31,7 +31,7 @@ _OUTLINE_PITCH = 0.2  # of a cell
 _fields = Memo(16)
 """What is known of an outline, wherever its pad lies: moving and turning a pad is cheap by it.
 
-It belongs to the shapes of a clinic's pads, as the outlines do; at most 4 MB.
+It belongs to the shapes of a clinic's pads, as the outlines do; at most 6 MB.
 """
 
 

@@ -103,6 +103,8 @@ def test_an_edited_insole_is_that_of_a_full_rebuild(edited: EditedInsole, left_f
         assert np.array_equal(edited.contact.heights_mm, rebuilt.contact.heights_mm)
         assert np.array_equal(edited.mesh.vertices, whole.mesh.vertices)
         assert np.allclose(edited.normals, whole.normals, atol=1e-12)
+        top = edited.mesh.vertices[: edited.bare.top_count]
+        assert np.array_equal(top[:, 2], rebuilt.contact.height_at(top[:, :2]))
     assert not edited.can_follow(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0)))
 
 
