@@ -71,22 +71,24 @@ def _virtual() -> int:
 
 def _scripted() -> int:
     from insole_studio.app.scripted import ScriptedWindow
+    from insole_studio.app.scripted_answers import ScriptedAnswers
     from insole_studio.user_paths import UserPaths
 
     places = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
-    with ScriptedWindow(places) as studio:
+    answers = ScriptedAnswers(replace=True)  # what an earlier demonstration wrote
+    written = [OUTPUT / "session.png", OUTPUT / "case.png"]
+    with ScriptedWindow(places, answers=answers) as studio:
         studio.open(SESSION)
         studio.place_pelott(0.0, 140.0)
         studio.screenshot(OUTPUT / "session.png")
-        studio.export(OUTPUT / "session-insole.stl")
-    with ScriptedWindow(places) as studio:
+        written += studio.export(OUTPUT / "session-insole.stl")
+    with ScriptedWindow(places, answers=answers) as studio:
         studio.open(resource_path("example/example.insole"))
         studio.screenshot(OUTPUT / "case.png")
-        studio.export(OUTPUT / "case-insole.stl")
+        written += studio.export(OUTPUT / "case-insole.stl")
     print(f"Written to {OUTPUT.resolve()}:")
-    for name in ("session.png", "session-insole.stl", "case.png", "case-insole.stl"):
-        size = (OUTPUT / name).stat().st_size
-        print(f"  {name}  {size // 1024} kB")
+    for path in written:
+        print(f"  {path.name}  {path.stat().st_size // 1024} kB")
     return 0
 
 

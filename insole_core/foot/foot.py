@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.memo import Memo
+
+_KEPT = 2  # so that two variants of a prescription do not drive out each other's results
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,6 +27,8 @@ class Foot:
         Heel to the tip of the longest toe, along the foot axis.
     notes
         How pose and side were decided, a sentence each.
+    derived
+        What was computed of this foot lately: landmarks, border, outline, sole.
     """
 
     side: Side
@@ -31,3 +36,4 @@ class Foot:
     source2insole: FloatArray
     length_mm: float
     notes: tuple[str, ...] = ()
+    derived: Memo = field(default_factory=lambda: Memo(_KEPT), init=False, repr=False)

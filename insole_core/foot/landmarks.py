@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -72,7 +71,6 @@ class Landmark:
 
 
 Landmarks: TypeAlias = Mapping[str, Landmark]
-_found: WeakKeyDictionary[Foot, dict[str, Landmark]] = WeakKeyDictionary()
 
 
 def find_landmarks(foot: Foot) -> dict[str, Landmark]:
@@ -82,11 +80,9 @@ def find_landmarks(foot: Foot) -> dict[str, Landmark]:
     -------
     dict
         By the names in `NAMES`; the axes of the rear only where the back of the heel and the leg
-        were measured. Kept for each foot, and not to be changed.
+        were measured. Kept with the foot, and not to be changed.
     """
-    if foot not in _found:
-        _found[foot] = dict(_search(foot))
-    return _found[foot]
+    return foot.derived.get("landmarks", (), lambda: dict(_search(foot)))
 
 
 def with_places(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -11,12 +12,21 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
-from insole_core.insole.surface.contact import contact_base
+from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
 from insole_core.progress import SILENT, Progress
 
-__all__ = ["LEAST_MATERIAL_MM", "Insole", "active_pads", "apply_pads", "build_insole"]
+__all__ = [
+    "LEAST_MATERIAL_MM",
+    "BaseStep",
+    "Insole",
+    "active_pads",
+    "apply_pads",
+    "build_insole",
+    "check_design_for",
+    "material_problem",
+]
 
 LEAST_MATERIAL_MM = 0.3
 """A contact surface lower than this over the bottom cannot be made."""
@@ -42,8 +52,28 @@ class Insole:
     measured: BoolArray
 
 
-def build_insole(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> Insole:
-    """Derive the insole of a foot from its design.
+class BaseStep(Protocol):
+    """What gives the contact surface before pads: `contact_base`, or one that remembers."""
+
+    def __call__(  # noqa: D102
+        self, foot: Foot, design: InsoleDesign, progress: Progress
+    ) -> ContactBase: ...
+
+
+def build_insole(
+    foot: Foot,
+    design: InsoleDesign,
+    progress: Progress = SILENT,
+    *,
+    base_of: BaseStep = contact_base,
+) -> Insole:
+    """Derive the insole of a foot from its design: base, pads, check.
+
+    Parameters
+    ----------
+    foot, design, progress
+    base_of
+        Gives the contact surface before pads.
 
     Raises
     ------
@@ -51,25 +81,42 @@ def build_insole(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         When the design is for the other side, holds a value out of range, or cannot be built on
         this foot.
     """
+    check_design_for(foot, design)
+    base = base_of(foot, design, progress.part(0.0, 0.9))
+    progress.step(0.9, "Adding pads")
+    insole = Insole(design, foot, apply_pads(base, design), base.measured)
+    problem = material_problem(insole.contact)
+    if problem is not None:
+        raise problem
+    progress.step(1.0, "Insole built")
+    return insole
+
+
+def check_design_for(foot: Foot, design: InsoleDesign) -> None:
+    """Refuse a design for the other foot, or with values out of their range.
+
+    Raises
+    ------
+    DesignError
+    """
     if design.side is not foot.side:
         raise DesignError(
             f"This design is for a {design.side} foot and the scan is of a {foot.side} one;"
             " open the matching scan or mirror the design."
         )
     check_design(design)
-    base = contact_base(foot, design, progress.part(0.0, 0.9))
-    progress.step(0.9, "Adding pads")
-    insole = Insole(design, foot, apply_pads(base, design), base.measured)
-    _check_material(insole.contact)
-    progress.step(1.0, "Insole built")
-    return insole
 
 
-def _check_material(contact: HeightField) -> None:
+def material_problem(contact: HeightField) -> DesignError | None:
+    """Say where an insole would be too thin to be made; None where it is thick enough everywhere.
+
+    Quick enough to be asked at every step of a drag.
+    """
     row, column = np.unravel_index(contact.heights_mm.argmin(), contact.heights_mm.shape)
     lowest = contact.heights_mm[row, column]
-    if lowest < LEAST_MATERIAL_MM:
-        raise DesignError(
-            f"The insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
-            f" y = {contact.y_mm[row]:.0f} mm; raise the thickness or make the recess shallower."
-        )
+    if lowest >= LEAST_MATERIAL_MM:
+        return None
+    return DesignError(
+        f"The insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
+        f" y = {contact.y_mm[row]:.0f} mm; raise the thickness or make the recess shallower."
+    )

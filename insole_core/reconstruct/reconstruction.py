@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
 
 from insole_core.errors import ReconstructionError
@@ -163,6 +163,9 @@ class _Fused:
         )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
+        return replace(self._fused(parts, progress), depth_views=tuple(p.measured for p in parts))
+
+    def _fused(self, parts: list[PreparedView], progress: Progress) -> Surface:
         show = self.on_preview
         if show is None:
             return fuse(parts, progress)
@@ -211,6 +214,7 @@ class _Chain(Generic[_Part]):
             self.clock.seconds,
             surface.deviation_mm,
             coverage,
+            surface.depth_views,
         )
 
     def _place(self, view: View) -> tuple[_Part, ViewResult]:

@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
 from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
 
@@ -108,11 +109,15 @@ class Surface:
     view_gaps_mm : (views, views, 3) float64, reference frame, optional
         How far the foot seems to have moved from each used view to each other; NaN where too
         little was seen by both.
+    depth_views
+        What it was made of: of every used view what lies in the volume of interest. Of the fused
+        method only.
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray | None = None
     view_gaps_mm: FloatArray | None = None
+    depth_views: tuple[DepthView, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +137,8 @@ class Reconstruction:
         Standard deviation of every vertex along the surface's normal; not for the thesis's chain.
     coverage
         Share of every region of the foot that has a surface, 0 to 1.
+    depth_views
+        Of every used view what lies in the volume of interest; not for the thesis's chain.
     """
 
     mesh: TriangleMesh
@@ -140,6 +147,7 @@ class Reconstruction:
     seconds: dict[str, float]
     deviation_mm: FloatArray | None = None
     coverage: dict[str, float] = field(default_factory=dict)
+    depth_views: tuple[DepthView, ...] = ()
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:

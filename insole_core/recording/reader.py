@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -18,6 +20,7 @@ from insole_core.recording.sensor_json import DEPTH_SIZE, correction_name, parse
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.store import FolderStore, Store, ZipStore
 from insole_core.sensing.correction import DisparityCorrection, parse_correction
+from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _GREY, _RGB = 0, 2
 
@@ -39,8 +42,8 @@ def read_session(path: Path) -> Session:
             "or zip archive of a session."
         )
     manifest = parse_manifest("manifest.json", store.read("manifest.json"))
-    views = tuple(_view(store, name, manifest) for name in manifest.views)
-    return Session(manifest, views, str(path), _edits(store, path, manifest))
+    views = [_view(store, name, manifest) for name in manifest.views]
+    return Session(manifest, _with_shared_cameras(views), str(path), _edits(store, path, manifest))
 
 
 def is_session(path: Path) -> bool:
@@ -65,6 +68,16 @@ def _edits(store: Store, path: Path, manifest: Manifest) -> HandEdits:
     if EDITS in store.names():
         return parse_edits(EDITS, store.read(EDITS), manifest)
     return NO_EDITS
+
+
+def _with_shared_cameras(views: Iterable[View]) -> tuple[View, ...]:
+    """Let views of one device share its depth camera, which keeps the rays of its pixels."""
+    known: dict[PinholeCamera, PinholeCamera] = {}
+    shared = []
+    for view in views:
+        camera = known.setdefault(view.sensor.depth_camera, view.sensor.depth_camera)
+        shared.append(replace(view, sensor=replace(view.sensor, depth_camera=camera)))
+    return tuple(shared)
 
 
 def _view(store: Store, name: str, manifest: Manifest) -> View:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property
 
 import numpy as np
 
@@ -80,12 +80,11 @@ class PinholeCamera:
 
     def pixel_rays(self) -> FloatArray:
         """(height, width, 2) normalised coordinates of every pixel centre; not to be changed."""
-        return _pixel_rays(self)
+        return self._pixel_rays
 
-
-@lru_cache(maxsize=8)
-def _pixel_rays(camera: PinholeCamera) -> FloatArray:
-    v, u = np.mgrid[: camera.height, : camera.width].astype(float)
-    rays = camera.normalised(np.stack([u, v], axis=-1))
-    rays.setflags(write=False)
-    return rays
+    @cached_property
+    def _pixel_rays(self) -> FloatArray:
+        v, u = np.mgrid[: self.height, : self.width].astype(float)
+        rays = self.normalised(np.stack([u, v], axis=-1))
+        rays.setflags(write=False)
+        return rays

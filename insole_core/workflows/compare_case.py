@@ -28,9 +28,8 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.solid import insole_solid
+from insole_core.workflows.insole_builder import InsoleBuilder
 
 REPORT_SUFFIXES = (".pdf", ".json", ".png", ".ply")
 
@@ -86,7 +85,8 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
     name = f"{foot.side} {wanted.kind}"
     if wanted.kind == "foot":
         return ComparisonSource(name, foot.foot.mesh)
-    return ComparisonSource(name, insole_solid(build_insole(foot.foot, foot.design, progress)))
+    _, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
+    return ComparisonSource(name, solid)
 
 
 def compare_sources(

@@ -2,31 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
-from insole_core.cases.case_record import ScanSource
 from insole_core.errors import UsageError
-from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct import reconstruct
-from insole_core.recording.reader import is_session, read_session
-from insole_core.recording.session import Session
-
-MANIFEST = "manifest.json"
-
-
-@dataclass(frozen=True, eq=False)
-class ScannedFoot:
-    """A foot and where it came from; `warnings` are sentences for the user."""
-
-    foot: Foot
-    source: ScanSource
-    warnings: tuple[str, ...] = ()
+from insole_core.recording.reader import is_session
+from insole_core.workflows.make_foot import make_foot, open_session
+from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
 def open_scan(
@@ -57,38 +43,15 @@ def open_scan(
     return scanned
 
 
-def change_of_source(source: ScanSource) -> str:
-    """Say in a sentence what has become of a scan since it was read; empty when nothing has."""
-    path = Path(source.path)
-    if not path.is_absolute():
-        return ""  # a case that was made elsewhere, as the example
-    try:
-        if _sha256(_signed_file(path)) == source.sha256:
-            return ""
-    except OSError:
-        return (
-            f"The scan {path} is not there any more, or cannot be read; the case holds its own"
-            " copy of the foot, so the work can go on."
-        )
-    return (
-        f"The scan {path} has changed since this case was made; the case keeps the foot as it was,"
-        " open the scan again if the new one is wanted."
-    )
-
-
 def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
-    progress.step(0.0, "Reading the session")
-    session = read_session(path)
-    recorded = session.manifest.side
+    opened = open_session(path, progress)
+    recorded = opened.session.manifest.side
     if side not in (None, recorded):
         raise UsageError(
             f"The {side} foot is asked for, by --side, --other or the prescription, but {path} "
             f"was recorded as the {recorded} foot; correct the call."
         )
-    result = reconstruct(session, "fused", progress.part(0.05, 0.9))
-    progress.step(0.9, "Finding heel and toes")
-    foot = place_foot(result.mesh, recorded, frame="reference", force=force)
-    return ScannedFoot(foot, session_source(path, session), tuple(result.warnings))
+    return make_foot(opened, progress=progress.part(0.05, 1.0), force=force).scan
 
 
 def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
@@ -98,23 +61,4 @@ def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -
     read = read_mesh(path)
     progress.step(0.3, "Finding the pose of the foot")
     foot = place_foot(read.mesh, side, frame="unknown", force=force)
-    return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), _source("mesh", path))
-
-
-def session_source(path: Path, session: Session) -> ScanSource:
-    """Say of a foot that it comes from a session."""
-    return _source("session", path, session.manifest.recorded_at)
-
-
-def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:
-    return ScanSource(kind, str(path.resolve()), _sha256(_signed_file(path)), recorded_at)
-
-
-def _signed_file(path: Path) -> Path:
-    """Give the file whose bytes stand for a scan."""
-    return path / MANIFEST if path.is_dir() else path
-
-
-def _sha256(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+    return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), mesh_source(path))

@@ -11,7 +11,7 @@ from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.session import Box
 from insole_core.workflows.history import History
-from insole_core.workflows.reconstruction_job import MeasuredSession
+from insole_core.workflows.make_foot import MeasuredSession
 
 
 class SessionEditor:

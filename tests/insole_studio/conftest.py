@@ -21,7 +21,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
-from insole_studio.app.scripted import ScriptedWindow
+from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.services.questions import Answer, SameSide
 from insole_studio.user_paths import UserPaths
@@ -189,6 +189,18 @@ def settle(qtbot: QtBot, app: Application) -> Callable[[], None]:
         qtbot.waitUntil(lambda: not app.jobs.is_running(), timeout=20_000)
 
     return wait
+
+
+@pytest.fixture
+def export(app: Application, questions: CannedQuestions) -> Callable[[Path], Path]:
+    """Order at the export stage what it offers, and give the one file of the solid."""
+
+    def order(path: Path) -> Path:
+        questions.path = path
+        (written,) = export_at_stage(app)
+        return written
+
+    return order
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from types import TracebackType
 
 from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QImage, QPainter
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
@@ -20,6 +20,7 @@ from insole_studio.app.bootstrap import (
     qt_application,
 )
 from insole_studio.app.scripted_answers import AnsweredQuestions, ScriptedAnswers
+from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
@@ -87,10 +88,20 @@ class ScriptedWindow:
         case.select(pad.id)
         self.settle()
 
-    def export(self, path: Path) -> None:
-        """Write the STL file."""
-        self.app.features.export.export_to(path)
-        self.settle()
+    def export(self, path: Path) -> tuple[Path, ...]:
+        """Order at the export stage what it offers, under the name of a path.
+
+        Returns
+        -------
+        The files of the solids, whose names say the side.
+
+        Raises
+        ------
+        OutputError
+            When nothing was written; the sentence is that of the stage.
+        """
+        self.answers.path = path
+        return export_at_stage(self.app)
 
     def save(self, path: Path) -> None:
         """Write the case file."""
@@ -105,12 +116,44 @@ class ScriptedWindow:
 
     def settle(self) -> None:
         """Wait until all work is done and shown."""
-        self._qt.processEvents()
-        while self.app.jobs.is_running():
-            loop = QEventLoop()
-            self.app.jobs.ended.connect(loop.quit)
-            loop.exec()
-        self._qt.processEvents()
+        wait_for(self.app.jobs)
+
+
+def wait_for(jobs: Jobs) -> None:
+    """Wait until all jobs have answered and what they answered is shown."""
+    QApplication.processEvents()
+    while jobs.is_running():
+        loop = QEventLoop()
+        jobs.ended.connect(loop.quit)
+        loop.exec()
+    QApplication.processEvents()
+
+
+def export_at_stage(app: Application) -> tuple[Path, ...]:
+    """Open the export stage, order what it offers, and close it; return the files of the solids.
+
+    The window's questions have to answer where to.
+
+    Raises
+    ------
+    OutputError
+        When nothing was written; the sentence is that of the stage.
+    """
+    app.features.export.open()
+    stage = app.features.export.stage
+    assert stage is not None
+    written: list[Path] = []
+    stage.exported.connect(lambda _record, paths: written.extend(paths))
+    wait_for(stage.jobs)
+    stage.view.export.click()
+    wait_for(stage.jobs)
+    sentence = stage.view.error.text()
+    stage.close()
+    app.window.activateWindow()  # as a window manager does when another window is gone
+    wait_for(app.jobs)
+    if not written:
+        raise OutputError(sentence or "Nothing was exported, because a check does not allow it.")
+    return tuple(written)
 
 
 def grab_window(app: Application) -> QImage:

@@ -46,19 +46,20 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
     from insole_core.foot.side_check import side_doubt
-    from insole_core.reconstruct import RegistrationLimits, reconstruct, report_json
-    from insole_core.recording.reader import read_session
+    from insole_core.reconstruct import RegistrationLimits, report_json
+    from insole_core.workflows.make_foot import open_session, reconstruct_session
 
     with ExitStack() as outputs:
         foot_file = outputs.enter_context(replacing_file(arguments.out))
         report = arguments.report and outputs.enter_context(replacing_file(arguments.report))
-        progress.step(0.0, "Reading the session")
-        session = read_session(arguments.session)
+        opened = open_session(arguments.session, progress)
         limits = RegistrationLimits(**_given_limits(arguments))
-        result = reconstruct(session, arguments.method, progress.part(0.1, 0.9), limits)
+        result = reconstruct_session(
+            opened, limits, progress.part(0.1, 0.9), method=arguments.method
+        )
         progress.step(0.9, "Writing the foot")
         write_ply(result.mesh, foot_file)
-        doubt = side_doubt(result.mesh, session.manifest.side)
+        doubt = side_doubt(result.mesh, opened.session.manifest.side)
         result = replace(result, warnings=(*result.warnings, *filter(None, [doubt])))
         for warning in result.warnings:
             print(f"Warning: {warning}", file=sys.stderr)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -15,11 +14,10 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.progress import Progress
-from insole_core.solids.solid import insole_solid
+from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.jobs import Jobs
@@ -64,13 +62,15 @@ class SideBySide(QObject):
     changed = Signal()
     failed = Signal(str)
 
-    def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:
+    def __init__(
+        self, case: Case, jobs: Jobs, builder: InsoleBuilder, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
+        self._builder = builder
         self._case = case
         self._jobs = jobs
         self._against = ""
         self._last_chosen: tuple[Side, str] | None = None
-        self._soles: WeakKeyDictionary[Foot, HeightField] = WeakKeyDictionary()
         self._laid: tuple[object, Built, FloatArray] | None = None
         self.kind = Beside.NOTHING
         self.built: Built | None = None
@@ -116,9 +116,7 @@ class SideBySide(QObject):
 
     def sole_of(self, foot: Foot) -> HeightField:
         """Give the heights of a foot as seen from below; kept, as they take a while."""
-        if foot not in self._soles:
-            self._soles[foot] = sole_heights(foot)
-        return self._soles[foot]
+        return foot.derived.get("heights from below", (), lambda: sole_heights(foot))
 
     def _refresh(self) -> None:
         self._note_chosen()
@@ -155,9 +153,8 @@ class SideBySide(QObject):
 
     def _build(self, foot: Foot, design: InsoleDesign) -> None:
         def build(progress: Progress) -> Built:
-            insole = build_insole(foot, design, progress.part(0.0, 0.7))
-            progress.step(0.7, "Trimming the insole")
-            return Built(foot, design, insole.contact, insole_solid(insole), self.sole_of(foot))
+            insole, solid = self._builder.solid(foot, design, progress)
+            return Built(foot, design, insole.contact, solid, self.sole_of(foot))
 
         def take(built: Built) -> None:
             self.built = built

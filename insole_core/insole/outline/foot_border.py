@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d, grey_closing
@@ -39,14 +38,9 @@ class Border:
     outward: FloatArray
 
 
-_borders: WeakKeyDictionary[Foot, Border] = WeakKeyDictionary()
-
-
 def foot_border(foot: Foot) -> Border:
-    """Find the border of what lies less than 30 mm above the ground; kept for each foot."""
-    if foot not in _borders:
-        _borders[foot] = _find(foot)
-    return _borders[foot]
+    """Find the border of what lies less than 30 mm above the ground; kept with the foot."""
+    return foot.derived.get("border", (), lambda: _find(foot))
 
 
 def _find(foot: Foot) -> Border:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -32,9 +30,6 @@ _STEEPEST, _SHORTEST = 0.5, 0.35
 _BOW, _FRONT_POINTS = 0.04, 60
 _ROUNDINGS, _ROUNDING_MM, _EVENING_MM, _CORNER_MM = 6, 6.0, 2.0, (25.0, 45.0)
 _HANDLES = 36  # places by which a drawn outline begins
-
-_kept: WeakKeyDictionary[Foot, dict[str, tuple[object, FloatArray]]] = WeakKeyDictionary()
-"""The last outline of a foot in either extent: it is asked for with every change of a design."""
 
 
 def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> FloatArray:
@@ -78,7 +73,8 @@ def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[
 
 def _full(foot: Foot, outline: Outline) -> FloatArray:
     """The outline about the whole foot, medial = +x."""
-    return _keep(foot, "full", replace(outline, extent="full"), lambda: _about_foot(foot, outline))
+    key = replace(outline, extent="full")
+    return foot.derived.get("full outline", key, lambda: _about_foot(foot, outline))
 
 
 def _about_foot(foot: Foot, outline: Outline) -> FloatArray:
@@ -117,7 +113,9 @@ def _three_quarter(
     """What of the whole outline lies behind the heads, in a slight bow, its corners rounded."""
     heads = np.array([landmarks[name].point[:2] for name in HEADS]) * [foot.side.medial_sign, 1.0]
     key = outline, heads.tobytes()
-    return _keep(foot, "three_quarter", key, lambda: _shortened(whole, heads, foot.length_mm))
+    return foot.derived.get(
+        "three-quarter outline", key, lambda: _shortened(whole, heads, foot.length_mm)
+    )
 
 
 def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatArray:
@@ -152,14 +150,6 @@ def _rounded(curve: FloatArray, *corners: FloatArray) -> FloatArray:
         curve = curve + rounding[:, None] * (smoothed_along(curve, _ROUNDING_MM) - curve)
         curve = evenly_spread(curve, len(curve))
     return smoothed_along(curve, _EVENING_MM)
-
-
-def _keep(foot: Foot, extent: str, key: object, make: Callable[[], FloatArray]) -> FloatArray:
-    """The last outline of a foot in an extent, or a new one."""
-    kept = _kept.setdefault(foot, {})
-    if extent not in kept or kept[extent][0] != key:
-        kept[extent] = key, make()
-    return kept[extent][1]
 
 
 def _turns_left(points: FloatArray) -> bool:

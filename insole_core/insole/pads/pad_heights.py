@@ -8,7 +8,6 @@ the outline nothing changes, and at the apex the height is exactly the one asked
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from scipy.ndimage import gaussian_filter, map_coordinates
@@ -18,6 +17,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.pads.pad_shapes import DOMED, is_seen_whole, local_outline, pad2insole
 from insole_core.insole.prescription.corrections import Pelott
 from insole_core.insole.surface.blending import smooth_step
+from insole_core.memo import Memo
 
 _PLATEAU = 0.5  # share of the way to the outline that the window of a dome leaves untouched
 _WIDEST_EDGE = 0.95  # share of the way to the outline that the edge may take
@@ -27,6 +27,12 @@ _DEPTH_CELLS = 160
 _ROUNDING = 0.05  # of the greatest depth: over this way the creases of the depth are rounded
 _AROUND = 1.25  # the grid goes on so far beyond the outline, or its edge would lean on the rounding
 _OUTLINE_PITCH = 0.2  # of a cell
+
+_fields = Memo(16)
+"""What is known of an outline, wherever its pad lies: moving and turning a pad is cheap by it.
+
+It belongs to the shapes of a clinic's pads, as the outlines do; at most 6 MB.
+"""
 
 
 def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
@@ -76,7 +82,8 @@ def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
 
 def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
     """1 round the apex, 0 from the outline on, along rays from the apex."""
-    angle, radius = _polar_outline(local_outline(pad).tobytes())
+    outline = local_outline(pad)
+    angle, radius = _fields.get("polar", outline.tobytes(), lambda: _polar_outline(outline))
     x, y = local[..., 0], local[..., 1]
     reach = np.interp(np.arctan2(y, x), angle, radius)
     share = np.hypot(x, y) / reach
@@ -86,10 +93,9 @@ def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
     return 1 - smooth_step((share - 1) / edge, -1.0, 0.0)
 
 
-@lru_cache(maxsize=64)
-def _polar_outline(outline: bytes) -> tuple[FloatArray, FloatArray]:
+def _polar_outline(outline: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Angles from -pi to pi, in order, and the distance of the outline there."""
-    x, y = np.frombuffer(outline).reshape(-1, 2).T
+    x, y = outline.T
     angle = np.arctan2(y, x)
     order = np.argsort(angle)
     angle, radius = angle[order], np.hypot(x, y)[order]
@@ -99,13 +105,14 @@ def _polar_outline(outline: bytes) -> tuple[FloatArray, FloatArray]:
 
 def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
     """1 deep inside, 0 from the outline on, by the distance from the outline."""
-    depth = _depth(local_outline(pad).tobytes())
+    outline = local_outline(pad)
+    depth = _fields.get("depth", outline.tobytes(), lambda: _depth(outline))
     if pad.blend_mm is not None:
         edge = pad.blend_mm
     elif pad.shape in DOMED:
         edge = np.inf
     else:
-        edge = _FLAT_EDGE * float(np.ptp(local_outline(pad)[:, 0]))
+        edge = _FLAT_EDGE * float(np.ptp(outline[:, 0]))
     whole = depth.deepest_mm if pad.shape == "horseshoe" else depth.at_apex_mm
     edge = min(edge, _WIDEST_EDGE * (whole - _INSET_MM))
     return smooth_step(depth.at(local), _INSET_MM, _INSET_MM + edge)
@@ -145,10 +152,8 @@ class _Depth:
         return np.asarray(distance.reshape(local.shape[:-1]))
 
 
-@lru_cache(maxsize=16)
-def _depth(outline: bytes) -> _Depth:
-    """Distance field of an outline: kept, so that moving and turning a pad is cheap."""
-    curve = np.frombuffer(outline).reshape(-1, 2)
+def _depth(curve: FloatArray) -> _Depth:
+    """Distance field of an outline."""
     # Symmetric about the apex, so that a mirrored outline has the mirrored field.
     reach = np.abs(curve).max(axis=0)
     step = float(2 * reach.max() / _DEPTH_CELLS)

@@ -6,14 +6,13 @@ data (resources/pads/library.json); shapes are code, so that a prescription can 
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.outline_curve import closed_curve, inside_curve
 from insole_core.insole.pads.egg_curve import egg_curve
 from insole_core.insole.prescription.corrections import Pelott, Place
+from insole_core.memo import Memo
 
 PAD_SHAPES = (
     "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
@@ -27,11 +26,15 @@ _LEG_SHARE = 0.3  # breadth of a horseshoe's leg against the width
 _POINTS = 720
 _TIP_POINTS = 24
 
+_outlines = Memo(64)
+"""They belong to the shapes of a clinic's pads, which all its cases share, and are 23 kB each."""
+
 
 def local_outline(pad: Pelott) -> FloatArray:
     """Outline (n, 2) about the apex, not turned; shared, not to be written to."""
     ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
-    return _outline(pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm)
+    key = pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm
+    return _outlines.get("outline", key, lambda: _outline(*key))
 
 
 def pad2insole(pad: Pelott) -> FloatArray:
@@ -52,7 +55,6 @@ def encloses_centre(pad: Pelott) -> bool:
     return bool(inside_curve(local_outline(pad), np.zeros(2)))
 
 
-@lru_cache(maxsize=64)
 def _outline(
     shape: str,
     length_mm: float,

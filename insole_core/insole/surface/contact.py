@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, TypeAlias
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from scipy.ndimage import convolve, distance_transform_edt, gaussian_filter
@@ -29,6 +29,7 @@ from insole_core.insole.surface.heel import cupped, lifted, skived
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
+from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 
 _FACING = -0.42  # z of a normal that still counts as plantar: walls up to 65 degrees
@@ -42,6 +43,7 @@ _NEIGHBOURS = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], np.int8)
 _RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
 _WIDENING_MM = 10.0
 _OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
+_KEPT_SHAPES = 32  # twice the corrections of a rich prescription
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,11 +58,15 @@ class ContactBase:
         Nodes where the foot was measured; the others continue it smoothly.
     arch_apex_mm
         Place (x, y) of the foot's own medial arch, where it is highest.
+    shapes
+        What corrections add on this grid: kept for those that stand still while another one is
+        dragged.
     """
 
     surface: HeightField
     measured: BoolArray
     arch_apex_mm: Place
+    shapes: Memo = field(default_factory=lambda: Memo(_KEPT_SHAPES), repr=False)
 
 
 @dataclass(frozen=True)
@@ -81,8 +87,6 @@ class _Grid:
 
 BaseKey: TypeAlias = tuple[Any, ...]
 _SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
-_soles: WeakKeyDictionary[Foot, tuple[BaseKey, ContactBase]] = WeakKeyDictionary()
-"""The sole of a foot as it was last sampled: it stays the same while corrections change."""
 
 
 def base_key(design: InsoleDesign) -> BaseKey:
@@ -117,44 +121,43 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """
     sole = sole_surface(foot, design, progress.part(0.0, 0.8))
     progress.step(0.8, "Turning the foot and shaping the heel")
-    field, length = sole.surface, foot.length_mm
-    field = replace(field, heights_mm=posted(field, sole.measured, design, length))
+    surface, length = sole.surface, foot.length_mm
+    surface = replace(surface, heights_mm=posted(surface, sole.measured, design, length))
     shaping = [c for c in design.active if isinstance(c, _SHAPING)]
     for c in sorted(shaping, key=lambda c: _SHAPING.index(type(c))):
         if isinstance(c, HeelSkive):
-            heights = skived(field, sole.measured, c, foot.side, length)
+            heights = skived(surface, sole.measured, c, foot.side, length)
         elif isinstance(c, HeelLift):
-            heights = lifted(field, c, length)
+            heights = lifted(surface, c, length)
         elif isinstance(c, HeelCup):
-            heights = cupped(field, sole.measured, c, length)
+            heights = cupped(surface, sole.measured, c, length)
         else:
             continue
-        field = replace(field, heights_mm=heights)
-    up = design.least_thickness_mm - field.heights_mm.min()
-    return replace(sole, surface=replace(field, heights_mm=field.heights_mm + up))
+        surface = replace(surface, heights_mm=heights)
+    up = design.least_thickness_mm - surface.heights_mm.min()
+    return replace(sole, surface=replace(surface, heights_mm=surface.heights_mm + up))
 
 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
-    """Give the plantar surface of the level foot on the design's grid; the last one is kept.
+    """Give the plantar surface of the level foot on the design's grid; kept with the foot.
 
     Heights are over the foot's ground, z = 0 of the insole frame.
     """
-    grid = _grid_around(foot, design)
-    key = grid, design.max_height_mm
-    kept = _soles.get(foot)
-    if kept is not None and kept[0] == key:
-        return kept[1]
+    grid, highest_mm = _grid_around(foot, design), design.max_height_mm
+    sample = partial(_sampled_sole, foot, grid, highest_mm, progress)
+    return foot.derived.get("sole", (grid, highest_mm), sample)
+
+
+def _sampled_sole(foot: Foot, grid: _Grid, max_height_mm: float, progress: Progress) -> ContactBase:
     progress.step(0.2, "Laying the grid over the sole")
-    heights, known = _snap(foot.mesh, grid, design.max_height_mm)
+    heights, known = _snap(foot.mesh, grid, max_height_mm)
     known = _without_fringe(known, grid.step_mm)
     progress.step(0.7, "Continuing the surface to the edges")
     row, column = grid.first
     heights = _with_even_rim(fill(heights, known, grid.first), known, grid.step_mm)
-    field = HeightField(column * grid.step_mm, row * grid.step_mm, grid.step_mm, heights)
+    sole = HeightField(column * grid.step_mm, row * grid.step_mm, grid.step_mm, heights)
     apex = find_landmarks(foot)["arch_apex"].point
-    sole = ContactBase(field, known, (float(apex[0]), float(apex[1])))
-    _soles[foot] = key, sole
-    return sole
+    return ContactBase(sole, known, (float(apex[0]), float(apex[1])))
 
 
 def _grid_around(foot: Foot, design: InsoleDesign) -> _Grid:

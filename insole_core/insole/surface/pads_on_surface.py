@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -202,7 +201,7 @@ def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Wind
 
 def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Window) -> None:
     """Change the heights of a window in place."""
-    reach, shape = _shape(correction, base.arch_apex_mm, _Grid.of(base.surface))
+    reach, shape = _shape(correction, base)
     common = reach.common(window)
     if common.is_empty:
         return
@@ -216,7 +215,7 @@ def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Windo
 
 def _reach(base: ContactBase, correction: Added) -> Window:
     """The nodes that a correction may change, or for smoothing looks at."""
-    return _shape(correction, base.arch_apex_mm, _Grid.of(base.surface))[0]
+    return _shape(correction, base)[0]
 
 
 @dataclass(frozen=True)
@@ -243,12 +242,15 @@ class _Grid:
         )
 
 
-@lru_cache(maxsize=64)
-def _shape(correction: Added, arch_apex_mm: Place, grid: _Grid) -> tuple[Window, FloatArray]:
-    """What a correction adds, or how much its stroke weighs, where it reaches.
+def _shape(correction: Added, base: ContactBase) -> tuple[Window, FloatArray]:
+    """What a correction adds, or how much its stroke weighs, where it reaches; kept by the base."""
+    grid = _Grid.of(base.surface)
+    return base.shapes.get(
+        "shape", correction, lambda: _laid_on(grid, correction, base.arch_apex_mm)
+    )
 
-    Kept for the corrections that stand still while another one is dragged.
-    """
+
+def _laid_on(grid: _Grid, correction: Added, arch_apex_mm: Place) -> tuple[Window, FloatArray]:
     if isinstance(correction, BrushStroke):
         radius = correction.radius_mm * (1 + (HALO if correction.mode == "smooth" else 0.0))
         points = np.array(correction.points_mm)

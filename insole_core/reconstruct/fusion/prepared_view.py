@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.matching_error import without_matching_error
@@ -20,6 +20,8 @@ class PreparedView:
 
     Parameters
     ----------
+    measured
+        The view as it was cut out of the depth image.
     reading
         Without what lies beside the foot's outline, and without the error of the sensor's matching.
     outline
@@ -30,6 +32,7 @@ class PreparedView:
         The outline between the pixels; None where it is not certain.
     """
 
+    measured: DepthView
     reading: DepthView
     outline: Silhouette | None
     depth: SmoothDepth
@@ -49,4 +52,5 @@ def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
     within = within_outline(reading, outline)
     corrected = within if exact else without_matching_error(within)
     rim = None if outline is None else find_occluding_contour(corrected, outline)
-    return PreparedView(corrected, outline, smooth_depth(corrected), rim)
+    # A copy, so that what was derived from the reading on the way here is not kept with it.
+    return PreparedView(replace(reading), corrected, outline, smooth_depth(corrected), rim)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,7 +33,7 @@ class ViewConsistency:
     spread_mm: FloatArray
 
 
-def view_consistency(mesh: TriangleMesh, readings: list[DepthView]) -> ViewConsistency:
+def view_consistency(mesh: TriangleMesh, readings: Iterable[DepthView]) -> ViewConsistency:
     """Compare the views with each other on a mesh.
 
     Parameters

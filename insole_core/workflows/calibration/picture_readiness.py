@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -22,6 +22,7 @@ from insole_core.calibration.walls.captures import WallCapture, read_captures
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.steps import COLOR, board_pictures, has_infrared
@@ -82,48 +83,59 @@ class Readiness:
         return sum(look.usable for look in self.looks)
 
 
-def inspect_boards(folder: Path, kind: str, board: Board, progress: Progress = SILENT) -> Readiness:
+def inspect_boards(
+    folder: Path, kind: str, board: Board, memo: Memo, progress: Progress = SILENT
+) -> Readiness:
     """Look for the board in every picture of a kind.
+
+    Parameters
+    ----------
+    folder, kind, board
+    memo
+        Keeps what was seen: a folder grows while pictures are taken, and each is looked at once.
+    progress
 
     Raises
     ------
     InputError
         When the folder or a picture cannot be read.
     """
-    looks, sightings = _look_at_boards(folder, kind, board, progress)
+    looks, sightings = _look_at_boards(folder, kind, board, memo, progress)
     return Readiness(looks, _missing_boards(sightings), count_corners(sightings))
 
 
-def inspect_pairs(folder: Path, board: Board, progress: Progress = SILENT) -> Readiness:
+def inspect_pairs(folder: Path, board: Board, memo: Memo, progress: Progress = SILENT) -> Readiness:
     """Look for the board in every colour picture of a folder that has depth or infrared as well.
+
+    Parameters
+    ----------
+    folder, board, memo, progress
+        As for `inspect_boards`.
 
     Raises
     ------
     InputError
         When the folder or a picture cannot be read.
     """
-    looks, sightings = _look_at_boards(folder, COLOR, board, progress)
+    looks, sightings = _look_at_boards(folder, COLOR, board, memo, progress)
     each = EACH_WITH_INFRARED if has_infrared(folder) else EACH_WITH_DEPTH
     return Readiness(looks, _missing_pairs(sightings, each), count_corners(sightings))
 
 
 def _look_at_boards(
-    folder: Path, kind: str, board: Board, progress: Progress
+    folder: Path, kind: str, board: Board, memo: Memo, progress: Progress
 ) -> tuple[tuple[PictureInspection, ...], list[BoardDetection]]:
     paths = board_pictures(folder, kind)
     found: list[tuple[PictureInspection, BoardDetection | None]] = []
     for done, path in enumerate(paths):
         progress.step(done / len(paths), f"Looking at {path.name}")
-        found.append(_look_at_file(path, path.stat().st_mtime_ns, board))
+        key = path, path.stat().st_mtime_ns, board
+        found.append(memo.get("board", key, partial(_look_at_file, path, board)))
     sightings = [sighting for _, sighting in found if sighting is not None]
     return tuple(look for look, _ in found), sightings
 
 
-@lru_cache(maxsize=128)
-def _look_at_file(
-    path: Path, _changed_ns: int, board: Board
-) -> tuple[PictureInspection, BoardDetection | None]:
-    """Look once: a folder grows while pictures are taken."""
+def _look_at_file(path: Path, board: Board) -> tuple[PictureInspection, BoardDetection | None]:
     return look_at_board(path.name, read_grey(path), board)
 
 

@@ -9,7 +9,8 @@ from insole_core.errors import UsageError
 from insole_core.export.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.workflows.open_scan import change_of_source, open_scan
+from insole_core.workflows.open_scan import open_scan
+from insole_core.workflows.scanned_foot import change_of_source
 
 
 @pytest.fixture(scope="module")

@@ -29,10 +29,11 @@ def test_the_whole_journey_by_program(
         studio.open(small_session)
         assert studio.app.case.side is Side.LEFT
         studio.place_pelott(2.0, 150.0)
-        studio.export(tmp_path / "insole.stl")
+        (insole,) = studio.export(tmp_path / "insole.stl")
         studio.save(tmp_path / "case.insole")
         studio.screenshot(tmp_path / "window.png")
-    assert (tmp_path / "insole.stl").stat().st_size > 1e6
+    assert insole == tmp_path / "insole-left.stl"
+    assert insole.stat().st_size > 1e6
     design = read_case(tmp_path / "case.insole").design
     assert design is not None
     assert len(design.corrections) == 1

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import Patient, ScanSource
+from insole_core.errors import OutputError
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
@@ -22,6 +23,7 @@ from insole_studio.services.questions import Answer
 from insole_studio.widgets.error_dialog import ErrorDialog
 
 Settle = Callable[[], None]
+Export = Callable[[Path], Path]
 
 
 def add_pelott(app: Application) -> Pelott:
@@ -61,22 +63,21 @@ def test_the_title_says_what_is_open_and_unsaved(
     assert opened.window.windowTitle().startswith("anna")
 
 
-def test_export_writes_a_closed_block(opened: Application, settle: Settle, tmp_path: Path) -> None:
+def test_export_writes_a_closed_insole(opened: Application, export: Export, tmp_path: Path) -> None:
     add_pelott(opened)
-    opened.features.export.export_to(tmp_path / "insole.stl")
-    settle()
-    size = (tmp_path / "insole.stl").stat().st_size
+    written = export(tmp_path / "insole.stl")
+    assert written == tmp_path / "insole-left.stl"
+    size = written.stat().st_size
     assert size > 84
     assert (size - 84) % 50 == 0
 
 
-def test_export_to_nowhere_is_one_sentence_in_a_dialog(
-    opened: Application, settle: Settle, tmp_path: Path
+def test_export_to_nowhere_is_one_sentence(
+    opened: Application, export: Export, tmp_path: Path
 ) -> None:
-    opened.features.export.export_to(tmp_path / "missing" / "insole.stl")
-    settle()
-    (dialog,) = opened.services.messages.dialogs
-    assert "its folder does not exist" in dialog.text()
+    with pytest.raises(OutputError, match="its folder does not exist"):
+        export(tmp_path / "missing" / "insole.stl")
+    assert opened.features.export.exported is None
 
 
 def test_what_is_neither_case_nor_scan_is_refused(app: Application, tmp_path: Path) -> None:

@@ -187,7 +187,7 @@ def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> Non
 
 @pytest.mark.slow
 def test_variants_are_made_named_chosen_and_deleted(
-    opened: Application, settle: Settle, tmp_path: Path
+    opened: Application, settle: Settle, export: Callable[[Path], Path], tmp_path: Path
 ) -> None:
     pad = add_pad(opened)
     duplicate = [
@@ -205,13 +205,11 @@ def test_variants_are_made_named_chosen_and_deleted(
     settle()
     assert opened.case.record.current.chosen == "A"
     assert design(opened).corrections == (pad,)
-    opened.features.export.export_to(tmp_path / "a.stl")
-    settle()
+    first = export(tmp_path / "a.stl")
     press(opened, Qt.Key.Key_V)
     settle()
-    opened.features.export.export_to(tmp_path / "higher.stl")
-    settle()
-    assert (tmp_path / "a.stl").read_bytes() != (tmp_path / "higher.stl").read_bytes()
+    higher = export(tmp_path / "higher.stl")
+    assert first.read_bytes() != higher.read_bytes()
     act(opened, "variant_delete")
     assert opened.case.record.current.chosen == "A"
     press(opened, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

@@ -18,7 +18,7 @@ from insole_core.cases.case_record import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import Pelott
-from insole_core.workflows.open_scan import ScannedFoot
+from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
 from insole_studio.scene.scene_view import SceneView

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag, pixel
+from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.errors import OutputError
+from insole_core.export.ply import write_ply
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design_json import design_to_json
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
+from insole_studio.cli.main import run
 from insole_studio.scene.scene_view import SceneView
 
 
@@ -75,3 +85,52 @@ def test_two_pads_on_one_place_are_warned_of_and_the_warning_leads_there(
 
 def link(label: QLabel) -> str:
     return label.text().split('"')[1]
+
+
+def test_a_recess_deeper_than_the_insole_is_told_while_it_is_dragged(
+    app: Application,
+    settle: Callable[[], None],
+    export: Callable[[Path], Path],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    scan, prescription = tmp_path / "foot.ply", tmp_path / "design.json"
+    shape = FootShape(side=Side.LEFT)
+    write_ply(build_foot(shape, np.random.default_rng(1), cell_mm=3.0).mesh, scan)
+    app.features.case_files.opener.open_path(scan, Side.LEFT)
+    settle()
+    recess = Pelott(centre_mm=(22.0, 115.0), height_mm=-6.0, length_mm=30.0, width_mm=25.0)
+    thin = replace(design(app), thickness_mm=3.0).with_added(recess)
+    app.case.apply(thin, "Add a recess under the arch")
+    app.case.select(recess.id)
+    app.window.actions_by_key["tool_pelott"].trigger()
+    settle()
+    label = app.stage.insole.findChild(QLabel, "warning")
+    assert app.stage.preview.problem == ""
+    assert label.text() == ""
+
+    view = app.stage.foot.scene
+    arch, ball = pixel(view, *recess.centre_mm), pixel(view, 4.0, 180.0)
+    lead(view, arch, ball)  # the button is still held
+    told = app.stage.preview.problem
+    assert "The insole would be only -" in told
+    assert label.text() == told
+    assert label.isVisibleTo(app.stage.insole)
+    QTest.mouseMove(view.surface, arch)
+    QApplication.processEvents()
+    assert app.stage.preview.problem == ""
+    assert not label.isVisibleTo(app.stage.insole)
+    QTest.mouseMove(view.surface, ball)
+    QTest.mouseRelease(view.surface, LEFT, pos=ball)
+    settle()
+    assert app.stage.preview.problem == told
+
+    with pytest.raises(OutputError) as refused:
+        export(tmp_path / "insole.stl")
+    assert str(refused.value) == told
+    prescription.write_text(json.dumps(design_to_json(design(app))), encoding="utf-8")
+    capsys.readouterr()
+    call = ["design", str(scan), "--side", "left", "--prescription", str(prescription)]
+    assert run([*call, "--out", str(tmp_path / "insole.stl")]) != 0
+    assert told in capsys.readouterr().err.splitlines()[-1]
+    assert not list(tmp_path.glob("*.stl"))

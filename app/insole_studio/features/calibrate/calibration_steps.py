@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from insole_core.calibration.boards.board import Board
+from insole_core.memo import Memo
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.camera_step import Which, calibrate_camera_step
@@ -35,7 +36,8 @@ class CalibrationStep:
     title, instruction
         In the language of the window when called.
     inspect, calibrate
-        On a folder, a board and the sensor as it is known so far.
+        On a folder, a board and the sensor as it is known so far; what was seen in pictures is
+        kept in the memo.
     uses_board
         Whether pictures of a board are needed.
     optional
@@ -47,7 +49,7 @@ class CalibrationStep:
     key: str
     title: Callable[[], str]
     instruction: Callable[[], str]
-    inspect: Callable[[Path, Board, Sensor, Progress], Readiness]
+    inspect: Callable[[Path, Board, Sensor, Memo, Progress], Readiness]
     calibrate: Callable[[Path, Board, Sensor, Progress], StepResult]
     uses_board: bool = True
     optional: bool = False
@@ -55,9 +57,9 @@ class CalibrationStep:
 
 
 def _inspect_pictures(
-    kind: str, folder: Path, board: Board, _sensor: Sensor, progress: Progress
+    kind: str, folder: Path, board: Board, _sensor: Sensor, memo: Memo, progress: Progress
 ) -> Readiness:
-    return inspect_boards(folder, kind, board, progress)
+    return inspect_boards(folder, kind, board, memo, progress)
 
 
 def _camera(
@@ -89,7 +91,7 @@ STEPS = (
             "Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture "
             "ten frames at each of six distances from 500 to 1000 mm, a little askew each time."
         ),
-        lambda folder, _board, sensor, progress: inspect_walls(folder, sensor, progress),
+        lambda folder, _board, sensor, _memo, progress: inspect_walls(folder, sensor, progress),
         _distortion,
         uses_board=False,
         live="walls",
@@ -114,7 +116,7 @@ STEPS = (
             "downwards, 600 to 900 mm away and in all parts of the picture: 12 positions to each "
             "side in colour and depth, or 4 to each side in colour and infrared (emitter covered)."
         ),
-        lambda folder, board, _sensor, progress: inspect_pairs(folder, board, progress),
+        lambda folder, board, _sensor, memo, progress: inspect_pairs(folder, board, memo, progress),
         calibrate_stereo_step,
     ),
 )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from insole_core.calibration.boards.board import Board, Chequerboard
 from insole_core.errors import InsoleError
+from insole_core.memo import Memo
 from insole_core.progress import Progress
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.sensor import Sensor
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from insole_studio.features.calibrate.view import CalibrateView
 
 CHANNEL = "calibrate"
+_KEPT_PICTURES = 128
 
 
 class CalibratePresenter:
@@ -59,6 +61,7 @@ class CalibratePresenter:
         self._board = BoardSize()
         self._folder: Path | None = None
         self._readiness: Readiness | None = None
+        self._seen = Memo(_KEPT_PICTURES)
         self._result: StepResult | None = None
         panel.serial_edited.connect(self.choose_serial)
         panel.step_chosen.connect(self.choose_step)
@@ -142,7 +145,7 @@ class CalibratePresenter:
 
         def inspect(progress: Progress) -> Readiness:
             assert sensor is not None
-            return step.inspect(folder, self.board, sensor, progress)
+            return step.inspect(folder, self.board, sensor, self._seen, progress)
 
         self._start(inspect, self._show_readiness)
 

@@ -14,7 +14,8 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
-from insole_core.workflows.open_scan import ScannedFoot, open_scan
+from insole_core.workflows.open_scan import open_scan
+from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.template_transfer import last_design
 from insole_studio.document.autosave import Autosave, Recovered
 from insole_studio.features.case_files.save_actions import SaveActions

@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import unlike_sizes
 from insole_core.progress import Progress
-from insole_core.workflows.open_scan import change_of_source
+from insole_core.workflows.scanned_foot import change_of_source
 from insole_studio.services.app_services import AppServices
 
 CHANNEL = "sources"

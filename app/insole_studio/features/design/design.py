@@ -44,12 +44,12 @@ class Design:
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
     """Construct the panels with what they show, before there is a window to hold them."""
-    section = SectionModel()
+    section, preview = SectionModel(), InsolePreview(case, jobs)
     return DesignStage(
         case=case,
-        surface=InsolePreview(case, jobs),
+        surface=preview,
         section=section,
-        counterpart=SideBySide(case, jobs),
+        counterpart=SideBySide(case, jobs, preview.builder),
         tool_controller=ToolController(case, make_tools(section)),
         pads=load_pads(),
         rules=load_rules(),

@@ -11,12 +11,9 @@ from PySide6.QtCore import Signal
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
-from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
-from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
-from insole_core.workflows.make_order import OrderChoice, make_pieces
 from insole_studio.document.case_name import file_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
@@ -30,7 +27,7 @@ CHANNEL = "export"
 
 
 class ExportActions(StageWindow["ExportStage"]):
-    """Opens the export stage, and writes what needs no questions."""
+    """Opens the export stage, and writes the outline on paper."""
 
     changed = Signal()
     """Something was exported."""
@@ -45,6 +42,7 @@ class ExportActions(StageWindow["ExportStage"]):
 
     def make_stage(self) -> ExportStage:
         """Begin with the clinic's rules and the last order."""
+        from insole_studio.features.export.stage import ExportStage
 
         shop, folder = read_shop(), self._services.paths.settings_folder
         return ExportStage(
@@ -60,28 +58,6 @@ class ExportActions(StageWindow["ExportStage"]):
     def connect_stage(self, stage: ExportStage) -> None:
         """Note what is exported."""
         stage.exported.connect(self._note)
-
-    def export_to(self, path: Path) -> None:
-        """Write the plain insole of the foot at hand, beside the window."""
-        record = self._case.record
-        if record.current is None:
-            self._messages.show_sentence(
-                tr("There is no insole to export yet; open a session or a mesh.")
-            )
-            return
-
-        def write(progress: Progress) -> None:
-            with outputs(ExportPaths(path)) as beside:
-                plain = OrderChoice(most_triangles=None)
-                pieces = make_pieces(record, plain, read_rules(), progress.part(0.0, 0.9))
-                run_export_job(
-                    ExportJob(pieces, read_shop()), ExportPaths(path), beside, progress.part(0.9, 1)
-                )
-
-        def done(_nothing: None) -> None:
-            self._note(record, [path])
-
-        self._services.run(CHANNEL, write, done)
 
     def _ask_path(self, word: str, suffix: str) -> Path | None:
         stem = file_stem(self._case)

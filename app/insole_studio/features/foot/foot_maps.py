@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.workflows.reconstruction_job import MadeFoot
+from insole_core.workflows.make_foot import MadeFoot
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr

@@ -18,12 +18,12 @@ from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.views.view_mesh import view_mesh
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.session import Box
-from insole_core.workflows.open_scan import ScannedFoot
-from insole_core.workflows.reconstruction_job import (
+from insole_core.workflows.make_foot import (
     MadeFoot,
     make_foot,
     measure_session,
 )
+from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.session_editor import SessionEditor
 from insole_studio.features.foot.foot_maps import color_foot
 from insole_studio.features.foot.marker_presenter import ImagePanel, MarkerPresenter
@@ -217,6 +217,7 @@ class FootStagePresenter:
                 limits,
                 progress,
                 on_preview=lambda made: self._jobs.tell(lambda: self._take_preview(work, made)),
+                compare_views=True,
                 force=force,
             )
 

@@ -198,7 +198,7 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     likely = re.search(r"the square of the board is more likely ([\d.]+) mm than 24 mm", sentence)
     assert likely is not None, sentence
     assert float(likely[1]) == pytest.approx(BOARD.square_mm, abs=0.6)
-    assert stage.view.error_text() == sentence
+    assert stage.view.error.text() == sentence
     store = SensorStore(tmp_path / "sensors")
     before = store.load("SIM1")
     assert before is not None
@@ -210,7 +210,7 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     assert after is not None
     assert after.disparity != BURRUS
     assert "Depth to colour is saved for sensor SIM1." in stage.view.next_text()
-    assert stage.view.error_text() == ""
+    assert stage.view.error.text() == ""
 
 
 def test_a_folder_that_is_not_there(stage: CalibrateStage, chosen: Chosen, settle) -> None:

@@ -122,7 +122,7 @@ def facts(
         "surface": surface,
         "section": section,
         "tool_controller": tool_controller,
-        "counterpart": SideBySide(case, jobs),
+        "counterpart": SideBySide(case, jobs, surface.builder),
     }
     jobs.close()
 

@@ -20,7 +20,7 @@ from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box
-from insole_core.workflows.open_scan import ScannedFoot
+from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
 from insole_studio.jobs import Jobs

@@ -1,4 +1,4 @@
-"""A recorded session on its way to a foot: measured once, placed and fused as often as wanted."""
+"""From a recorded session to a foot, for window, command line and case files alike."""
 
 from __future__ import annotations
 
@@ -10,8 +10,14 @@ from insole_core.errors import InsoleError, ReconstructionError
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct import Reconstruction, RegistrationLimits, ViewResult, reconstruct
-from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
+from insole_core.reconstruct import (
+    Method,
+    Reconstruction,
+    RegistrationLimits,
+    ViewResult,
+    reconstruct,
+)
+from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.result import refused_result
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view, used_result
 from insole_core.reconstruct.views.view_consistency import ViewConsistency, view_consistency
@@ -19,12 +25,12 @@ from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.hand_edits import HandEdits
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Box, Session, View
-from insole_core.workflows.open_scan import ScannedFoot, session_source
+from insole_core.workflows.scanned_foot import ScannedFoot, session_source
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredSession:
-    """A session whose frames are averaged; what remains depends on the hand's corrections.
+    """A session and what its views measured, which no correction by hand changes.
 
     Parameters
     ----------
@@ -32,7 +38,7 @@ class MeasuredSession:
     session
         With the corrections of now.
     measured
-        By the name of the view.
+        By the name of the view; a view that is missing has not been looked at yet.
     refused
         Why a view measured nothing that can be used, by its name.
     """
@@ -57,7 +63,7 @@ class MeasuredSession:
         return replace(self, session=replace(self.session, edits=edits))
 
     def measure(self, view: View) -> MeasuredView:
-        """Give what a view measured.
+        """Give what a view measured; quick where the session was measured as a whole.
 
         Raises
         ------
@@ -66,7 +72,7 @@ class MeasuredSession:
         """
         if view.name in self.refused:
             raise self.refused[view.name]
-        return self.measured[view.name]
+        return self.measured.get(view.name) or measure_view(view)
 
     def placed(self, name: str, limits: RegistrationLimits) -> ViewResult:
         """Find where one sensor stood, or why that cannot be said; quick."""
@@ -81,23 +87,6 @@ class MeasuredSession:
             return replace(refused_result(name, error), frames=frames, left_out=left_out)
         return replace(result, used=not edits.off)
 
-    def reading(self, result: ViewResult) -> DepthView | None:
-        """Give the part of a placed view that shows the foot; None where nothing does."""
-        if not result.used or result.sensor2reference is None:
-            return None
-        measured = self.measured[result.name]
-        try:
-            return read_volume(
-                result.name,
-                measured.view.sensor,
-                result.sensor2reference,
-                self.box,
-                raw=measured.raw,
-                color=measured.color,
-            )
-        except ReconstructionError:
-            return None  # that nothing lies in the volume is said where the foot is made
-
 
 @dataclass(frozen=True, eq=False)
 class MadeFoot:
@@ -109,8 +98,10 @@ class MadeFoot:
     scan
     edits, limits
         The corrections and limits that it was made with.
-    reconstruction, agreement
-        None for the coarse foot that comes first.
+    reconstruction
+        Without its depth views, which are large; None for the coarse foot that comes first.
+    agreement
+        None where it was not asked for.
     """
 
     mesh: TriangleMesh
@@ -121,8 +112,20 @@ class MadeFoot:
     agreement: ViewConsistency | None = None
 
 
+def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
+    """Read a session, whose frames are averaged when they are asked for.
+
+    Raises
+    ------
+    InputError
+        When the session breaks the format.
+    """
+    progress.step(0.0, "Reading the session")
+    return MeasuredSession(path, read_session(path), {}, {})
+
+
 def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
-    """Read a session and average its frames.
+    """Read a session and average its frames now, so that it can be reconstructed several times.
 
     Raises
     ------
@@ -130,39 +133,78 @@ def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
         When the session breaks the format.
     Cancelled
     """
-    progress.step(0.0, "Reading the session")
-    session = read_session(path)
+    opened = open_session(path, progress)
     measured: dict[str, MeasuredView] = {}
     refused: dict[str, ReconstructionError] = {}
-    for number, view in enumerate(session.views):
-        done = 0.1 + 0.9 * number / len(session.views)
+    views = opened.session.views
+    for number, view in enumerate(views):
+        done = 0.1 + 0.9 * number / len(views)
         progress.step(done, f"Averaging the frames of the view {view.name}")
         try:
             measured[view.name] = measure_view(view)
         except ReconstructionError as error:
             refused[view.name] = error
     progress.step(1.0, "The session is read")
-    return MeasuredSession(path, session, measured, refused)
+    return replace(opened, measured=measured, refused=refused)
+
+
+def reconstruct_session(
+    opened: MeasuredSession,
+    limits: RegistrationLimits = DEFAULT_LIMITS,
+    progress: Progress = SILENT,
+    *,
+    method: Method = "fused",
+    on_preview: Callable[[TriangleMesh], None] | None = None,
+) -> Reconstruction:
+    """Make the coloured surface of a session, where it lies in the reference frame.
+
+    It is the first half of `make_foot`, for those who want the surface and no foot.
+
+    Parameters
+    ----------
+    opened
+        Its frames are averaged here where that has not been done.
+    limits
+        When the pose of a view is refused.
+    progress
+    method
+    on_preview
+        Is given a coarse surface as soon as there is one; of the fused method only.
+
+    Raises
+    ------
+    ReconstructionError
+        When no view can be used.
+    Cancelled
+    """
+    return reconstruct(
+        opened.session, method, progress, limits, on_preview=on_preview, measure=opened.measure
+    )
 
 
 def make_foot(
     opened: MeasuredSession,
-    limits: RegistrationLimits,
+    limits: RegistrationLimits = DEFAULT_LIMITS,
     progress: Progress = SILENT,
     *,
     on_preview: Callable[[MadeFoot], None] | None = None,
+    compare_views: bool = False,
     force: bool = False,
 ) -> MadeFoot:
-    """Reconstruct the foot and find heel and toes.
+    """Reconstruct the foot of a session, and find heel and toes.
+
+    Window, command line and case files all come to their foot here.
 
     Parameters
     ----------
     opened
     limits
-        When the pose of a view is good enough.
+        When the pose of a view is refused.
     progress
     on_preview
         Is given a coarse foot as soon as there is one.
+    compare_views
+        Whether to say how far the views differ on the foot.
     force
         Go on although the shape looks like the other foot.
 
@@ -181,18 +223,17 @@ def make_foot(
         return MadeFoot(mesh, ScannedFoot(foot, source, warnings), opened.edits, limits)
 
     def show(mesh: TriangleMesh) -> None:
-        if on_preview is None:
-            return
+        assert on_preview is not None
         try:
             coarse = placed(mesh, (), certain=True)
         except InsoleError:
             return  # whether the foot is one is judged by the fine mesh
         on_preview(coarse)
 
-    result = reconstruct(
-        session, "fused", progress.part(0.0, 0.9), limits, on_preview=show, measure=opened.measure
+    result = reconstruct_session(
+        opened, limits, progress.part(0.0, 0.9), on_preview=show if on_preview else None
     )
     progress.step(0.9, "Finding heel and toes")
     made = placed(result.mesh, result.warnings, certain=force)
-    readings = [reading for view in result.views if (reading := opened.reading(view)) is not None]
-    return replace(made, reconstruction=result, agreement=view_consistency(result.mesh, readings))
+    agreement = view_consistency(result.mesh, result.depth_views) if compare_views else None
+    return replace(made, reconstruction=replace(result, depth_views=()), agreement=agreement)

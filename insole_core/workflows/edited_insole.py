@@ -1,0 +1,121 @@
+"""An insole while its design is edited: pads and strokes move at once, and are checked at once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from insole_core.foot.foot import Foot
+from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.insole.build import material_problem
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.surface.height_field import HeightField
+from insole_core.insole.surface.pads_on_surface import Window, apply_pads, moved_pad
+from insole_core.insole.surface.posting import posted_mesh, posting_angles
+from insole_core.workflows.insole_builder import BareInsole, bare_key
+
+
+class EditedInsole:
+    """The insole of a design, which follows what is edited in it.
+
+    A change of a pad changes only the part of surface and mesh that it covers; contact surface and
+    findings are those of `build_insole`, to the bit.
+
+    Parameters
+    ----------
+    bare
+        Of the same foot and an equal `bare_key`.
+    design
+    """
+
+    def __init__(self, bare: BareInsole, design: InsoleDesign) -> None:
+        self.bare = bare
+        self.design = design
+        self.contact: HeightField = apply_pads(bare.base, design)
+        self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
+        """Its vertices are written to by the next change of a pad."""
+        self.normals: FloatArray = bare.solid.vertex_normals.copy()
+        rows, columns = self.contact.heights_mm.shape
+        self._move_vertices(Window(0, rows, 0, columns))
+        self.moved: IntArray | None = None
+        """The vertices that the last change moved; None before there was one."""
+        self.problem = self._problem()
+        """Why it cannot be made, in a sentence; empty when it can."""
+
+    def can_follow(self, foot: Foot, design: InsoleDesign) -> bool:
+        """Whether a design differs in pads and strokes only, and is for this foot."""
+        return self.bare.key == bare_key(foot, design)
+
+    def follow(self, design: InsoleDesign) -> None:
+        """Take another design, which `can_follow` allows."""
+        change = moved_pad(self.bare.base, self.contact, self.design, design)
+        self.design = design
+        self.contact = change.surface
+        self.moved = self._move_vertices(change.window)
+        self.problem = self._problem()
+
+    @property
+    def bottom_heights_mm(self) -> FloatArray:
+        """(n,) heights of the bottom below the top's vertices."""
+        count = self.bare.top_count
+        return self.mesh.vertices[count : 2 * count, 2]
+
+    def values_everywhere(self, top: FloatArray, bottom: FloatArray) -> FloatArray:
+        """Give numbers of the top's and the bottom's vertices to all vertices of the mesh."""
+        rim = self.bare.rim
+        return np.concatenate([top, bottom, top[rim], bottom[rim]])
+
+    def heights_mm(self, xy: FloatArray) -> FloatArray:
+        """Heights of the contact surface at places (..., 2), as near as the grid has them."""
+        field = self.contact
+        inset = 1e-6 * field.step_mm
+        low = np.array([field.x_mm[0], field.y_mm[0]]) + inset
+        high = np.array([field.x_mm[-1], field.y_mm[-1]]) - inset
+        return field.height_at(np.clip(xy, low, high))
+
+    def covers(self, x_mm: float, y_mm: float) -> bool:
+        """Whether the contact surface lies under a place."""
+        field = self.contact
+        inside_x = field.x_mm[0] <= x_mm <= field.x_mm[-1]
+        return bool(inside_x and field.y_mm[0] <= y_mm <= field.y_mm[-1])
+
+    @cached_property
+    def standing_foot(self) -> TriangleMesh:
+        """The foot as the insole holds it: turned by the posting, on the least thickness.
+
+        Pads and strokes change neither.
+        """
+        turned = posted_mesh(self.bare.foot, *posting_angles(self.design))
+        lift = self.design.least_thickness_mm - turned.vertices[:, 2].min()
+        return replace(turned, vertices=turned.vertices + np.array([0, 0, lift]))
+
+    def _problem(self) -> str:
+        problem = material_problem(self.contact)
+        return "" if problem is None else str(problem)
+
+    def _move_vertices(self, window: Window) -> IntArray:
+        bare = self.bare
+        moved = bare.vertices_in(window)
+        xy = bare.solid.vertices[moved, :2]
+        vertices = self.mesh.vertices
+        vertices[moved, 2] = self.contact.height_at(xy)
+        self.normals[moved] = _normals_at(self.contact, window, xy)
+        walls = 2 * bare.top_count + np.arange(len(bare.rim))
+        vertices[walls, 2] = vertices[bare.rim, 2]
+        self.mesh = TriangleMesh(vertices, self.mesh.triangles)
+        return np.concatenate([moved, walls])
+
+
+def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:
+    """Unit normals (n, 3) of a field at places near or in a window, from the nearest nodes."""
+    first_row, first_column = max(window.first_row - 2, 0), max(window.first_column - 2, 0)
+    normals = field.normals_of(
+        slice(first_row, window.end_row + 2), slice(first_column, window.end_column + 2)
+    )
+    row = np.rint((xy[:, 1] - field.y0_mm) / field.step_mm).astype(int) - first_row
+    column = np.rint((xy[:, 0] - field.x0_mm) / field.step_mm).astype(int) - first_column
+    rows, columns = normals.shape[:2]
+    return np.asarray(normals[np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)])

@@ -1,0 +1,65 @@
+"""A foot and the scan it was made of."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from insole_core.cases.case_record import ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.recording.session import Session
+
+MANIFEST = "manifest.json"
+
+
+@dataclass(frozen=True, eq=False)
+class ScannedFoot:
+    """A foot and where it came from; `warnings` are sentences for the user."""
+
+    foot: Foot
+    source: ScanSource
+    warnings: tuple[str, ...] = ()
+
+
+def session_source(path: Path, session: Session) -> ScanSource:
+    """Name a session as the scan of a foot."""
+    return _source("session", path, session.manifest.recorded_at)
+
+
+def mesh_source(path: Path) -> ScanSource:
+    """Name a mesh file as the scan of a foot."""
+    return _source("mesh", path)
+
+
+def change_of_source(source: ScanSource) -> str:
+    """Say in a sentence what has become of a scan since it was read; empty when nothing has."""
+    path = Path(source.path)
+    if not path.is_absolute():
+        return ""  # a case that was made elsewhere, as the example
+    try:
+        if _sha256(_signed_file(path)) == source.sha256:
+            return ""
+    except OSError:
+        return (
+            f"The scan {path} is not there any more, or cannot be read; the case holds its own"
+            " copy of the foot, so the work can go on."
+        )
+    return (
+        f"The scan {path} has changed since this case was made; the case keeps the foot as it was,"
+        " open the scan again if the new one is wanted."
+    )
+
+
+def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:
+    return ScanSource(kind, str(path.resolve()), _sha256(_signed_file(path)), recorded_at)
+
+
+def _signed_file(path: Path) -> Path:
+    """Give the file whose bytes stand for a scan."""
+    return path / MANIFEST if path.is_dir() else path
+
+
+def _sha256(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

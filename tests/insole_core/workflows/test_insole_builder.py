@@ -1,0 +1,138 @@
+"""One builder for preview, export, comparison and commands."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from insole_core.errors import DesignError
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
+from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
+from insole_core.progress import Cancelled, Progress
+from insole_core.solids.solid import insole_solid
+from insole_core.workflows.edited_insole import EditedInsole
+from insole_core.workflows.insole_builder import InsoleBuilder
+
+PAD = Pelott(centre_mm=(2.0, 130.0))
+PLAIN = InsoleDesign(Side.LEFT, (PAD,), grid_mm=1.0, thickness_mm=3.0)
+RECESS = replace(PAD, centre_mm=(0.0, 180.0), height_mm=-6.0)
+
+
+@pytest.fixture
+def builder() -> InsoleBuilder:
+    return InsoleBuilder()
+
+
+@pytest.fixture
+def edited(builder: InsoleBuilder, left_foot: Foot) -> EditedInsole:
+    return EditedInsole(builder.bare(left_foot, PLAIN), PLAIN)
+
+
+def test_the_builder_builds_what_the_pure_function_builds(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    design = PLAIN.with_added(Posting(rearfoot_deg=3.0))
+    pure = build_insole(left_foot, design)
+    for _ in range(2):  # the second time from what was kept
+        insole, solid = builder.solid(left_foot, design)
+        assert np.array_equal(insole.contact.heights_mm, pure.contact.heights_mm)
+        assert np.array_equal(solid.vertices, insole_solid(pure).vertices)
+
+
+def test_steps_are_kept_for_designs_that_share_them(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    bare = builder.bare(left_foot, PLAIN)
+    other_pad = PLAIN.with_changed(replace(PAD, height_mm=2.0))
+    assert builder.known_bare(left_foot, other_pad) is bare
+    assert builder.base(left_foot, other_pad) is bare.base
+    assert builder.known_bare(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0))) is None
+    assert builder.known_bare(replace(left_foot), PLAIN) is None
+
+
+def test_nothing_is_kept_of_a_closed_case_even_if_it_is_still_being_built(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    foot = replace(left_foot)
+    reported: list[str] = []
+
+    def close_meanwhile(_fraction: float, text: str) -> None:
+        if not reported:
+            builder.forget()
+        reported.append(text)
+
+    builder.bare(foot, PLAIN, Progress(close_meanwhile))
+    assert reported
+    assert builder.known_bare(foot, PLAIN) is None
+    gone = weakref.ref(foot)
+    del foot
+    gc.collect()
+    assert gone() is None
+
+
+def test_a_cancelled_step_is_not_kept(builder: InsoleBuilder, left_foot: Foot) -> None:
+    with pytest.raises(Cancelled):
+        builder.bare(left_foot, PLAIN, Progress(is_cancelled=lambda: True))
+    assert builder.known_bare(left_foot, PLAIN) is None
+    assert builder.bare(left_foot, PLAIN).base.surface.heights_mm.min() > 0
+
+
+def test_threads_that_build_at_once_get_the_same_insole(
+    builder: InsoleBuilder, left_foot: Foot
+) -> None:
+    foot = replace(left_foot)
+    with ThreadPoolExecutor(4) as pool:
+        built = list(pool.map(lambda _: builder.bare(foot, PLAIN), range(4)))
+    assert all(one is built[0] for one in built)
+
+
+def test_an_edited_insole_is_that_of_a_full_rebuild(edited: EditedInsole, left_foot: Foot) -> None:
+    for x_mm, height_mm in ((5.0, 6.0), (-8.0, 6.0), (-8.0, 2.0)):
+        design = PLAIN.with_changed(replace(PAD, centre_mm=(x_mm, 140.0), height_mm=height_mm))
+        assert edited.can_follow(left_foot, design)
+        edited.follow(design)
+        whole = EditedInsole(edited.bare, design)
+        rebuilt = build_insole(left_foot, design)
+        assert np.array_equal(edited.contact.heights_mm, rebuilt.contact.heights_mm)
+        assert np.array_equal(edited.mesh.vertices, whole.mesh.vertices)
+        assert np.allclose(edited.normals, whole.normals, atol=1e-12)
+        top = edited.mesh.vertices[: edited.bare.top_count]
+        assert np.array_equal(top[:, 2], rebuilt.contact.height_at(top[:, :2]))
+    assert not edited.can_follow(left_foot, PLAIN.with_added(Posting(rearfoot_deg=3.0)))
+
+
+def test_what_is_too_thin_is_told_by_every_step_in_the_same_words(
+    builder: InsoleBuilder, edited: EditedInsole, left_foot: Foot
+) -> None:
+    assert edited.problem == ""
+    thin = PLAIN.with_changed(RECESS)
+    edited.follow(thin)
+    assert "mm thick at x = " in edited.problem
+    for build in (build_insole, builder.insole, builder.solid):
+        with pytest.raises(DesignError) as refused:
+            build(left_foot, thin)
+        assert str(refused.value) == edited.problem
+    edited.follow(PLAIN)
+    assert edited.problem == ""
+
+
+@pytest.mark.parametrize(
+    ("design", "sentence"),
+    [
+        (replace(PLAIN, side=Side.RIGHT), "is for a right foot"),
+        (replace(PLAIN, thickness_mm=1000.0), "thickness_mm"),
+    ],
+)
+def test_a_design_that_does_not_fit_is_refused_before_anything_is_built(
+    builder: InsoleBuilder, left_foot: Foot, design: InsoleDesign, sentence: str
+) -> None:
+    for build in (builder.insole, builder.bare):
+        with pytest.raises(DesignError, match=sentence):
+            build(left_foot, design)

@@ -1,0 +1,76 @@
+"""The preview in the window: what it says, and that it lets go."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from collections.abc import Callable
+from dataclasses import replace
+
+from insole_core.cases.case_record import ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign, Outline, Pelott, Posting
+from insole_studio.app.bootstrap import Application
+
+Settle = Callable[[], None]
+SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+BESIDE_FOOT = Outline(
+    source="drawn", points_mm=((150.0, 0.0), (190.0, 0.0), (190.0, 40.0), (150.0, 40.0))
+)
+
+
+def design(app: Application) -> InsoleDesign:
+    assert app.case.record.design is not None
+    return app.case.record.design
+
+
+def test_nothing_derived_from_a_foot_stays_when_its_case_is_closed(
+    app: Application, settle: Settle, make_foot: Callable[[Side], Foot]
+) -> None:
+    foot = make_foot(Side.LEFT)
+    app.case.open_foot(foot, SOURCE)
+    settle()
+    pad = Pelott(centre_mm=(0.0, 150.0))
+    for changed in (
+        design(app).with_added(pad),
+        design(app).with_added(Posting(rearfoot_deg=3.0)),
+        replace(design(app), outline=replace(design(app).outline, extent="three_quarter")),
+    ):
+        app.case.apply(changed, "Change")
+        settle()
+        assert app.stage.preview.is_current
+    gone = weakref.ref(foot)
+    del foot
+    app.features.case_files.opener.new_case()
+    settle()
+    gc.collect()
+    assert gone() is None
+    assert app.stage.preview.mesh is None
+
+
+def test_a_wish_that_waited_is_built_when_the_one_before_it_cannot_be(
+    opened: Application, settle: Settle
+) -> None:
+    opened.case.preview(replace(design(opened), outline=BESIDE_FOOT))
+    opened.case.preview(replace(design(opened), thickness_mm=5.0))  # while that is being built
+    settle()
+    assert opened.stage.preview.problem == ""
+    assert opened.stage.preview.is_current
+    contact = opened.stage.preview.contact
+    assert contact is not None
+    assert contact.heights_mm.min() == 5.0
+
+
+def test_an_insole_that_is_too_thin_is_shown_and_told(opened: Application, settle: Settle) -> None:
+    told: list[str] = []
+    opened.stage.preview.failed.connect(told.append)
+    recess = Pelott(centre_mm=(0.0, 150.0), height_mm=-4.0)
+    opened.case.apply(design(opened).with_added(recess), "Add a recess")
+    (sentence,) = told
+    assert sentence == opened.stage.preview.problem
+    assert sentence.startswith("The insole would be only -1.0 mm thick at x = 0 mm, y = 150 mm;")
+    assert opened.stage.preview.is_current
+    assert abs(opened.stage.preview.height_mm(0.0, 150.0) + 1.0) < 0.05
+    opened.case.undo()
+    assert told == [sentence, ""]
