@@ -53,8 +53,10 @@ def build_insole(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     """
     if design.side is not foot.side:
         raise DesignError(
-            f"This design is for a {design.side} foot and the scan is of a {foot.side} one;"
-            " open the matching scan or mirror the design."
+            "This design is for a {side} foot and the scan is of a {foot_side} one; open the "
+            "matching scan or mirror the design.",
+            side=design.side,
+            foot_side=foot.side,
         )
     check_design(design)
     base = contact_base(foot, design, progress.part(0.0, 0.9))
@@ -70,6 +72,9 @@ def _check_material(contact: HeightField) -> None:
     lowest = contact.heights_mm[row, column]
     if lowest < LEAST_MATERIAL_MM:
         raise DesignError(
-            f"The insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
-            f" y = {contact.y_mm[row]:.0f} mm; raise the thickness or make the recess shallower."
+            "The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = "
+            "{y_mm:.0f} mm; raise the thickness or make the recess shallower.",
+            thickness_mm=lowest,
+            x_mm=contact.x_mm[column],
+            y_mm=contact.y_mm[row],
         )

@@ -12,6 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import is_session, read_session
@@ -66,13 +67,15 @@ def change_of_source(source: ScanSource) -> str:
         if _sha256(_signed_file(path)) == source.sha256:
             return ""
     except OSError:
-        return (
-            f"The scan {path} is not there any more, or cannot be read; the case holds its own"
-            " copy of the foot, so the work can go on."
+        return Message(
+            "The scan {path} is not there any more, or cannot be read; the case holds its "
+            "own copy of the foot, so the work can go on.",
+            path=path,
         )
-    return (
-        f"The scan {path} has changed since this case was made; the case keeps the foot as it was,"
-        " open the scan again if the new one is wanted."
+    return Message(
+        "The scan {path} has changed since this case was made; the case keeps the foot as "
+        "it was, open the scan again if the new one is wanted.",
+        path=path,
     )
 
 
@@ -82,8 +85,11 @@ def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress
     recorded = session.manifest.side
     if side not in (None, recorded):
         raise UsageError(
-            f"The {side} foot is asked for, by --side, --other or the prescription, but {path} "
-            f"was recorded as the {recorded} foot; correct the call."
+            "The {side} foot is asked for, by --side, --other or the prescription, but {path} was "
+            "recorded as the {recorded} foot; correct the call.",
+            side=side,
+            path=path,
+            recorded=recorded,
         )
     result = reconstruct(session, "fused", progress.part(0.05, 0.9))
     progress.step(0.9, "Finding heel and toes")
@@ -93,7 +99,9 @@ def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress
 
 def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
     if side is None:
-        raise UsageError(f"{path} is a mesh, which does not say which foot it is; add --side.")
+        raise UsageError(
+            "{path} is a mesh, which does not say which foot it is; add --side.", path=path
+        )
     progress.step(0.0, "Reading the scan")
     read = read_mesh(path)
     progress.step(0.3, "Finding the pose of the foot")
