@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from insole_core.errors import InputError
+from insole_core.messages import Message, Value
 
 
 @dataclass(frozen=True)
@@ -40,14 +41,23 @@ class JsonObject:
         try:
             values = json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"{file} is not valid JSON ({error}); restore the file.") from error
+            raise InputError(
+                "{file} is not valid JSON ({reason}); restore the file.",
+                file=file,
+                reason=str(error),
+            ) from error
         if not isinstance(values, dict):
-            raise InputError(f"{file} must hold one JSON object {{…}}; restore the file.")
+            raise InputError("{file} must hold one JSON object {{…}}; restore the file.", file=file)
         return cls(file, values)
 
-    def fail(self, key: str, problem: str) -> InputError:
-        """Make the error for one key."""
-        return InputError(f"{self.file}: {self.place}{key} {problem}.")
+    def fail(self, key: str, problem: str, /, **values: Value) -> InputError:
+        """Make the error for one key; template and values as those of a `Message`."""
+        return InputError(
+            "{file}: {key} {problem}.",
+            file=self.file,
+            key=f"{self.place}{key}",
+            problem=Message(problem, **values),
+        )
 
     def has(self, key: str) -> bool:
         """Whether the key is there at all."""
@@ -85,14 +95,19 @@ class JsonObject:
         """Give one of a few words."""
         value = self.value(key)
         if value not in allowed:
-            raise self.fail(key, f"is {_short(value)}, but must be {_alternatives(allowed)}")
+            raise self.fail(
+                key,
+                "is {value}, but must be {allowed}",
+                value=_short(value),
+                allowed=_alternatives(allowed),
+            )
         return str(value)
 
     def flag(self, key: str) -> bool:
         """Give true or false."""
         value = self.value(key)
         if not isinstance(value, bool):
-            raise self.fail(key, f"is {_short(value)}, but must be true or false")
+            raise self.fail(key, "is {value}, but must be true or false", value=_short(value))
         return value
 
     def number(self, key: str, low: float = -math.inf, high: float = math.inf) -> float:
@@ -103,14 +118,16 @@ class JsonObject:
         """Give a whole number from `low` to `high`."""
         number = self.number(key, low, high)
         if number != int(number):
-            raise self.fail(key, f"is {number}, but must be a whole number")
+            raise self.fail(key, "is {value}, but must be a whole number", value=number)
         return int(number)
 
     def numbers(self, key: str, count: int) -> tuple[float, ...]:
         """Give a list of exactly `count` finite numbers."""
         values = self.items(key)
         if len(values) != count:
-            raise self.fail(key, f"has {len(values)} numbers, but must have {count}")
+            raise self.fail(
+                key, "has {found} numbers, but must have {count}", found=len(values), count=count
+            )
         return tuple(
             self._number(f"{key}[{i}]", value, -math.inf, math.inf)
             for i, value in enumerate(values)
@@ -123,11 +140,17 @@ class JsonObject:
 
     def _number(self, key: str, value: Any, low: float, high: float) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.fail(key, f"is {_short(value)}, but must be a number")
+            raise self.fail(key, "is {value}, but must be a number", value=_short(value))
         if not math.isfinite(value):
-            raise self.fail(key, f"is {value}, but must be a finite number")
+            raise self.fail(key, "is {value}, but must be a finite number", value=value)
         if not low <= value <= high:
-            raise self.fail(key, f"is {value}, but must lie between {low:g} and {high:g}")
+            raise self.fail(
+                key,
+                "is {value}, but must lie between {least:g} and {most:g}",
+                value=value,
+                least=low,
+                most=high,
+            )
         return float(value)
 
 

@@ -54,12 +54,15 @@ def check_version(case: JsonObject) -> int:
         When it is no case, or one of a newer version.
     """
     if case.values.get("format") != FORMAT:
-        raise case.fail("format", f'must be "{FORMAT}", so this is no case')
+        raise case.fail("format", 'must be "{format}", so this is no case', format=FORMAT)
     version = case.integer("version", 1, 10**6)
     if version > VERSION:
         raise InputError(
-            f"{case.file} is of version {version}, and this program reads up to {VERSION}; "
-            "open it with a newer Insole Studio."
+            "{file} is of version {version}, and this program reads up to {known}; open it with a "
+            "newer Insole Studio.",
+            file=case.file,
+            version=version,
+            known=VERSION,
         )
     return version
 
@@ -162,7 +165,12 @@ def _variant(variant: JsonObject, side: Side) -> Variant:
     try:
         design = design_from_json(variant.value("design"))
     except DesignError as error:
-        raise InputError(f"{variant.file}: {variant.place}design: {error}") from error
+        raise InputError(
+            "{file}: {place}design: {reason}",
+            file=variant.file,
+            place=variant.place,
+            reason=str(error),
+        ) from error
     return Variant(variant.text("name"), _of_side(variant, design, side))
 
 
@@ -177,8 +185,11 @@ def _earlier(foot: JsonObject, side: Side) -> Template | None:
 def _of_side(place: JsonObject, design: InsoleDesign, side: Side) -> InsoleDesign:
     if design.side is not side:
         raise InputError(
-            f"{place.file}: the design is for a {design.side} foot and the foot is a {side} one; "
-            "restore the file from a backup."
+            "{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore "
+            "the file from a backup.",
+            file=place.file,
+            side=design.side,
+            foot_side=side,
         )
     return design
 

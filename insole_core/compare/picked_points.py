@@ -41,15 +41,24 @@ def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+        raise InputError(
+            "{path} cannot be read: {reason}; check its name.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no valid JSON; write the points anew.") from error
+        raise InputError("{path} is no valid JSON; write the points anew.", path=path) from error
     if not isinstance(content, dict):
-        raise InputError(f'{path} must be an object with the keys "a" and "b"; write it anew.')
+        raise InputError(
+            '{path} must be an object with the keys "a" and "b"; write it anew.', path=path
+        )
     a, b = (_points(content.get(key), key, path) for key in ("a", "b"))
     if len(a) != len(b):
         raise InputError(
-            f"{path} holds {len(a)} points of a and {len(b)} of b; pick each point on both."
+            "{path} holds {count_a} points of a and {count_b} of b; pick each point on both.",
+            path=path,
+            count_a=len(a),
+            count_b=len(b),
         )
     return a, b
 
@@ -61,7 +70,9 @@ def _points(value: Any, key: str, path: Path) -> FloatArray:
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
         raise InputError(
-            f'"{key}" in {path} must be a list of points [x, y, z] in mm; pick the points again.'
+            '"{key}" in {path} must be a list of points [x, y, z] in mm; pick the points again.',
+            key=key,
+            path=path,
         )
     return points
 
@@ -78,7 +89,7 @@ def fit_points(a: FloatArray, b: FloatArray) -> Fit:
         b2a = absolute_orientation(b, a).a2b
     except ReconstructionError as error:
         raise InputError(
-            f"The picked points cannot place one surface on the other: {error}"
+            "The picked points cannot place one surface on the other: {reason}", reason=str(error)
         ) from error
     away = np.linalg.norm(transform(b2a, b) - a, axis=1)
     return Fit(b2a, float(np.sqrt((away**2).mean())), 1.0)
@@ -110,7 +121,7 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
     """
     if mesh.colors is None:
         raise InputError(
-            f"{name} has no colours, so no dots can be found; pick the points instead."
+            "{name} has no colours, so no dots can be found; pick the points instead.", name=name
         )
     brightness = mesh.colors @ np.array(_LUMA)
     dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
@@ -119,8 +130,9 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
     dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
     if len(dots) != DOTS:
         raise InputError(
-            f"{len(dots)} black dots were found on {name} and four are needed;"
-            " pick the points instead."
+            "{count} black dots were found on {name} and four are needed; pick the points instead.",
+            count=len(dots),
+            name=name,
         )
     areas = mesh.vertex_areas
     return np.array([areas[dot] @ mesh.vertices[dot] / areas[dot].sum() for dot in dots])

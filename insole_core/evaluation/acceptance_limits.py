@@ -30,7 +30,9 @@ def load_limits(path: Path) -> Limits:
         content = path.read_bytes()
     except OSError as error:
         raise InputError(
-            f"The limits {path} cannot be read ({error.strerror}); name a file of limits."
+            "The limits {path} cannot be read ({reason}); name a file of limits.",
+            path=path,
+            reason=str(error.strerror),
         ) from error
     sections = JsonObject.parse(path.name, content).object("limits")
     return {
@@ -52,7 +54,9 @@ def judged(section: ReportSection, limits: Limits) -> ReportSection:
     if missing:
         known = ", ".join(number.key for number in section.numbers)
         raise InputError(
-            f'The limit "{min(missing)}" has no number to judge in this evaluation; take it out, '
-            f"or use one of {known}."
+            'The limit "{key}" has no number to judge in this evaluation; take it out, or use one '
+            "of {known}.",
+            key=min(missing),
+            known=known,
         )
     return with_limits(section, named)

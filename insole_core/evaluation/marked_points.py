@@ -82,7 +82,11 @@ def _points(path: Path) -> list[JsonObject]:
     try:
         content = path.read_bytes()
     except OSError as error:
-        raise InputError(f"{path} cannot be read ({error.strerror}); name the file.") from error
+        raise InputError(
+            "{path} cannot be read ({reason}); name the file.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
     root = JsonObject.parse(path.name, content)
     items = root.objects("points")
     if not items:

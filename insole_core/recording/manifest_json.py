@@ -84,12 +84,20 @@ def check_version(root: JsonObject, name: str, newest: int) -> None:
     InputError
     """
     if root.value("format") != name:
-        raise root.fail("format", f'is {root.value("format")!r}, but must be "{name}"')
+        raise root.fail(
+            "format",
+            'is {value!r}, but must be "{wanted}"',
+            value=root.value("format"),
+            wanted=name,
+        )
     version = root.value("version")
     if isinstance(version, int) and version > newest:
         raise InputError(
-            f"{root.file} is of version {version}, which is newer than this program (it reads "
-            f"version {newest}); update the program."
+            "{file} is of version {version}, which is newer than this program (it reads version "
+            "{known}); update the program.",
+            file=root.file,
+            version=version,
+            known=newest,
         )
     root.integer("version", 1, newest)
 
@@ -100,7 +108,7 @@ def _date(root: JsonObject) -> str:
         datetime.fromisoformat(text)
     except ValueError:
         raise root.fail(
-            "recorded_at", f'is "{text}", but must be a date such as 2026-11-20T10:00:00Z'
+            "recorded_at", 'is "{text}", but must be a date such as 2026-11-20T10:00:00Z', text=text
         ) from None
     return text
 
@@ -129,7 +137,9 @@ def _view_names(root: JsonObject) -> tuple[str, ...]:
     for name in names:
         if not isinstance(name, str) or not _VIEW_NAME.fullmatch(name):
             raise root.fail(
-                "views", f"names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _"
+                "views",
+                "names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _",
+                name=name,
             )
     if not names or len(set(names)) < len(names):
         raise root.fail("views", "must name at least one view, and none twice")

@@ -11,6 +11,7 @@ from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-export-rules", 1
@@ -59,8 +60,11 @@ class ExportRules:
         """
         if not _LEAST_CUTTER_MM <= diameter_mm <= _GREATEST_CUTTER_MM:
             raise InputError(
-                f"A cutter of {diameter_mm:g} mm is asked for, and must be"
-                f" {_LEAST_CUTTER_MM:g} to {_GREATEST_CUTTER_MM:g} mm; give another diameter."
+                "A cutter of {diameter_mm:g} mm is asked for, and must be {least_mm:g} to "
+                "{most_mm:g} mm; give another diameter.",
+                diameter_mm=diameter_mm,
+                least_mm=_LEAST_CUTTER_MM,
+                most_mm=_GREATEST_CUTTER_MM,
             )
         return replace(self, cutter_diameter_mm=diameter_mm)
 
@@ -81,16 +85,28 @@ def read_rules(path: Path | None = None) -> ExportRules:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+        raise InputError(
+            "{path} cannot be read: {reason}; check its name.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no valid JSON; write the rules anew.") from error
+        raise InputError("{path} is no valid JSON; write the rules anew.", path=path) from error
     if not isinstance(content, dict) or (content.get("format"), content.get("version")) != (
         FORMAT, VERSION,
     ):  # fmt: skip
-        raise InputError(f'{path} holds no export rules; "format" must be "{FORMAT}", version 1.')
+        raise InputError(
+            '{path} holds no export rules; "format" must be "{format}", version 1.',
+            path=path,
+            format=FORMAT,
+        )
     rules = content.get("rules")
     if not isinstance(rules, dict) or not rules.keys() <= set(CHECK_NAMES):
-        raise InputError(f'"rules" in {path} must name checks of: {", ".join(CHECK_NAMES)}.')
+        raise InputError(
+            '"rules" in {path} must name checks of: {checks}.',
+            path=path,
+            checks=joined(CHECK_NAMES),
+        )
     return _parsed(rules, path)
 
 
@@ -121,15 +137,21 @@ def _parsed(rules: dict[CheckName, Any], path: Path) -> ExportRules:
     for name, rule in rules.items():
         if not isinstance(rule, dict) or rule.get("policy") not in get_args(Policy):
             raise InputError(
-                f'The policy of "{name}" in {path} must be "blocking", "warning" or "off".'
+                'The policy of "{name}" in {path} must be "blocking", "warning" or "off".',
+                name=name,
+                path=path,
             )
         policies[name] = rule["policy"]
         if name not in ("watertight", "block"):
-            limits[name] = _number(rule.get("limit"), f'limit of "{name}"', path)
+            limits[name] = _number(
+                rule.get("limit"), Message('limit of "{check}"', check=name), path
+            )
     diameter = rules.get("cutter", {}).get("cutter_diameter_mm", ExportRules.cutter_diameter_mm)
     size = rules.get("block", {}).get("size_mm", list(ExportRules.block_mm))
     if not isinstance(size, list) or len(size) != 3:
-        raise InputError(f"size_mm of the block in {path} must be [length, width, height].")
+        raise InputError(
+            "size_mm of the block in {path} must be [length, width, height].", path=path
+        )
     length, width, height = (_number(value, "size_mm of the block", path) for value in size)
     return ExportRules(
         policies, limits, _number(diameter, "cutter_diameter_mm", path), (length, width, height)
@@ -138,7 +160,12 @@ def _parsed(rules: dict[CheckName, Any], path: Path) -> ExportRules:
 
 def _number(value: Any, what: str, path: Path) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"The {what} in {path} must be a number.")
+        raise InputError("The {what} in {path} must be a number.", what=what, path=path)
     if not (math.isfinite(value) and 0 <= value <= 1000):
-        raise InputError(f"The {what} in {path} is {value:g}, and must be 0 to 1000.")
+        raise InputError(
+            "The {what} in {path} is {value:g}, and must be 0 to 1000.",
+            what=what,
+            path=path,
+            value=value,
+        )
     return float(value)

@@ -54,7 +54,11 @@ def read_shop(path: Path | None = None) -> Shop:
     try:
         text = path.read_bytes()
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; check its name.") from error
+        raise InputError(
+            "{path} cannot be read: {reason}; check its name.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
     root = JsonObject.parse(str(path), text)
     root.choice("format", [FORMAT])
     root.integer("version", VERSION, VERSION)
