@@ -111,7 +111,7 @@ class InsolePreview(QObject):
     """
 
     changed = Signal()
-    failed = Signal(str)
+    failed = Signal(object)
 
     def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:
         super().__init__(parent)
