@@ -1,12 +1,31 @@
 """The errors a user can act on.
 
-Every message is one sentence that says what is wrong, where, and what to do; the command line and
-the window show it as it stands.
+Every message is one sentence that says what is wrong, where, and what to do; the command line shows
+it as it stands, the window in its language.
 """
+
+from __future__ import annotations
+
+from insole_core.messages import Message, Value
 
 
 class InsoleError(Exception):
-    """Something the user can put right; the text is written for a clinician."""
+    """Something the user can put right; the text is written for a clinician.
+
+    Parameters
+    ----------
+    template, values
+        Those of the `Message`, such as ``"{path} is flat; export it again.", path=path``.
+    """
+
+    def __init__(self, template: str, /, **values: Value) -> None:
+        super().__init__(Message(template, **values))
+
+    @property
+    def message(self) -> Message:
+        """The sentence; ``str(error)`` is the same."""
+        message: Message = self.args[0]
+        return message
 
 
 class UsageError(InsoleError):

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from insole_core.errors import InputError
+from insole_core.messages import Message, Value
 
 _Word = TypeVar("_Word", bound=str)
 
@@ -50,7 +51,9 @@ class JsonObject:
             text = path.read_bytes()
         except OSError as error:
             raise InputError(
-                f"{path} cannot be read: {error.strerror}; check the name of the file."
+                "{path} cannot be read: {reason}; check the name of the file.",
+                path=path,
+                reason=str(error.strerror),
             ) from error
         return cls.parse(str(path), text)
 
@@ -66,9 +69,13 @@ class JsonObject:
         try:
             values = json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"{file} is not valid JSON ({error}); restore the file.") from error
+            raise InputError(
+                "{file} is not valid JSON ({reason}); restore the file.",
+                file=file,
+                reason=str(error),
+            ) from error
         if not isinstance(values, dict):
-            raise InputError(f"{file} must hold one JSON object {{…}}; restore the file.")
+            raise InputError("{file} must hold one JSON object {{…}}; restore the file.", file=file)
         return cls(file, values)
 
     def check_format(self, name: str, newest: int = 1) -> int:
@@ -79,19 +86,32 @@ class JsonObject:
         InputError
         """
         if self.value("format") != name:
-            raise self.fail("format", f'is {self.value("format")!r}, but must be "{name}"')
+            raise self.fail(
+                "format",
+                'is {value!r}, but must be "{wanted}"',
+                value=self.value("format"),
+                wanted=name,
+            )
         version = self.value("version")
         if isinstance(version, int) and version > newest:
             where = f"{self.file}: {self.place}".removesuffix(".").removesuffix(": ")
             raise InputError(
-                f"{where} is of version {version}, which is newer than this program (it reads "
-                f"up to {newest}); install a newer Insole Studio."
+                "{where} is of version {version}, which is newer than this program (it reads up to "
+                "{newest}); install a newer Insole Studio.",
+                where=where,
+                version=version,
+                newest=newest,
             )
         return self.integer("version", 1, newest)
 
-    def fail(self, key: str, problem: str) -> InputError:
-        """Make the error for one key."""
-        return InputError(f"{self.file}: {self.place}{key} {problem}.")
+    def fail(self, key: str, problem: str, /, **values: Value) -> InputError:
+        """Make the error for one key; template and values as those of a `Message`."""
+        return InputError(
+            "{file}: {key} {problem}.",
+            file=self.file,
+            key=f"{self.place}{key}",
+            problem=Message(problem, **values),
+        )
 
     def has(self, key: str) -> bool:
         """Whether the key is there at all."""
@@ -140,32 +160,43 @@ class JsonObject:
         """Give one of a few words, or of a `StrEnum`."""
         value = self.value(key)
         if value not in allowed:
-            raise self.fail(key, f"is {_short(value)}, but must be {_alternatives(allowed)}")
+            raise self.fail(
+                key,
+                "is {value}, but must be {allowed}",
+                value=_short(value),
+                allowed=_alternatives(allowed),
+            )
         return allowed[allowed.index(value)]
 
     def flag(self, key: str) -> bool:
         """Give true or false."""
         value = self.value(key)
         if not isinstance(value, bool):
-            raise self.fail(key, f"is {_short(value)}, but must be true or false")
+            raise self.fail(key, "is {value}, but must be true or false", value=_short(value))
         return value
 
     def number(self, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a finite number from `low` to `high`."""
         value = self.value(key)
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.fail(key, f"is {_short(value)}, but must be a number")
+            raise self.fail(key, "is {value}, but must be a number", value=_short(value))
         if not abs(value) <= sys.float_info.max:
-            raise self.fail(key, f"is {_cut(str(value))}, but must be a finite number")
+            raise self.fail(key, "is {value}, but must be a finite number", value=_cut(str(value)))
         if not low <= value <= high:
-            raise self.fail(key, f"is {value}, but must lie between {low:g} and {high:g}")
+            raise self.fail(
+                key,
+                "is {value}, but must lie between {least:g} and {most:g}",
+                value=value,
+                least=low,
+                most=high,
+            )
         return float(value)
 
     def integer(self, key: str, low: int, high: int) -> int:
         """Give a whole number from `low` to `high`."""
         number = self.number(key, low, high)
         if number != int(number):
-            raise self.fail(key, f"is {number}, but must be a whole number")
+            raise self.fail(key, "is {value}, but must be a whole number", value=number)
         return int(number)
 
     def numbers(
@@ -174,7 +205,12 @@ class JsonObject:
         """Give a list of exactly `count` finite numbers from `low` to `high`."""
         listed = self.listed(key)
         if len(listed.values) != count:
-            raise self.fail(key, f"has {len(listed.values)} numbers, but must have {count}")
+            raise self.fail(
+                key,
+                "has {found} numbers, but must have {count}",
+                found=len(listed.values),
+                count=count,
+            )
         return tuple(listed.number(number, low, high) for number in listed.values)
 
     def pair(self, key: str) -> tuple[float, float]:
@@ -195,7 +231,7 @@ class JsonObject:
     def matrix(self, key: str, size: int) -> list[tuple[float, ...]]:
         """Give the rows of a square matrix of finite numbers."""
         if len(self.items(key)) != size:
-            raise self.fail(key, f"must be a {size}×{size} matrix")
+            raise self.fail(key, "must be a {size}×{size} matrix", size=size)
         return self.vectors(key, size)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from insole_core.messages import Message, Value
+
 
 class Cancelled(Exception):  # noqa: N818 - not an error
     """The user asked for the running work to stop; nothing half-done remains."""
@@ -25,7 +27,7 @@ class Progress:
     Parameters
     ----------
     report
-        Called with the overall fraction done (0 to 1) and a short text.
+        Called with the overall fraction done (0 to 1) and a short message.
     is_cancelled
         Asked at every step; when it answers true, the step raises `Cancelled`.
     start, end
@@ -37,8 +39,14 @@ class Progress:
     start: float = 0.0
     end: float = 1.0
 
-    def step(self, fraction: float, text: str) -> None:
-        """Report that `fraction` of this computation is done and that `text` comes next.
+    def step(self, fraction: float, template: str, /, **values: Value) -> None:
+        """Report that `fraction` of this computation is done, and what comes next.
+
+        Parameters
+        ----------
+        fraction
+        template, values
+            Those of the `Message` that is reported: ``"Placing the view {view}", view=name``.
 
         Raises
         ------
@@ -46,8 +54,9 @@ class Progress:
             When the user has asked to stop.
         """
         if self.is_cancelled():
-            raise Cancelled(text)
-        self.report(self.start + fraction * (self.end - self.start), text)
+            raise Cancelled(template)
+        message = Message(template, **values)
+        self.report(self.start + fraction * (self.end - self.start), message)
 
     def part(self, start: float, end: float) -> Progress:
         """Give the progress of a sub-computation that covers `start` to `end` of this one."""

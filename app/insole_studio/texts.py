@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
 
+from insole_core.messages import Message
 from insole_core.resources import resource_path
-from insole_studio.phrasebook import Phrasebook
 
 CONTEXT = "studio"
-_books = {"core": Phrasebook({})}
+CORE_CONTEXT = "core"
 
 
 def tr(text: str) -> str:
@@ -16,14 +16,19 @@ def tr(text: str) -> str:
     return QCoreApplication.translate(CONTEXT, text)
 
 
-def translated(sentence: str) -> str:
-    """Give a sentence of the core in the language of the window; its catalogue is tested."""
-    return QCoreApplication.translate(CONTEXT, sentence)
-
-
 def translate_core_message(sentence: str) -> str:
-    """Give a sentence with values that the core has written, in the language of the window."""
-    return _books["core"].say(sentence)
+    """Give a sentence of the core in the language of the window, the texts in its holes too.
+
+    What is in no catalogue stays as it is: numbers, names, and what the window itself has said.
+    """
+    if not isinstance(sentence, Message) or not sentence.values:
+        return QCoreApplication.translate(CORE_CONTEXT, str(sentence))
+    template = QCoreApplication.translate(CORE_CONTEXT, sentence.template)
+    values = {
+        name: translate_core_message(value) if isinstance(value, str) else value
+        for name, value in sentence.values.items()
+    }
+    return template.format(**values)
 
 
 def load_language(application: QCoreApplication, language: str) -> None:
@@ -36,7 +41,6 @@ def load_language(application: QCoreApplication, language: str) -> None:
         translator.deleteLater()
     wanted = QLocale.system().name()[:2] if language == "system" else language
     folder = resource_path("translations") / wanted
-    _books["core"] = Phrasebook.read(folder / "sentences.json")
     for catalogue in sorted(folder.glob("*.qm")):
         translator = QTranslator(application)
         translator.load(str(catalogue))

@@ -13,6 +13,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.messages import Message, joined
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -49,10 +50,18 @@ class _Number:
     def fits(self) -> bool:
         return self.usual[0] <= self.value <= self.usual[1]
 
-    def __str__(self) -> str:
+    @property
+    def finding(self) -> Message:
+        """What it is, and what it usually is."""
         value = f"{self.value:.{self.digits}f}{self.unit}"
         low, high = (f"{limit:.{self.digits}f}" for limit in self.usual)
-        return f"{self.name} is {value} (usual: {low} to {high})"
+        return Message(
+            "{name} is {value} (usual: {low} to {high})",
+            name=self.name,
+            value=value,
+            low=low,
+            high=high,
+        )
 
 
 def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity | None) -> str:
@@ -71,9 +80,13 @@ def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity 
     wrong = [number for number in found if not number.fits]
     if not wrong:
         return ""
-    findings = ", ".join(map(str, wrong))
+    findings = joined(number.finding for number in wrong)
     reason = _reason(sensor, square_mm, depth, wrong)
-    return f"The result does not fit a Kinect v1: {findings}; {reason}."
+    return Message(
+        "The result does not fit a Kinect v1: {findings}; {reason}.",
+        findings=findings,
+        reason=reason,
+    )
 
 
 def _depth_numbers(depth: LinearInverseDisparity | None) -> Iterator[_Number]:
@@ -100,13 +113,15 @@ def _reason(
 ) -> str:
     likely_mm = _likely_square(square_mm, depth, {number.name: number for number in wrong})
     if likely_mm:
-        return (
-            f"the square of the board is more likely {likely_mm} mm than {square_mm:g} mm, so "
-            "measure it and give its true side"
+        return Message(
+            "the square of the board is more likely {likely_mm} mm than {square_mm:g} mm, "
+            "so measure it and give its true side",
+            likely_mm=likely_mm,
+            square_mm=square_mm,
         )
     if depth is not None and sensor.correction is None:
-        return "the distortion of the depth was not corrected yet, so calibrate it first"
-    return (
+        return Message("the distortion of the depth was not corrected yet, so calibrate it first")
+    return Message(
         "pictures of different positions may have been put together, or the board was hardly "
         "turned, so take them again"
     )

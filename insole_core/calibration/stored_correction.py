@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from insole_core.errors import CalibrationError
+from insole_core.messages import Message
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.sensor import Sensor
 
@@ -40,15 +41,22 @@ def apply_correction(
     CalibrationError
         When it belongs to another device and the user does not insist.
     """
-    warnings = []
+    warnings: list[str] = []
     owner = correction.record.serial
     if owner and owner != sensor.serial:
-        problem = f"The correction was measured on sensor {owner}, not on {sensor.serial}"
+        problem = Message(
+            "The correction was measured on sensor {owner}, not on {serial}",
+            owner=owner,
+            serial=sensor.serial,
+        )
         if not insist:
             raise CalibrationError(
-                f"{problem}; calibrate this sensor, or insist on using it with a warning."
+                "{problem}; calibrate this sensor, or insist on using it with a warning.",
+                problem=problem,
             )
-        warnings.append(f"{problem}; the depth may be wrong by several millimetres.")
+        warnings.append(
+            Message("{problem}; the depth may be wrong by several millimetres.", problem=problem)
+        )
     warnings += _age_warning(correction, now)
     return CorrectedSensor(replace(sensor, correction=correction), tuple(warnings))
 
@@ -57,5 +65,5 @@ def _age_warning(correction: DisparityCorrection, now: datetime) -> list[str]:
     age = correction.record.age_days(now)
     if age <= MOST_DAYS:
         return []
-    told = f"{age:.0f} days old" if age < float("inf") else "of unknown age"
-    return [f"The correction is {told}; calibrate the sensor again soon."]
+    how_old = Message("{days:.0f} days old", days=age) if age < float("inf") else "of unknown age"
+    return [Message("The correction is {age}; calibrate the sensor again soon.", age=how_old)]

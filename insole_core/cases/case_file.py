@@ -55,7 +55,11 @@ def read_case(path: Path) -> CaseRecord:
     """
     parts = _read_parts(path)
     if CASE_NAME not in parts:
-        raise InputError(f"{path} holds no {CASE_NAME}, so it is no case; choose an .insole file.")
+        raise InputError(
+            "{path} holds no {file}, so it is no case; choose an .insole file.",
+            path=path,
+            file=CASE_NAME,
+        )
     case = JsonObject.parse(f"{path}: {CASE_NAME}", parts[CASE_NAME])
     names = dict(FOOT_NAMES)
     if case.check_format(FORMAT, VERSION) < VERSION:
@@ -65,7 +69,9 @@ def read_case(path: Path) -> CaseRecord:
     def mesh_of(side: Side) -> TriangleMesh:
         name = names[side]
         if name not in parts:
-            raise InputError(f"{path} has lost its {name}; restore the file from a backup.")
+            raise InputError(
+                "{path} has lost its {file}; restore the file from a backup.", path=path, file=name
+            )
         return _unpack_mesh(parts[name], path, name)
 
     return case_from_json(case, mesh_of)
@@ -124,13 +130,14 @@ def _read_parts(path: Path) -> dict[str, bytes]:
             known = [name for name in _PARTS if name in archive.namelist()]
             return {name: _read_part(archive, name, path) for name in known}
     except FileNotFoundError as error:
-        raise InputError(f"{path} does not exist; check the name.") from error
+        raise InputError("{path} does not exist; check the name.", path=path) from error
     except PermissionError as error:
-        raise InputError(f"{path} may not be read; ask for permission.") from error
+        raise InputError("{path} may not be read; ask for permission.", path=path) from error
     except (zipfile.BadZipFile, OSError, EOFError, zlib.error, NotImplementedError) as error:
         raise InputError(
-            f"{path} is no readable case file; it may be damaged or cut off, so restore it from a "
-            "backup."
+            "{path} is no readable case file; it may be damaged or cut off, so restore it from a "
+            "backup.",
+            path=path,
         ) from error
 
 
@@ -139,12 +146,18 @@ def _read_part(archive: zipfile.ZipFile, name: str, path: Path) -> bytes:
     with archive.open(name) as file:
         content = file.read(MAX_PART_BYTES + 1)
     if len(content) > MAX_PART_BYTES:
-        raise InputError(f"{path}: {name} is far larger than a case has; do not use this file.")
+        raise InputError(
+            "{path}: {file} is far larger than a case has; do not use this file.",
+            path=path,
+            file=name,
+        )
     return content
 
 
 def _damaged(path: Path, name: str) -> InputError:
-    return InputError(f"{path}: {name} is damaged; restore the file from a backup.")
+    return InputError(
+        "{path}: {file} is damaged; restore the file from a backup.", path=path, file=name
+    )
 
 
 def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:

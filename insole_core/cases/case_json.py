@@ -136,7 +136,12 @@ def _variant(variant: JsonObject, side: Side) -> Variant:
     try:
         design = design_from_json(variant.value("design"))
     except DesignError as error:
-        raise InputError(f"{variant.file}: {variant.place}design: {error}") from error
+        raise InputError(
+            "{file}: {place}design: {reason}",
+            file=variant.file,
+            place=variant.place,
+            reason=str(error),
+        ) from error
     return Variant(variant.text("name"), _of_side(variant, design, side))
 
 
@@ -151,8 +156,11 @@ def _earlier(foot: JsonObject, side: Side) -> Template | None:
 def _of_side(place: JsonObject, design: InsoleDesign, side: Side) -> InsoleDesign:
     if design.side is not side:
         raise InputError(
-            f"{place.file}: the design is for a {design.side} foot and the foot is a {side} one; "
-            "restore the file from a backup."
+            "{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore "
+            "the file from a backup.",
+            file=place.file,
+            side=design.side,
+            foot_side=side,
         )
     return design
 

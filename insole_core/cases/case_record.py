@@ -213,7 +213,9 @@ class FootRecord:
         if not name:
             raise DesignError("A variant needs a name; type one.")
         if any(variant.name == name for variant in self.variants):
-            raise DesignError(f"There is a variant {name} already; give this one another name.")
+            raise DesignError(
+                "There is a variant {name} already; give this one another name.", name=name
+            )
 
 
 @dataclass(frozen=True, eq=False)

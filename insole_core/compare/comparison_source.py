@@ -46,7 +46,7 @@ def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
     ReconstructionError
         When a session gives no surface.
     """
-    progress.step(0.0, f"Reading {path.name}")
+    progress.step(0.0, "Reading {file}", file=path.name)
     if not is_session(path):
         read = read_mesh(path)
         return ComparisonSource(path.name, read.mesh, tuple(read.notes))

@@ -95,8 +95,9 @@ def measure_difference(
     area = np.isfinite(difference.signed_mm).sum() * pitch_mm**2
     if area < _LEAST_AREA_MM2:
         raise InputError(
-            f"The two surfaces lie over each other on {area:.0f} mm² only, which is too little to"
-            " compare; let them be fitted, or pick points on both."
+            "The two surfaces lie over each other on {area_mm2:.0f} mm² only, which is too little "
+            "to compare; let them be fitted, or pick points on both.",
+            area_mm2=area,
         )
     return difference
 

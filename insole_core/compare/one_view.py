@@ -68,7 +68,9 @@ def one_view_surface(view: View, progress: Progress = SILENT) -> TriangleMesh:
         measured = measure_view(view)
     except ReconstructionError as error:
         raise ReconstructionError(
-            f"The view {view.name} cannot be used: {error}; record it again."
+            "The view {view} cannot be used: {reason}; record it again.",
+            view=view.name,
+            reason=error.message,
         ) from error
     progress.step(0.6, "Taking the background away")
     points = measured.points
@@ -139,8 +141,12 @@ def _middle_piece(mesh: TriangleMesh, view: View) -> TriangleMesh:
 def _nothing_seen(view: View) -> ReconstructionError:
     low, high = _LENGTH_MM
     return ReconstructionError(
-        f"In the view {view.name} nothing of {low:g} to {high:g} mm stands out from its background;"
-        " lay the mould or insole alone on a flat table under the sensor, and record it again."
+        "In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its "
+        "background; lay the mould or insole alone on a flat table under the sensor, and record it "
+        "again.",
+        view=view.name,
+        least_mm=low,
+        most_mm=high,
     )
 
 

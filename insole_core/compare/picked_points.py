@@ -40,7 +40,10 @@ def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
     a, b = (np.array(root.vectors(key, 3)).reshape(-1, 3) for key in ("a", "b"))
     if len(a) != len(b):
         raise InputError(
-            f"{path} holds {len(a)} points of a and {len(b)} of b; pick each point on both."
+            "{path} holds {count_a} points of a and {count_b} of b; pick each point on both.",
+            path=path,
+            count_a=len(a),
+            count_b=len(b),
         )
     return a, b
 
@@ -57,7 +60,7 @@ def fit_points(a: FloatArray, b: FloatArray) -> Fit:
         b2a = absolute_orientation(b, a).a2b
     except ReconstructionError as error:
         raise InputError(
-            f"The picked points cannot place one surface on the other: {error}"
+            "The picked points cannot place one surface on the other: {reason}", reason=str(error)
         ) from error
     away = np.linalg.norm(transform(b2a, b) - a, axis=1)
     return Fit(b2a, float(np.sqrt((away**2).mean())), 1.0)
@@ -89,7 +92,7 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
     """
     if mesh.colors is None:
         raise InputError(
-            f"{name} has no colours, so no dots can be found; pick the points instead."
+            "{name} has no colours, so no dots can be found; pick the points instead.", name=name
         )
     brightness = mesh.colors @ np.array(_LUMA)
     dark = np.flatnonzero(brightness < _DARK * np.median(brightness))
@@ -98,8 +101,9 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
     dots = [spot for spot in spots if _is_dot(mesh.vertices[spot])]
     if len(dots) != DOTS:
         raise InputError(
-            f"{len(dots)} black dots were found on {name} and four are needed;"
-            " pick the points instead."
+            "{count} black dots were found on {name} and four are needed; pick the points instead.",
+            count=len(dots),
+            name=name,
         )
     areas = mesh.vertex_areas
     return np.array([areas[dot] @ mesh.vertices[dot] / areas[dot].sum() for dot in dots])

@@ -46,7 +46,9 @@ def judged(section: ReportSection, limits: Limits) -> ReportSection:
     if missing:
         known = ", ".join(number.key for number in section.numbers)
         raise InputError(
-            f'The limit "{min(missing)}" has no number to judge in this evaluation; take it out, '
-            f"or use one of {known}."
+            'The limit "{key}" has no number to judge in this evaluation; take it out, or use one '
+            "of {known}.",
+            key=min(missing),
+            known=known,
         )
     return with_limits(section, named)

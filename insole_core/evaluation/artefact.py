@@ -150,6 +150,9 @@ def _range(values: FloatArray, dropped: float) -> float:
 def _check(points: FloatArray, what: str) -> None:
     if len(points) < _LEAST_POINTS or not np.isfinite(points).all():
         raise InputError(
-            f"A {what} has only {len(points)} usable points, but {_LEAST_POINTS} are needed; move "
-            "the sensor nearer and measure again."
+            "A {part} has only {count} usable points, but {least} are needed; move the sensor "
+            "nearer and measure again.",
+            part=what,
+            count=len(points),
+            least=_LEAST_POINTS,
         )

@@ -50,8 +50,11 @@ def sphere_points(
             found.append(points)
     if len(found) != 2:
         raise InputError(
-            f"{capture.name} shows {len(found)} spheres of about {true_diameter_mm:g} mm, but the "
-            "bar has 2; keep the space around them free and check the diameter."
+            "{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep "
+            "the space around them free and check the diameter.",
+            capture=capture.name,
+            count=len(found),
+            diameter_mm=true_diameter_mm,
         )
     a, b = sorted(found, key=lambda points: float(points[:, 0].mean()))
     return a, b

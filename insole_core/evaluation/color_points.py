@@ -60,7 +60,9 @@ def points_at_depth(sensor: Sensor, depth_mm: FloatArray, depth_px: FloatArray) 
     height, width = depth_mm.shape
     if not ((column > 0) & (column < width - 1) & (row > 0) & (row < height - 1)).all():
         raise InputError(
-            f"A point is marked outside of the depth image of {width}×{height}; correct its pixel."
+            "A point is marked outside of the depth image of {width}×{height}; correct its pixel.",
+            width=width,
+            height=height,
         )
     step_v, step_u = (axis.ravel() for axis in np.mgrid[-1:2, -1:2])
     window = depth_mm[row[:, None] + step_v, column[:, None] + step_u]

@@ -68,8 +68,11 @@ def evaluate_object(
     """
     if true_mm.shape != (len(names), 3) or measured_mm.shape != true_mm.shape:
         raise InputError(
-            f"{len(names)} points are named, but {len(true_mm)} true and {len(measured_mm)} "
-            "measured positions are given; give each point's both positions."
+            "{names} points are named, but {true_points} true and {measured_points} measured "
+            "positions are given; give each point's both positions.",
+            names=len(names),
+            true_points=len(true_mm),
+            measured_points=len(measured_mm),
         )
     seen = np.flatnonzero(np.isfinite(measured_mm).all(axis=1))
     if len(seen) < 2:

@@ -48,14 +48,16 @@ def leave_one_out(
     """
     if len(captures) < _LEAST_WALLS:
         raise CalibrationError(
-            f"Leaving one wall out needs captures at {_LEAST_WALLS} distances or more, but there "
-            f"are {len(captures)}; capture more."
+            "Leaving one wall out needs captures at {least} distances or more, but there are "
+            "{count}; capture more.",
+            least=_LEAST_WALLS,
+            count=len(captures),
         )
     rows = plane_rows(camera)
     walls = [fit_wall(capture, rows, disparity) for capture in captures]
     errors: dict[str, list[WallError]] = {}
     for i, capture in enumerate(captures):
-        progress.step(i / len(captures), f"Calibrating without {capture.name}")
+        progress.step(i / len(captures), "Calibrating without {capture}", capture=capture.name)
         others = [*walls[:i], *walls[i + 1 :]]
         default = calibrate_distortion([wall.capture for wall in others], camera, disparity)
         corrections: dict[str, Correction] = {

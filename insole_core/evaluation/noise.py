@@ -70,8 +70,10 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
     sd = np.sqrt(squares[steady] / (count[steady] - 1))
     if np.median(sd) > _STILL_RAW:
         raise InputError(
-            f"The {total} frames show different scenes (they differ by {np.median(sd):.0f} raw "
-            "units); record one still wall without moving the sensor."
+            "The {count} frames show different scenes (they differ by {difference_raw:.0f} raw "
+            "units); record one still wall without moving the sensor.",
+            count=total,
+            difference_raw=np.median(sd),
         )
     depth = disparity.depth_mm(mean[steady])
     per_raw = disparity.depth_mm(mean[steady] + 0.5) - disparity.depth_mm(mean[steady] - 0.5)

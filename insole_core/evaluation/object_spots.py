@@ -69,8 +69,10 @@ def measure_spots(
         fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(sightings).fixes
     except ReconstructionError as error:
         raise CalibrationError(
-            f"the {paint} spots of the object are not found ({error}); show it whole and well lit, "
-            "and check its list of points"
+            "the {paint} spots of the object are not found ({reason}); show it whole and well lit, "
+            "and check its list of points",
+            paint=paint,
+            reason=error.message,
         ) from error
     measured = np.full((len(names), 3), np.nan)
     seen = [names.index(fix.id) for fix in fixes if fix.used]

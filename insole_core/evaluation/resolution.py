@@ -58,7 +58,8 @@ def evaluate_resolution(
     known = np.isfinite(depth)
     if known.sum() < 100:
         raise CalibrationError(
-            f"{capture.name} has no reading in the middle; put a flat surface there."
+            "{capture} has no reading in the middle; put a flat surface there.",
+            capture=capture.name,
         )
     rays = camera.pixel_rays()
     points = rays * depth[..., None]

@@ -143,7 +143,9 @@ def _plane(
 ) -> tuple[FloatArray, FloatArray]:
     """Centre and normal of the plane through points (n, 3), of which there must be some."""
     if len(points) < least:
-        raise CalibrationError(f"{name} has no flat surface left to evaluate; capture a flat wall.")
+        raise CalibrationError(
+            "{name} has no flat surface left to evaluate; capture a flat wall.", name=name
+        )
     centre = points.mean(0)
     apart = points - centre
     return centre, np.linalg.eigh(apart.T @ apart)[1][:, 0]

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import OutputError
+from insole_core.messages import Message
 
 
 @contextmanager
@@ -96,10 +97,18 @@ def describe(path: Path, error: OSError) -> str:
         (NotADirectoryError, "a file is there where a folder is needed; choose another name"),
     ]
     if isinstance(error, FileNotFoundError) and path.parent.is_dir():
-        return f"{path} cannot be written: this place takes no files; choose another place."
+        return Message(
+            "{path} cannot be written: this place takes no files; choose another place.", path=path
+        )
     for kind, reason in reasons:
         if isinstance(error, kind):
-            return f"{path} cannot be written: {reason}."
+            return Message("{path} cannot be written: {reason}.", path=path, reason=reason)
     if error.errno in (28, 122):
-        return f"{path} cannot be written: the disk is full; free some space and try again."
-    return f"{path} cannot be written: {error.strerror or error}; choose another place."
+        return Message(
+            "{path} cannot be written: the disk is full; free some space and try again.", path=path
+        )
+    return Message(
+        "{path} cannot be written: {reason}; choose another place.",
+        path=path,
+        reason=error.strerror or str(error),
+    )

@@ -208,7 +208,11 @@ def sha256_of(path: Path) -> str:
         with path.open("rb") as file:
             return hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; export it again.") from error
+        raise InputError(
+            "{path} cannot be read: {reason}; export it again.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
 
 
 @cache
@@ -225,7 +229,7 @@ def _texts(name: str) -> dict[str, str]:
     try:
         content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
-        raise InputError(f"{path} is no valid JSON; correct the texts.") from error
+        raise InputError("{path} is no valid JSON; correct the texts.", path=path) from error
     return {key: str(value) for key, value in content.items()}
 
 

@@ -27,7 +27,12 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
     """
     if path.suffix.lower() not in SUFFIXES:
         known = ", ".join(SUFFIXES)
-        raise UsageError(f"{path} names no format that {what} is written as; choose {known}.")
+        raise UsageError(
+            "{path} names no format that {what} is written as; choose {formats}.",
+            path=path,
+            what=what,
+            formats=known,
+        )
 
 
 def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False) -> None:

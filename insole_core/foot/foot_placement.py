@@ -17,6 +17,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
 
@@ -141,29 +142,43 @@ def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side)
 
 
 def _mismatch(asked: _Candidate, other: _Candidate) -> str:
-    return (
-        f"The shape looks like a {other.side} foot ({_reason(other)});"
-        f" give --side {other.side}, or --force to go on with {asked.side}."
+    return Message(
+        "The shape looks like a {shape_side} foot ({reason}); give --side {shape_side}, or "
+        "--force to go on with {side}.",
+        shape_side=other.side,
+        reason=_reason(other),
+        side=asked.side,
     )
 
 
 def _side_note(asked: _Candidate, other: _Candidate) -> str:
     ratio = other.pose.side_dissimilarity / asked.pose.side_dissimilarity
     if ratio < 1 / _CLEAR:
-        return (
-            f"The shape looks like a {other.side} foot ({_reason(other)});"
-            f" taken as a {asked.side} one by force."
+        return Message(
+            "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
+            shape_side=other.side,
+            reason=_reason(other),
+            side=asked.side,
         )
     if ratio < _CLEAR:
-        return f"The shape does not tell left from right; taken as a {asked.side} foot as asked."
-    return f"A {asked.side} foot by its shape: {_reason(asked)} (margin {ratio:.1f} to 1)."
+        return Message(
+            "The shape does not tell left from right; taken as a {side} foot as asked.",
+            side=asked.side,
+        )
+    return Message(
+        "A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).",
+        side=asked.side,
+        reason=_reason(asked),
+        ratio=ratio,
+    )
 
 
 def _reason(candidate: _Candidate) -> str:
     direction = "right" if candidate.side.medial_sign > 0 else "left"
-    return (
-        "seen from above with the toes ahead, the big toe and the high side of the arch"
-        f" lie on the {direction}"
+    return Message(
+        "seen from above with the toes ahead, the big toe and the high side of the arch "
+        "lie on the {direction}",
+        direction=direction,
     )
 
 
@@ -172,13 +187,20 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
     if frame == "unknown":
         _, ahead, up = found.foot.source2insole[:3, :3]
         yield (
-            f"The sole faces {_direction(-up)} and the toes point along {_direction(ahead)} of the"
-            " file: of all ways the surface could stand, this one looks most like a foot."
+            Message(
+                "The sole faces {sole} and the toes point along {toes} of the file: of all "
+                "ways the surface could stand, this one looks most like a foot.",
+                sole=_direction(-up),
+                toes=_direction(ahead),
+            )
         )
     if found.pose.covered < 1:
         yield (
-            "The toes are missing; the foot's length was estimated as"
-            f" {found.foot.length_mm:.0f} mm from the rest."
+            Message(
+                "The toes are missing; the foot's length was estimated as {length_mm:.0f} mm "
+                "from the rest.",
+                length_mm=found.foot.length_mm,
+            )
         )
     elif not found.foot.toes_told_apart:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
@@ -200,7 +222,7 @@ def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:
         yield "The surface was inside out and has been turned."
     if scraps:
         what = "piece that floats" if scraps == 1 else "pieces that float"
-        yield f"{scraps} small {what} beside the foot left out."
+        yield Message("{count} small {scraps} beside the foot left out.", count=scraps, scraps=what)
 
 
 def _direction(vector: FloatArray) -> str:

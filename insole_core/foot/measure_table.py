@@ -11,6 +11,7 @@ from typing import TypeAlias
 from insole_core.foot.foot import Foot
 from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 
 Measured: TypeAlias = Mapping[str, float | None]
 HEADS = ("measure", "unit", "left", "right", "difference", "percent")
@@ -69,9 +70,11 @@ def unlike_sizes(left: Foot, right: Foot) -> str:
     apart = abs(left.length_mm - right.length_mm)
     if apart <= max(_UNLIKE_MM, _UNLIKE_SHARE * min(left.length_mm, right.length_mm)):
         return ""
-    return (
-        f"The left foot is {left.length_mm:.0f} mm long and the right one {right.length_mm:.0f} mm;"
-        " check that both scans are of this patient, and in the same unit."
+    return Message(
+        "The left foot is {left_mm:.0f} mm long and the right one {right_mm:.0f} mm; check "
+        "that both scans are of this patient, and in the same unit.",
+        left_mm=left.length_mm,
+        right_mm=right.length_mm,
     )
 
 

@@ -15,6 +15,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import TOE_TIPS, Landmarks
 from insole_core.foot.rear_axes import Axis
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.messages import Message, joined
 
 _FOOTPRINT_MM = 5.0  # of the unloaded sole over its ground, that touches it under load
 _FOOTING_MM = 12.0
@@ -119,17 +120,21 @@ def _ends(name: str, landmarks: Landmarks) -> tuple[str, ...]:
 
 def doubts(landmarks: Landmarks) -> dict[str, str]:
     """Say of each measure that is rather a guess why it is, by the names in `DEFINITIONS`."""
-    found = {}
+    found: dict[str, str] = {}
     for name, stands_on in _STANDS_ON.items():
         seen_badly = [
             mark.replace("_", " ") for mark in stands_on if landmarks[mark].confidence < _DOUBTFUL
         ]
         if seen_badly:
-            places = " and ".join(seen_badly)
-            found[name] = f"seen in part only, and continued by the usual shape: {places}"
+            found[name] = Message(
+                "seen in part only, and continued by the usual shape: {places}",
+                places=joined(seen_badly, " and "),
+            )
     for name, deviation_mm in deviations_mm(landmarks).items():
         if name not in found and deviation_mm > _DOUBTFUL_MM:
-            found[name] = f"known to about {deviation_mm:.1f} mm only"
+            found[name] = Message(
+                "known to about {deviation_mm:.1f} mm only", deviation_mm=deviation_mm
+            )
     return found
 
 

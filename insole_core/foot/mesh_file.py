@@ -14,6 +14,7 @@ from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message
 
 Unit = Literal["mm", "m", "inch"]
 
@@ -60,7 +61,13 @@ def read_mesh(path: Path) -> ReadMesh:
     unit = _guess_unit(mesh, path)
     mesh = _in_mm(mesh, _MM_PER_UNIT[unit])
     extent = np.ptp(mesh.vertices, axis=0).max()
-    notes = [f"Read in {_UNIT_NAMES[unit]}: the surface is {extent:.0f} mm long."]
+    notes: list[str] = [
+        Message(
+            "Read in {unit}: the surface is {length_mm:.0f} mm long.",
+            unit=_UNIT_NAMES[unit],
+            length_mm=extent,
+        )
+    ]
     if not mesh.is_closed:
         notes.append("The surface is open; where nothing was measured it is continued smoothly.")
     if _outward_flux(mesh) < 0:
@@ -77,10 +84,10 @@ def _in_mm(mesh: TriangleMesh, mm_per_unit: float) -> TriangleMesh:
 def _load(path: Path) -> TriangleMesh:
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError(
-            f"{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file."
+            "{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.", path=path
         )
     if not path.is_file():
-        raise InputError(f"{path} does not exist; check the name of the file.")
+        raise InputError("{path} does not exist; check the name of the file.", path=path)
     if path.stat().st_size > _MOST_BYTES:
         raise InputError(_too_large(path))
     try:
@@ -91,8 +98,11 @@ def _load(path: Path) -> TriangleMesh:
         touches = _touches(loaded)
     except _UNREADABLE as error:
         raise InputError(
-            f"{path} cannot be read as a {path.suffix.lower()[1:].upper()} mesh"
-            f" ({_first_line(error)}); it may be damaged or cut off, so export it again."
+            "{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, "
+            "so export it again.",
+            path=path,
+            format=path.suffix.lower()[1:].upper(),
+            reason=_first_line(error),
         ) from error
     if len(triangles) > _MOST_TRIANGLES:
         raise InputError(_too_large(path))
@@ -100,9 +110,11 @@ def _load(path: Path) -> TriangleMesh:
 
 
 def _too_large(path: Path) -> str:
-    return (
-        f"{path} is too large for a foot (more than {_MOST_TRIANGLES // 1_000_000} million"
-        " triangles or 600 MB); reduce it in the program that made it."
+    return Message(
+        "{path} is too large for a foot (more than {millions} million triangles or 600 "
+        "MB); reduce it in the program that made it.",
+        path=path,
+        millions=_MOST_TRIANGLES // 1000000,
     )
 
 
@@ -132,16 +144,19 @@ def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     """Refuse what is no triangle mesh at all."""
     if len(mesh.triangles) == 0:
         raise InputError(
-            f"{path} holds no surface that can be read, as if it were cut off or held points only;"
-            " export it again as a triangle mesh."
+            "{path} holds no surface that can be read, as if it were cut off or held points only; "
+            "export it again as a triangle mesh.",
+            path=path,
         )
     if mesh.triangles.min() < 0 or mesh.triangles.max() >= len(mesh.vertices):
         raise InputError(
-            f"{path} names corners that it does not hold; it is damaged, so export it again."
+            "{path} names corners that it does not hold; it is damaged, so export it again.",
+            path=path,
         )
     if not np.isfinite(mesh.vertices[mesh.triangles]).all():
         raise InputError(
-            f"{path} holds coordinates that are not numbers; it is damaged, so export it again."
+            "{path} holds coordinates that are not numbers; it is damaged, so export it again.",
+            path=path,
         )
     return mesh
 
@@ -157,7 +172,7 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
     )
     solid = mesh.triangle_normals.any(axis=1)
     if not solid.any():
-        raise InputError(f"{path} holds only triangles without area; export it again.")
+        raise InputError("{path} holds only triangles without area; export it again.", path=path)
     mesh = replace(mesh, triangles=mesh.triangles[solid])
     used = np.zeros(len(mesh.vertices), dtype=bool)
     used[mesh.triangles] = True
@@ -180,11 +195,15 @@ def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
     for unit, factor in _MM_PER_UNIT.items():
         if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
             if _depth(mesh) * factor < _LEAST_DEPTH_MM:
-                raise InputError(f"{path} is flat, which is no surface of a foot; export it again.")
+                raise InputError(
+                    "{path} is flat, which is no surface of a foot; export it again.", path=path
+                )
             return unit
     raise InputError(
-        f"{path} measures {extent:g} in its longest direction, which is no foot in millimetres,"
-        " metres or inches; check the unit of the export."
+        "{path} measures {length:g} in its longest direction, which is no foot in millimetres, "
+        "metres or inches; check the unit of the export.",
+        path=path,
+        length=extent,
     )
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from insole_core.foot.pose import poses_as_it_lies, surface_points
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 
 _CLEAR = 1.25
 _NO_FOOT = 0.6
@@ -37,8 +38,11 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
             "foot was in place, and that the volume holds nothing else."
         )
     if asked > _CLEAR * other:
-        return (
-            f"The session says that it is a {side} foot, but the shape looks like a {side.other} "
-            'one; ask which foot it is, and correct "side" in manifest.json if need be.'
+        return Message(
+            "The session says that it is a {side} foot, but the shape looks like a "
+            '{shape_side} one; ask which foot it is, and correct "side" in manifest.json '
+            "if need be.",
+            side=side,
+            shape_side=side.other,
         )
     return ""

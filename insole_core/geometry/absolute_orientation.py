@@ -118,8 +118,9 @@ def rotation_from_quaternion(quaternion: FloatArray) -> FloatArray:
 def _check_spread(points: FloatArray) -> None:
     if len(points) < 3:
         raise ReconstructionError(
-            "At least three points are needed to place one frame in another, "
-            f"but only {len(points)} were given."
+            "At least three points are needed to place one frame in another, but only {count} were "
+            "given.",
+            count=len(points),
         )
     length, width, _ = np.linalg.svd(points - points.mean(0), compute_uv=False)
     if not width > _COLLINEAR * length:

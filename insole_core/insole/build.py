@@ -101,8 +101,10 @@ def check_design_for(foot: Foot, design: InsoleDesign) -> None:
     """
     if design.side is not foot.side:
         raise DesignError(
-            f"This design is for a {design.side} foot and the scan is of a {foot.side} one;"
-            " open the matching scan or mirror the design."
+            "This design is for a {side} foot and the scan is of a {foot_side} one; open the "
+            "matching scan or mirror the design.",
+            side=design.side,
+            foot_side=foot.side,
         )
     check_design(design)
 
@@ -117,6 +119,9 @@ def material_problem(contact: HeightField) -> DesignError | None:
     if lowest >= LEAST_MATERIAL_MM:
         return None
     return DesignError(
-        f"The insole would be only {lowest:.1f} mm thick at x = {contact.x_mm[column]:.0f} mm,"
-        f" y = {contact.y_mm[row]:.0f} mm; raise the thickness or make the recess shallower."
+        "The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = {y_mm:.0f} "
+        "mm; raise the thickness or make the recess shallower.",
+        thickness_mm=lowest,
+        x_mm=contact.x_mm[column],
+        y_mm=contact.y_mm[row],
     )

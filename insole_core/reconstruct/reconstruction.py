@@ -11,6 +11,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import transform
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.depth_view import read_volume
 from insole_core.reconstruct.fusion.fused_surface import fuse
@@ -156,10 +157,13 @@ class _Fused:
         return prepare(reading)
 
     def note(self, part: PreparedView) -> str:
-        edges = " and ".join(part.reading.cut_edges)
+        edges = joined(part.reading.cut_edges, " and ")
         return edges and (
-            f"the foot is cut off at the {edges} edge of the depth picture; turn the sensor or "
-            "move it back"
+            Message(
+                "the foot is cut off at the {edges} edge of the depth picture; turn the sensor "
+                "or move it back",
+                edges=edges,
+            )
         )
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
@@ -192,7 +196,9 @@ class _Chain(Generic[_Part]):
             placing = [pool.submit(self._place, view) for view in views]
             try:
                 for number, view in enumerate(views):
-                    progress.step(0.5 * number / len(views), f"Placing the view {view.name}")
+                    progress.step(
+                        0.5 * number / len(views), "Placing the view {view}", view=view.name
+                    )
                     try:
                         part, result = placing[number].result()
                     except ReconstructionError as error:
@@ -236,8 +242,13 @@ class _Chain(Generic[_Part]):
 
 def _check_any_used(session: Session, results: list[ViewResult]) -> None:
     if not any(result.used for result in results):
-        reasons = "; ".join(f"view {result.name}: {result.reason}" for result in results)
+        reasons = (
+            Message("view {view}: {reason}", view=result.name, reason=result.reason)
+            for result in results
+        )
         raise ReconstructionError(
-            f"No foot can be made from {session.source}, because none of its views can be used "
-            f"({reasons})."
+            "No foot can be made from {session}, because none of its views can be used "
+            "({reasons}).",
+            session=session.source,
+            reasons=joined(reasons, "; "),
         )

@@ -8,6 +8,7 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.messages import Message, joined
 from insole_core.reconstruct.result import Surface, ViewResult
 from insole_core.reconstruct.views.foot_coverage import coverage_warnings
 from insole_core.recording.session import Session, View
@@ -32,8 +33,10 @@ def check_still(average: RawAverage) -> None:
     """
     if 2 * len(average.moved) > average.frames:
         raise ReconstructionError(
-            f"something moved in {len(average.moved)} of its {average.frames} depth frames; "
-            "capture it again with the foot kept still"
+            "something moved in {moved} of its {frames} depth frames; capture it again with the "
+            "foot kept still",
+            moved=len(average.moved),
+            frames=average.frames,
         )
 
 
@@ -41,10 +44,16 @@ def motion_note(view: View, average: RawAverage) -> str:
     """Say how far the foot moved in the frames that were left out; empty when none was."""
     if not average.moved:
         return ""
-    far = f" by {_motion_mm(view, average.motion):.1f} mm" if average.motion else ""
-    return (
-        f"something moved{far}; "
-        f"{len(average.moved)} of its {average.frames} depth frames are left out"
+    counts = {"moved": len(average.moved), "frames": average.frames}
+    if not average.motion:
+        return Message(
+            "something moved; {moved} of its {frames} depth frames are left out", **counts
+        )
+    return Message(
+        "something moved by {distance_mm:.1f} mm; {moved} of its {frames} depth frames are left "
+        "out",
+        distance_mm=_motion_mm(view, average.motion),
+        **counts,
     )
 
 
@@ -63,8 +72,16 @@ def warnings_of(
     """Give the sentences that a user should read before trusting the foot."""
     unseen = _unseen_sides(session, results)
     return (
-        *(f"The view {r.name} is left out: {r.reason}." for r in results if not r.used),
-        *(f"In the view {r.name} {r.reason}." for r in results if r.used and r.reason),
+        *(
+            Message("The view {view} is left out: {reason}.", view=r.name, reason=r.reason)
+            for r in results
+            if not r.used
+        ),
+        *(
+            Message("In the view {view} {reason}.", view=r.name, reason=r.reason)
+            for r in results
+            if r.used and r.reason
+        ),
         *_uncertain_poses(results),
         *_strayed_markers(results),
         *_hand_corrections(session, results),
@@ -84,18 +101,26 @@ def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
     if apart_mm[first, second] < _MISFIT_MM:
         return []
     return [
-        f"The views {used[first].name} and {used[second].name} do not fit each other by "
-        f"{apart_mm[first, second]:.0f} mm; see whether the foot or the reference system was moved "
-        "between them."
+        Message(
+            "The views {first} and {second} do not fit each other by {apart_mm:.0f} mm; see "
+            "whether the foot or the reference system was moved between them.",
+            first=used[first].name,
+            second=used[second].name,
+            apart_mm=apart_mm[first, second],
+        )
     ]
 
 
 def _uncertain_poses(results: list[ViewResult]) -> list[str]:
     return [
-        f"The markers of the view {result.name} leave its place uncertain by "
-        f"{result.displacement_mm:.1f} mm at the foot; see that more of them are in view."
+        Message(
+            "The markers of the view {view} leave its place uncertain by {uncertainty_mm:.1f} "
+            "mm at the foot; see that more of them are in view.",
+            view=result.name,
+            uncertainty_mm=uncertainty_mm,
+        )
         for result in results
-        if result.used and (result.displacement_mm or 0.0) > _UNCERTAIN_MM
+        if result.used and (uncertainty_mm := result.displacement_mm or 0.0) > _UNCERTAIN_MM
     ]
 
 
@@ -108,9 +133,13 @@ def _strayed_markers(results: list[ViewResult]) -> list[str]:
             if not (fix.used or fix.excluded) and missed_px is not None and missed_px > _STRAYED_PX:
                 strayed.setdefault(fix.id, []).append((result.name, fix.residual_mm))
     return [
-        f"The marker {marker} is seen {', '.join(f'{off:.0f} mm' for _, off in seen)} from its "
-        f"place by {', '.join(name for name, _ in seen)} and does not count; see whether it was "
-        "moved."
+        Message(
+            "The marker {marker} is seen {distances} from its place by {views} and does not "
+            "count; see whether it was moved.",
+            marker=marker,
+            distances=", ".join(f"{off:.0f} mm" for _, off in seen),
+            views=joined(name for name, _ in seen),
+        )
         for marker, seen in strayed.items()
     ]
 
@@ -118,9 +147,12 @@ def _strayed_markers(results: list[ViewResult]) -> list[str]:
 def _hand_corrections(session: Session, results: list[ViewResult]) -> list[str]:
     """Say what somebody corrected."""
     edits = session.edits
-    found = [
-        f"The markers of the view {result.name} were corrected by hand: "
-        f"{edits.of(result.name).summary()}."
+    found: list[str] = [
+        Message(
+            "The markers of the view {view} were corrected by hand: {corrections}.",
+            view=result.name,
+            corrections=edits.of(result.name).summary(),
+        )
         for result in results
         if result.used and edits.of(result.name).corrects_markers
     ]
@@ -135,7 +167,10 @@ def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
     seen = {face for view in session.views if view.name in used for face in view.sensor.faces}
     sides = dict.fromkeys(marker.face for marker in session.manifest.reference_system.markers)
     return [
-        f'No view shows the side of the markers "{side}", so the foot is not measured there.'
+        Message(
+            'No view shows the side of the markers "{face}", so the foot is not measured there.',
+            face=side,
+        )
         for side in sides
         if side not in seen
     ]
@@ -144,7 +179,7 @@ def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
 def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
     """Name the pairs of different sensors that stood in the same place."""
     serials = {view.name: view.sensor.serial for view in session.views}
-    found = []
+    found: list[str] = []
     for first, second in combinations([result for result in results if result.used], 2):
         if serials[first.name] == serials[second.name]:
             continue
@@ -155,7 +190,12 @@ def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
         turned_deg = rotation_angle_deg(a[:3, :3].T @ b[:3, :3])
         if apart_mm < _SAME_PLACE_MM and turned_deg < _SAME_DIRECTION_DEG:
             found.append(
-                f"The sensors of the views {first.name} and {second.name} stood in the same place "
-                f"({apart_mm:.0f} mm apart); see that no view was recorded under two names."
+                Message(
+                    "The sensors of the views {first} and {second} stood in the same place "
+                    "({apart_mm:.0f} mm apart); see that no view was recorded under two names.",
+                    first=first.name,
+                    second=second.name,
+                    apart_mm=apart_mm,
+                )
             )
     return found

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from insole_core.messages import Message, joined
+
 if TYPE_CHECKING:
     from insole_core.recording.session import Box
 
@@ -84,15 +86,15 @@ class ViewEdits:
 
     def summary(self) -> str:
         """Say what was corrected, as a part of a sentence."""
-        named = [spot.id for spot in self.named]
-        parts = [
-            f"{', '.join(ids)} {verb}"
-            for ids, verb in ((self.excluded, "excluded"), (named, "pointed at"))
-            if ids
-        ]
+        parts: list[str] = []
+        if self.excluded:
+            parts.append(Message("{markers} excluded", markers=joined(self.excluded)))
+        if self.named:
+            named = joined(spot.id for spot in self.named)
+            parts.append(Message("{markers} pointed at", markers=named))
         if self.searched is not None or self.ignored:
             parts.append("the search limited to a region")
-        return ", ".join(parts)
+        return joined(parts)
 
 
 NO_VIEW_EDITS = ViewEdits()

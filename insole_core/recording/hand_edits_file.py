@@ -104,7 +104,9 @@ def _view(root: JsonObject, manifest: Manifest) -> ViewEdits:
     excluded = root.items("excluded")
     for marker in excluded:
         if marker not in known:
-            raise root.fail("excluded", f"names {marker!r}, which no marker of this session is")
+            raise root.fail(
+                "excluded", "names {marker!r}, which no marker of this session is", marker=marker
+            )
     named = tuple(
         NamedSpot(spot.choice("id", known), spot.pair("pixel"), spot.flag("exact"))
         for spot in root.objects("named")

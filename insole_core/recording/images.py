@@ -44,8 +44,10 @@ def check_png(name: str, content: bytes, expected: PngKind) -> None:
     InputError
     """
     if not content.startswith(_SIGNATURE):
-        raise InputError(f"{name} is not a PNG image; restore it from the recording.")
-    damaged = InputError(f"{name} is truncated or damaged; restore it from the recording.")
+        raise InputError("{name} is not a PNG image; restore it from the recording.", name=name)
+    damaged = InputError(
+        "{name} is truncated or damaged; restore it from the recording.", name=name
+    )
     position, kind = len(_SIGNATURE), b""
     while kind != b"IEND":
         if position + 12 > len(content):
@@ -60,7 +62,12 @@ def check_png(name: str, content: bytes, expected: PngKind) -> None:
         if kind == b"IHDR":
             found = PngKind(*struct.unpack_from(">IIBB", content, position + 8))
             if found != expected:
-                raise InputError(f"{name} is {found}, but must be {expected}.")
+                raise InputError(
+                    "{name} is {found}, but must be {expected}.",
+                    name=name,
+                    found=str(found),
+                    expected=str(expected),
+                )
         position = end
 
 
@@ -75,8 +82,11 @@ def decode_depth(name: str, content: bytes) -> RawArray:
     image = _decode(name, content, cv2.IMREAD_UNCHANGED)
     if image.max() > NO_READING:
         raise InputError(
-            f"{name} holds the number {image.max()}, but the sensor's raw numbers end at "
-            f"{NO_READING}; it is no raw depth frame."
+            "{picture} holds the number {number}, but the sensor's raw numbers end at {greatest}; "
+            "it is no raw depth frame.",
+            picture=name,
+            number=image.max(),
+            greatest=NO_READING,
         )
     return image.astype(np.uint16, copy=False)
 
@@ -95,5 +105,5 @@ def encode_png(image: RawArray | ByteArray) -> bytes:
 def _decode(name: str, content: bytes, flags: int) -> RawArray | ByteArray:
     image = cv2.imdecode(np.frombuffer(content, np.uint8), flags)
     if image is None:
-        raise InputError(f"{name} cannot be decoded; restore it from the recording.")
+        raise InputError("{name} cannot be decoded; restore it from the recording.", name=name)
     return np.asarray(image)

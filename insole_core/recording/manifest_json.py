@@ -74,7 +74,7 @@ def _date(root: JsonObject) -> str:
         datetime.fromisoformat(text)
     except ValueError:
         raise root.fail(
-            "recorded_at", f'is "{text}", but must be a date such as 2026-11-20T10:00:00Z'
+            "recorded_at", 'is "{text}", but must be a date such as 2026-11-20T10:00:00Z', text=text
         ) from None
     return text
 
@@ -113,7 +113,9 @@ def _view_names(root: JsonObject) -> tuple[str, ...]:
     for name in names:
         if not isinstance(name, str) or not _VIEW_NAME.fullmatch(name):
             raise root.fail(
-                "views", f"names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _"
+                "views",
+                "names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _",
+                name=name,
             )
     if not names or len(set(names)) < len(names):
         raise root.fail("views", "must name at least one view, and none twice")

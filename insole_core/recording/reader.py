@@ -38,8 +38,9 @@ def read_session(path: Path) -> Session:
     store = _store(path)
     if "manifest.json" not in store.names():
         raise InputError(
-            f"{path} holds no manifest.json, so it is not a recorded session; choose the folder "
-            "or zip archive of a session."
+            "{path} holds no manifest.json, so it is not a recorded session; choose the folder or "
+            "zip archive of a session.",
+            path=path,
         )
     manifest = parse_manifest("manifest.json", store.read("manifest.json"))
     views = [_view(store, name, manifest) for name in manifest.views]
@@ -55,7 +56,7 @@ def _store(path: Path) -> Store:
     if path.is_dir():
         return FolderStore(path)
     if not path.exists():
-        raise InputError(f"{path} does not exist; check the name.")
+        raise InputError("{path} does not exist; check the name.", path=path)
     return ZipStore(path)
 
 
@@ -84,7 +85,9 @@ def _view(store: Store, name: str, manifest: Manifest) -> View:
     folder = f"views/{name}"
     file = f"{folder}/sensor.json"
     if file not in store.names():
-        raise InputError(f"{file} is missing, but manifest.json names the view {name}.")
+        raise InputError(
+            "{file} is missing, but manifest.json names the view {view}.", file=file, view=name
+        )
     root = JsonObject.parse(file, store.read(file))
     named = correction_name(root)
     correction = None if named is None else _correction(store, f"{folder}/{named}")
@@ -108,7 +111,9 @@ def _check_faces(root: JsonObject, faces: tuple[str, ...], manifest: Manifest) -
     known = {marker.face for marker in manifest.reference_system.markers}
     unknown = [face for face in faces if face not in known]
     if unknown:
-        raise root.fail("faces", f'names "{unknown[0]}", which no marker in manifest.json has')
+        raise root.fail(
+            "faces", 'names "{unknown}", which no marker in manifest.json has', unknown=unknown[0]
+        )
 
 
 def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str]:
@@ -118,13 +123,19 @@ def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str
         int(match[1]) for match in map(pattern.fullmatch, store.names()) if match is not None
     )
     if not numbers:
-        raise InputError(f"{folder} holds no {kind}_000.png, but a view has at least one.")
+        raise InputError(
+            "{folder} holds no {kind}_000.png, but a view has at least one.",
+            folder=folder,
+            kind=kind,
+        )
     names = [f"{folder}/{kind}_{number:03d}.png" for number in range(len(numbers))]
     gap = next(
         (name for name, n in zip(names, numbers, strict=True) if n != int(name[-7:-4])), None
     )
     if gap is not None:
-        raise InputError(f"{gap} is missing, but later frames are there; restore it or renumber.")
+        raise InputError(
+            "{frame} is missing, but later frames are there; restore it or renumber.", frame=gap
+        )
     for name in names:
         check_png(name, store.read(name), expected)
     return names
@@ -140,5 +151,7 @@ def _read_color(store: Store, names: list[str], index: int) -> ByteArray:
 
 def _correction(store: Store, name: str) -> DisparityCorrection:
     if name not in store.names():
-        raise InputError(f"{name} is missing, but sensor.json names it as disparity_correction.")
+        raise InputError(
+            "{name} is missing, but sensor.json names it as disparity_correction.", name=name
+        )
     return parse_correction(name, store.read(name))

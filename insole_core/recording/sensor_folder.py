@@ -28,7 +28,9 @@ def read_sensor(folder: Path) -> Sensor:
         content = path.read_bytes()
     except OSError as error:
         raise InputError(
-            f"{path} cannot be read ({error.strerror}); name a folder that holds a sensor.json."
+            "{path} cannot be read ({reason}); name a folder that holds a sensor.json.",
+            path=path,
+            reason=str(error.strerror),
         ) from error
     root = JsonObject.parse(SENSOR_FILE, content)
     named = correction_name(root)

@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.json_object import JsonObject
+from insole_core.messages import joined
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -87,8 +88,14 @@ def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
 def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCamera:
     width, height = item.integer("width", 1, 10_000), item.integer("height", 1, 10_000)
     if (width, height) not in sizes:
-        allowed = " or ".join(f"{w}×{h}" for w, h in sizes)
-        raise item.fail("width", f"and height are {width}×{height}, but must be {allowed}")
+        allowed = joined((f"{w}×{h}" for w, h in sizes), " or ")
+        raise item.fail(
+            "width",
+            "and height are {width}×{height}, but must be {allowed}",
+            width=width,
+            height=height,
+            allowed=allowed,
+        )
     k1, k2, p1, p2, k3 = item.numbers("distortion", 5)
     return PinholeCamera(
         width=width,
@@ -114,7 +121,9 @@ def _depth2color(item: JsonObject) -> FloatArray:
     rotation = np.array(item.matrix("rotation", 3))
     if not is_rotation(rotation):
         kind = "mirrored" if np.linalg.det(rotation) < 0 else "no rotation"
-        raise item.fail("rotation", f"is {kind}; its rows must be right-handed unit vectors")
+        raise item.fail(
+            "rotation", "is {what}; its rows must be right-handed unit vectors", what=kind
+        )
     return rigid(rotation, np.array(item.numbers("translation_mm", 3)))
 
 

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 from typing import Protocol
 
 from insole_core.errors import InputError
+from insole_core.messages import Message
 
 MAX_FILE_BYTES = 64 * 2**20
 """No file of a session is larger: a 1280×1024 colour image has 4 MB before compression."""
@@ -48,7 +49,9 @@ class FolderStore:
             return path.read_bytes()
         except OSError as error:
             raise InputError(
-                f"{name} cannot be read ({error.strerror}); check the disk and the permissions."
+                "{name} cannot be read ({reason}); check the disk and the permissions.",
+                name=name,
+                reason=str(error.strerror),
             ) from error
 
 
@@ -62,7 +65,8 @@ class ZipStore:
                 entries = [entry for entry in opened.infolist() if not entry.is_dir()]
         except (zipfile.BadZipFile, OSError, NotImplementedError) as error:
             raise InputError(
-                f"{archive} is not a readable zip archive; copy it again from its source."
+                "{archive} is not a readable zip archive; copy it again from its source.",
+                archive=archive,
             ) from error
         _check_entries(archive, entries)
         self._prefix = _prefix([entry.filename for entry in entries])
@@ -84,7 +88,9 @@ class ZipStore:
                 content = file.read(MAX_FILE_BYTES + 1)
         except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, zlib.error) as error:
             raise InputError(
-                f"{name} inside {self._archive} is damaged; copy the archive again from its source."
+                "{file} inside {archive} is damaged; copy the archive again from its source.",
+                file=name,
+                archive=self._archive,
             ) from error
         if len(content) > MAX_FILE_BYTES:
             raise InputError(_too_large(name))
@@ -92,9 +98,11 @@ class ZipStore:
 
 
 def _too_large(name: str) -> str:
-    return (
-        f"{name} is larger than {MAX_FILE_BYTES // 2**20} MB, which no file of a session is; "
-        "check what was put there."
+    return Message(
+        "{file} is larger than {limit_mb} MB, which no file of a session is; check what "
+        "was put there.",
+        file=name,
+        limit_mb=MAX_FILE_BYTES // 2**20,
     )
 
 
@@ -103,14 +111,19 @@ def _check_entries(archive: Path, entries: list[zipfile.ZipInfo]) -> None:
         path = PurePosixPath(entry.filename.replace("\\", "/"))
         if path.is_absolute() or ".." in path.parts or ":" in entry.filename:
             raise InputError(
-                f'{archive} holds the path "{entry.filename}", which leads out of the archive; '
-                "do not use this file."
+                '{archive} holds the path "{file}", which leads out of the archive; do not use '
+                "this file.",
+                archive=archive,
+                file=entry.filename,
             )
     total = sum(entry.file_size for entry in entries)
     if total > MAX_ARCHIVE_BYTES or len(entries) > MAX_ARCHIVE_FILES:
         raise InputError(
-            f"{archive} would unpack to {total / 2**30:.1f} GB in {len(entries)} files, "
-            "far more than a session has; do not use this file."
+            "{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session "
+            "has; do not use this file.",
+            archive=archive,
+            size_gb=total / 2**30,
+            files=len(entries),
         )
 
 

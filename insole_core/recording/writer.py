@@ -66,7 +66,7 @@ def _write_parts(
     if session.edits != NO_EDITS:
         _write_json(folder / EDITS, edits_json(session.edits))
     for index, view in enumerate(session.views):
-        progress.step(index / len(session.views), f"Writing view {view.name}")
+        progress.step(index / len(session.views), "Writing view {view}", view=view.name)
         _write_view(view, folder / "views" / view.name)
     if truth is not None:
         write_ply(truth, folder / "truth.ply")

@@ -151,7 +151,9 @@ def load_correction(path: Path) -> DisparityCorrection:
         content = path.read_bytes()
     except OSError as error:
         raise InputError(
-            f"The correction {path} cannot be read ({error.strerror}); calibrate the sensor again."
+            "The correction {path} cannot be read ({reason}); calibrate the sensor again.",
+            path=path,
+            reason=str(error.strerror),
         ) from error
     return parse_correction(path.name, content)
 
@@ -170,12 +172,14 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         record = _record(arrays)
     except (ValueError, OSError, KeyError, TypeError, zipfile.BadZipFile, EOFError) as error:
         raise InputError(
-            f'{name} holds no readable array "offset"; calibrate the sensor again.'
+            '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
         ) from error
     if record.version > VERSION:
         raise InputError(
-            f"{name} is of version {record.version}, which is newer than this program (it reads "
-            f"up to {VERSION}); install a newer Insole Studio."
+            "{name} is of version {version}, which is newer than this program (it reads up to "
+            "{version}); install a newer Insole Studio.",
+            name=name,
+            version=VERSION,
         )
     _check_map(name, "offset", offset)
     if "record" not in arrays:
@@ -199,15 +203,17 @@ def _record(arrays: dict[str, Any]) -> CorrectionRecord:
 def _check_map(name: str, key: str, array: FloatArray) -> None:
     if array.shape != _SHAPE or not np.isfinite(array).all():
         raise InputError(
-            f'{name}: the array "{key}" must hold 480×640 finite numbers; '
-            "calibrate the sensor again."
+            '{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor '
+            "again.",
+            name=name,
+            key=key,
         )
 
 
 def _check_range(name: str, raw_range: npt.ArrayLike) -> None:
     if np.shape(raw_range) != (2,):
         raise InputError(
-            f'{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.'
+            '{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.', name=name
         )
 
 

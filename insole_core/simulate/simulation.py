@@ -13,6 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.sensor_json import COLOR_SIZES
 from insole_core.recording.session import (
@@ -98,13 +99,17 @@ class SimulationOptions:
         check_limits(self, _LIMITS)
         if self.color_size not in COLOR_SIZES:
             raise UsageError(
-                f"A colour image of {self.color_size[0]} x {self.color_size[1]} px cannot be "
-                "simulated; choose 1280 x 1024, 1280 x 960 or 640 x 480."
+                "A colour image of {width} x {height} px cannot be simulated; choose 1280 x 1024, "
+                "1280 x 960 or 640 x 480.",
+                width=self.color_size[0],
+                height=self.color_size[1],
             )
         if self.shape is not None and self.shape.side is not self.side:
             raise UsageError(
-                f"The foot's shape is a {self.shape.side} one, but a {self.side} foot is to be "
-                "simulated; give both the same side."
+                "The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; "
+                "give both the same side.",
+                shape_side=self.shape.side,
+                side=self.side,
             )
 
 
@@ -147,7 +152,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     }
     views, poses = [], {}
     for number, (name, sensor) in enumerate(plan):
-        progress.step(0.1 + 0.9 * number / len(plan), f"Simulating view {name}")
+        progress.step(0.1 + 0.9 * number / len(plan), "Simulating view {name}", name=name)
         rng = np.random.default_rng([options.seed, 2, number])
         poses[name] = stand_sensor(sensor, options.distance_mm, options.half_angle_deg, rng)
         recorder = Recorder(
@@ -157,7 +162,9 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         )
         views.append(_view(name, devices[sensor], recorder, options))
     manifest = _manifest(options, reference_system, tuple(poses))
-    session = Session(manifest, tuple(views), f"the simulation with seed {options.seed}")
+    session = Session(
+        manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
+    )
     return SimulatedSession(session, foot, poses)
 
 

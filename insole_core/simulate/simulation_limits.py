@@ -22,5 +22,9 @@ def check_limits(values: object, limits: Limits) -> None:
         value = getattr(values, attribute)
         if not low <= value <= high:
             raise UsageError(
-                f"The {words} cannot be {value:g}; choose a value from {low:g} to {high:g}."
+                "The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.",
+                what=words,
+                value=value,
+                least=low,
+                most=high,
             )

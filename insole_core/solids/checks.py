@@ -14,6 +14,7 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
@@ -93,7 +94,9 @@ def check_solid(
     }  # fmt: skip
     findings = []
     for number, (name, policy) in enumerate(rules.policies.items()):
-        progress.step(number / len(rules.policies), f"Checking: {name.replace('_', ' ')}")
+        progress.step(
+            number / len(rules.policies), "Checking: {check}", check=name.replace("_", " ")
+        )
         if policy != "off":
             findings.append(checks[name](survey, rules, policy))
     return tuple(findings)
@@ -110,7 +113,8 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
     blocking = [finding for finding in findings if finding.blocks]
     if blocking and (override is None or not override.reason.strip()):
         raise DesignError(
-            f"{blocking[0].sentence} Change the design, or override the rule with a reason."
+            "{finding} Change the design, or override the rule with a reason.",
+            finding=blocking[0].sentence,
         )
     return {
         "findings": [finding.as_json() for finding in findings],
@@ -161,8 +165,8 @@ class _Survey:
         return float(round(x, 2)), float(round(y, 2)), float(round(self.seen[0][index], 2))
 
 
-def _at(place: Place | None) -> str:
-    return "" if place is None else f" at x = {place[0]:.0f} mm, y = {place[1]:.0f} mm"
+def _at(place: Place) -> Message:
+    return Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=place[0], y_mm=place[1])
 
 
 def _worst(values: FloatArray) -> tuple[int, ...]:
@@ -197,7 +201,10 @@ def _cutter(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     radius = rules.cutter_diameter_mm / 2
     left = left_by_cutter(np.nan_to_num(heights, nan=0.0), _PITCH_MM, radius)
     left = np.where(survey.inner, left, np.nan)
-    unit = f"mm of material left by the {rules.cutter_diameter_mm:g} mm cutter in a hollow"
+    unit = Message(
+        "mm of material left by the {diameter_mm:g} mm cutter in a hollow",
+        diameter_mm=rules.cutter_diameter_mm,
+    )
     return _graded(survey, "cutter", policy, left, rules.limits["cutter"], unit=unit)
 
 
@@ -226,7 +233,9 @@ def _graded(
 ) -> Finding:
     """Judge the worst place of a map; with `least` the map holds the negative of what counts."""
     if not np.isfinite(badness).any():
-        sentence = f"Too little of the solid is seen from above to check its {name}."
+        sentence = Message(
+            "Too little of the solid is seen from above to check its {what}.", what=name
+        )
         return Finding(name, policy, False, 0.0, limit, unit, sentence)
     worst = _worst(badness)
     value = float(-badness[worst] if least else badness[worst])
@@ -234,8 +243,14 @@ def _graded(
     place = survey.place(worst)
     bad = badness > (-limit if least else limit)
     spots = np.dstack([survey.places, survey.seen[0]])[bad]
-    bound = "least" if least else "most"
-    sentence = f"{value:.2f} {unit}{_at(place)}; {limit:g} is the {bound} allowed."
+    sentence = Message(
+        "{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.",
+        value=value,
+        unit=unit,
+        place=_at(place),
+        limit=limit,
+        bound="least" if least else "most",
+    )
     return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place, spots)
 
 
@@ -252,7 +267,18 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     if area > 0:
         x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
         place = (float(round(x, 2)), float(round(y, 2)), float(round(z, 2)))
-    sentence = f"{area:.0f} mm² cannot be reached from above{_at(place)}; {limit:g} are allowed."
+    sentence = Message(
+        "{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.",
+        area_mm2=area,
+        limit=limit,
+    )
+    if place is not None:
+        sentence = Message(
+            "{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.",
+            area_mm2=area,
+            place=_at(place),
+            limit=limit,
+        )
     return Finding(
         "undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place, spots
     )
@@ -265,5 +291,7 @@ def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     over = float((size - stock).max())
     needed = " × ".join(f"{value:.0f}" for value in size)
     there = " × ".join(f"{value:g}" for value in stock)
-    sentence = f"The solid needs {needed} mm, and the block has {there} mm."
+    sentence = Message(
+        "The solid needs {needed} mm, and the block has {there} mm.", needed=needed, there=there
+    )
     return Finding("block", policy, over <= 0, round(over, 2), 0.0, "mm too large", sentence)

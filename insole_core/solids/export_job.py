@@ -102,7 +102,9 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
     check_suffix(places.solid)
     for paper in (places.job_sheet, places.prescription):
         if paper is not None and paper.suffix.lower() != ".pdf":
-            raise UsageError(f"{paper} is a paper, which is written as .pdf; change its suffix.")
+            raise UsageError(
+                "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
+            )
     with ExitStack() as stack:
         opened = (
             path and stack.enter_context(replacing_file(path)) for path in vars(places).values()

@@ -11,6 +11,7 @@ from typing import Any, Literal, TypeAlias, get_args
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.json_object import JsonObject
+from insole_core.messages import joined
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-export-rules", 1
@@ -61,8 +62,11 @@ class ExportRules:
         """
         if not _LEAST_CUTTER_MM <= diameter_mm <= _GREATEST_CUTTER_MM:
             raise InputError(
-                f"A cutter of {diameter_mm:g} mm is asked for, and must be"
-                f" {_LEAST_CUTTER_MM:g} to {_GREATEST_CUTTER_MM:g} mm; give another diameter."
+                "A cutter of {diameter_mm:g} mm is asked for, and must be {least_mm:g} to "
+                "{most_mm:g} mm; give another diameter.",
+                diameter_mm=diameter_mm,
+                least_mm=_LEAST_CUTTER_MM,
+                most_mm=_GREATEST_CUTTER_MM,
             )
         return replace(self, cutter_diameter_mm=diameter_mm)
 
@@ -87,7 +91,9 @@ def read_rules(path: Path | None = None) -> ExportRules:
     further: dict[str, Any] = {}
     for key in rules.values:
         if key not in CHECK_NAMES:
-            raise rules.fail(key, f"is no check; those are {', '.join(CHECK_NAMES)}")
+            raise rules.fail(
+                key, "is no check; those are {check_names}", check_names=joined(CHECK_NAMES)
+            )
     for name in filter(rules.has, CHECK_NAMES):
         rule = rules.object(name)
         policies[name] = rule.choice("policy", get_args(Policy))

@@ -103,7 +103,8 @@ def _fitted(
     )
     if scale * 0.73 < _LEAST_LETTER_MM:
         raise DesignError(
-            "The identification is too long for its place; shorten it, so that its letters can be"
-            f" at least {_LEAST_LETTER_MM:g} mm high."
+            "The identification is too long for its place; shorten it, so that its letters can be "
+            "at least {least_mm:g} mm high.",
+            least_mm=_LEAST_LETTER_MM,
         )
     return section.scale([scale, scale])

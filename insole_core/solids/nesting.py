@@ -60,9 +60,15 @@ def nest_pair(
     need_x, need_y, need_z = smallest.size_mm
     if need_y > length or need_x > width or need_z > block_mm[2]:
         raise DesignError(
-            f"The pair needs a block of {need_y:.0f} × {need_x:.0f} × {need_z:.0f} mm, and this one"
-            f" has {length:g} × {width:g} × {block_mm[2]:g} mm; take a larger block, or one for"
-            " each side."
+            "The pair needs a block of {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, and "
+            "this one has {length_mm:g} × {width_mm:g} × {height_mm:g} mm; take a larger block, "
+            "or one for each side.",
+            need_x_mm=need_y,
+            need_y_mm=need_x,
+            need_z_mm=need_z,
+            length_mm=length,
+            width_mm=width,
+            height_mm=block_mm[2],
         )
     return smallest
 

@@ -10,6 +10,7 @@ from insole_core.export.three_mf import ThreeMfPart
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid
 from insole_core.solids.export_rules import CheckName, ExportRules
@@ -158,7 +159,11 @@ def _notes(order: Order) -> tuple[str, ...]:
     if not missing:
         return ()
     return (
-        f"The font has no letters {missing}; the identification shows a likeness or “?” instead.",
+        Message(
+            "The font has no letters {missing}; the identification shows a likeness or “?” "
+            "instead.",
+            missing=missing,
+        ),
     )
 
 
@@ -167,6 +172,7 @@ def _require_known_letters(order: Order) -> None:
     text = "".join(order.mark).strip()
     if text and not set(text) - set(missing_letters(text)):
         raise DesignError(
-            f"The font has none of the letters of “{text}”; write the identification in other"
-            " letters, such as a number."
+            "The font has none of the letters of “{text}”; write the identification in other "
+            "letters, such as a number.",
+            text=text,
         )

@@ -59,9 +59,12 @@ def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float)
     deviation = float(distances_to(best, solid.vertices).max())
     if len(best.triangles) > most_triangles or deviation > most_deviation_mm:
         raise DesignError(
-            f"{most_triangles} triangles are too few for this solid: {len(best.triangles)} deviate"
-            f" by {deviation:.3f} mm, and {most_deviation_mm:g} mm are allowed; allow more"
-            " triangles or more deviation."
+            "{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} "
+            "mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.",
+            limit=most_triangles,
+            count=len(best.triangles),
+            deviation_mm=deviation,
+            allowed_mm=most_deviation_mm,
         )
     return Simplified(best, deviation)
 

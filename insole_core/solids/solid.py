@@ -59,8 +59,13 @@ class SolidOptions:
             value = getattr(self, key)
             if not least <= value <= greatest:
                 raise DesignError(
-                    f"{key} is {value:g}, and must be {least} to {greatest} {unit};"
-                    " put in a value of that range."
+                    "{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of "
+                    "that range.",
+                    what=key,
+                    value=value,
+                    least=least,
+                    most=greatest,
+                    unit=unit,
                 )
 
 
@@ -74,7 +79,7 @@ def make_solid(
     progress: Progress = SILENT,
 ) -> TriangleMesh:
     """Make one of the three solids of an insole; see the functions of that name."""
-    progress.step(0.0, f"Closing the {kind}")
+    progress.step(0.0, "Closing the {kind}", kind=kind)
     if kind == "block":
         return block_solid(insole)
     return (insole_solid if kind == "insole" else positive_solid)(insole, options)

@@ -65,8 +65,9 @@ def checked_outline(polygon: FloatArray) -> FloatArray:
     area = _area(polygon) if len(polygon) > 2 else 0.0
     if abs(area) < _LEAST_AREA_MM2:
         raise DesignError(
-            f"The outline encloses only {abs(area):.0f} mm², which leaves no insole;"
-            " draw it round the foot."
+            "The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round "
+            "the foot.",
+            area_mm2=abs(area),
         )
     return polygon if area > 0 else np.ascontiguousarray(polygon[::-1])
 

@@ -28,6 +28,7 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.insole_builder import InsoleBuilder
 
@@ -135,7 +136,9 @@ def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> 
     suffix = path.suffix.lower()
     if suffix not in REPORT_SUFFIXES:
         raise UsageError(
-            f"{path} names no form of a report; let it end in {', '.join(REPORT_SUFFIXES)}."
+            "{path} names no form of a report; let it end in {suffixes}.",
+            path=path,
+            suffixes=joined(REPORT_SUFFIXES),
         )
     if suffix == ".ply":
         write_ply(colored_surface(compared.difference), path)

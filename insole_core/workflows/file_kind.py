@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.messages import joined
 from insole_core.recording.reader import is_session
 
 MESH_SUFFIXES = (".ply", ".stl", ".obj")
@@ -28,6 +29,9 @@ def kind_of(path: Path) -> str:
     if path.suffix.lower() in MESH_SUFFIXES:
         return "mesh"
     raise InputError(
-        f"{path} is neither a case, a session nor a mesh; open a {CASE_SUFFIX} file, the folder or "
-        f"zip archive of a session, or a {', '.join(MESH_SUFFIXES)} file."
+        "{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or "
+        "zip archive of a session, or a {mesh_suffixes} file.",
+        path=path,
+        case_suffix=CASE_SUFFIX,
+        mesh_suffixes=joined(MESH_SUFFIXES),
     )

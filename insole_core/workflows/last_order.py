@@ -7,9 +7,9 @@ from dataclasses import fields
 from pathlib import Path
 
 from insole_core.export.atomic import replacing_file
+from insole_core.forgiving_json import read_remembered, understood
 from insole_core.solids.shop import Shop
 from insole_core.workflows.make_order import OrderChoice
-from insole_studio.settings import read_remembered, understood
 
 _FORGOTTEN = ("both", "pseudonym", "text", "block")
 

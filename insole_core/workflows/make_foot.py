@@ -139,7 +139,7 @@ def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
     views = opened.session.views
     for number, view in enumerate(views):
         done = 0.1 + 0.9 * number / len(views)
-        progress.step(done, f"Averaging the frames of the view {view.name}")
+        progress.step(done, "Averaging the frames of the view {view}", view=view.name)
         try:
             measured[view.name] = measure_view(view)
         except ReconstructionError as error:

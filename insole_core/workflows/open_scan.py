@@ -48,15 +48,20 @@ def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress
     recorded = opened.session.manifest.side
     if side not in (None, recorded):
         raise UsageError(
-            f"The {side} foot is asked for, by --side, --other or the prescription, but {path} "
-            f"was recorded as the {recorded} foot; correct the call."
+            "The {side} foot is asked for, by --side, --other or the prescription, but {path} was "
+            "recorded as the {recorded} foot; correct the call.",
+            side=side,
+            path=path,
+            recorded=recorded,
         )
     return make_foot(opened, progress=progress.part(0.05, 1.0), force=force).scan
 
 
 def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
     if side is None:
-        raise UsageError(f"{path} is a mesh, which does not say which foot it is; add --side.")
+        raise UsageError(
+            "{path} is a mesh, which does not say which foot it is; add --side.", path=path
+        )
     progress.step(0.0, "Reading the scan")
     read = read_mesh(path)
     progress.step(0.3, "Finding the pose of the foot")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from insole_core.cases.case_record import ScanSource
 from insole_core.foot.foot import Foot
+from insole_core.messages import Message
 from insole_core.recording.session import Session
 
 MANIFEST = "manifest.json"
@@ -41,13 +42,15 @@ def change_of_source(source: ScanSource) -> str:
         if _sha256(_signed_file(path)) == source.sha256:
             return ""
     except OSError:
-        return (
-            f"The scan {path} is not there any more, or cannot be read; the case holds its own"
-            " copy of the foot, so the work can go on."
+        return Message(
+            "The scan {path} is not there any more, or cannot be read; the case holds its "
+            "own copy of the foot, so the work can go on.",
+            path=path,
         )
-    return (
-        f"The scan {path} has changed since this case was made; the case keeps the foot as it was,"
-        " open the scan again if the new one is wanted."
+    return Message(
+        "The scan {path} has changed since this case was made; the case keeps the foot as "
+        "it was, open the scan again if the new one is wanted.",
+        path=path,
     )
 
 

@@ -41,7 +41,9 @@ class SessionEditor:
         self.results: dict[str, ViewResult] = {}
         self._changed = changed
         for number, name in enumerate(self.names):
-            progress.step(number / len(self.names), f"Finding the markers of the view {name}")
+            progress.step(
+                number / len(self.names), "Finding the markers of the view {view}", view=name
+            )
             self.results[name] = opened.placed(name, limits)
 
     @property

@@ -169,8 +169,12 @@ def _page(
     margin = 5.0
     if size_mm[0] > page_mm[0] - 2 * margin or size_mm[1] > page_mm[1] - 2 * margin:
         raise UsageError(
-            f"A drawing of {size_mm[0]:.0f}×{size_mm[1]:.0f} mm does not fit a page of "
-            f"{page_mm[0]:.0f}×{page_mm[1]:.0f} mm; choose a larger page or a smaller board."
+            "A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of "
+            "{page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.",
+            width_mm=size_mm[0],
+            height_mm=size_mm[1],
+            page_width_mm=page_mm[0],
+            page_height_mm=page_mm[1],
         )
     figure = Figure(figsize=(page_mm[0] / _INCH_MM, page_mm[1] / _INCH_MM), facecolor="white")
     whole = figure.add_axes((0, 0, 1, 1))

@@ -1,11 +1,14 @@
-"""What the core says is read in Swedish: progress, and every error that a user can meet."""
+"""What the core says is read in Swedish: every sentence of it is a message with a translation."""
 
 from __future__ import annotations
 
 import ast
-import json
+import builtins
+import string
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -13,127 +16,214 @@ from PySide6.QtWidgets import QApplication
 
 import insole_core
 import insole_studio
-from insole_core import errors
 from insole_core.calibration.boards.board import Chequerboard
 from insole_core.calibration.plausibility import USUAL_DEPTH, find_misfit
 from insole_core.errors import CalibrationError, InputError
 from insole_core.foot.mesh_file import read_mesh
+from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.nominal_kinect import nominal_kinect
-from insole_studio.phrasebook import Phrasebook
 from insole_studio.texts import load_language, translate_core_message
 
 CORE = Path(insole_core.__file__).parent
-WORKBENCH = Path(insole_studio.__file__).parent / "workbench"
-BOOK: dict[str, str] = json.loads(
-    (resource_path("translations") / "sv/sentences.json").read_text("utf-8")
-)
-TRANSLATED = (
-    "calibration", "cases", "compare", "evaluation", "export", "foot", "geometry", "insole",
-    "recording", "reconstruct", "sensing", "simulate", "solids", "json_object.py",
+STUDIO = Path(insole_studio.__file__).parent
+CATALOGUE = {
+    message.findtext("source", ""): message.findtext("translation", "")
+    for message in ElementTree.parse(resource_path("translations/sv/core.ts")).iter("message")
+}
+PAPERS = (
+    "compare/comparison_paper.py", "compare/comparison_report.py",
+    "evaluation/calibration_sections.py", "evaluation/evaluation_sections.py",
+    "evaluation/report.py", "evaluation/report_html.py", "evaluation/wall_pictures.py",
+    "export/obj.py", "export/ply.py", "export/stl.py", "export/three_mf.py",
+    "insole/prescription/prescription_lines.py", "simulate/simulation.py", "solids/export_job.py",
 )  # fmt: skip
-"""Rooms whose errors the window shows."""
-REMARKS = (
-    "calibration/applying.py", "calibration/distortion.py", "calibration/intrinsics.py",
-    "calibration/plausibility.py",
-    "cases/scan.py", "compare/sources.py", "export/atomic.py", "foot/mesh_file.py",
-    "foot/measures.py", "foot/placing.py", "foot/side_check.py", "reconstruct/assignment.py",
-    "reconstruct/coverage.py", "reconstruct/image_assignment.py", "reconstruct/picture.py",
-    "reconstruct/pose_quality.py", "reconstruct/registration.py", "reconstruct/remarks.py",
-)  # fmt: skip
-"""Files that write warnings and reasons of their own."""
-STEPS = ("calibration_steps.py", "camera_step.py", "stereo_steps.py", "wall_steps.py")
-"""Files of the application that tell commands and window alike how a calibration went."""
-ERRORS = {name for name in vars(errors) if name.endswith("Error")}
+"""Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""
+PUT_TOGETHER = {"shoe height"} | {
+    f"{row} {column}"
+    for row in ("upper", "middle", "lower")
+    for column in ("left", "centre", "right")
+}
+"""Words of the catalogue that the core makes of parts."""
 
 
-def template(node: ast.expr) -> str | None:
-    """Give a sentence with numbered holes for its values; None where it is put together."""
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        return node.value
-    if not isinstance(node, ast.JoinedStr):
+def speaking_files() -> list[Path]:
+    """All files whose sentences reach the window; the command line speaks English only."""
+    return [
+        *(path for path in sorted(CORE.rglob("*.py")) if path != CORE / "messages.py"),
+        *(path for path in sorted(STUDIO.rglob("*.py")) if STUDIO / "cli" not in path.parents),
+    ]
+
+
+TREES = {path: ast.parse(path.read_text("utf-8")) for path in speaking_files()}
+
+
+def names_of_errors() -> set[str]:
+    """Name `InsoleError` and all classes that come of it."""
+    classes = [n for tree in TREES.values() for n in ast.walk(tree) if isinstance(n, ast.ClassDef)]
+    found = {"InsoleError"}
+    while more := {c.name for c in classes if found & bases(c)} - found:
+        found |= more
+    return found
+
+
+def bases(node: ast.ClassDef) -> set[str]:
+    return {base.id for base in node.bases if isinstance(base, ast.Name)}
+
+
+ERRORS = names_of_errors()
+
+
+class Said(NamedTuple):
+    """A place where a sentence is raised, reported, or made."""
+
+    where: str
+    sentence: ast.expr
+    values: set[str]
+    open_ended: bool
+    """Whether values are handed on by ``**``."""
+
+    @property
+    def template(self) -> str | None:
+        constant = self.sentence
+        if isinstance(constant, ast.Constant) and isinstance(constant.value, str):
+            return constant.value
         return None
-    parts, holes = [], 0
-    for part in node.values:
-        if isinstance(part, ast.Constant):
-            parts.append(str(part.value))
-        else:
-            parts.append(f"{{{holes}}}")
-            holes += 1
-    return "".join(parts)
 
 
-def calls(path: Path) -> Iterator[tuple[str, list[ast.expr]]]:
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Call):
-            name = getattr(node.func, "id", getattr(node.func, "attr", ""))
-            yield name, node.args
+def said() -> Iterator[Said]:
+    for path, tree in TREES.items():
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+            name = getattr(call.func, "id", getattr(call.func, "attr", ""))
+            place = 1 if name in ("step", "fail") else 0
+            if name in {"step", "fail", "Message", *ERRORS} and len(call.args) > place:
+                keys = {key.arg for key in call.keywords}
+                where = f"{path.name}:{call.lineno}"
+                yield Said(where, call.args[place], {k for k in keys if k}, None in keys)
 
 
-def sentences(path: Path, wanted: Callable[[str, list[ast.expr]], ast.expr | None]) -> set[str]:
-    found = (wanted(name, args) for name, args in calls(path))
-    texts = (template(node) for node in found if node is not None)
-    return {text for text in texts if text is not None}
+SAID = list(said())
 
 
-def of_errors(name: str, args: list[ast.expr]) -> ast.expr | None:
-    if name in ERRORS and args:
-        return args[0]
-    return args[1] if name == "fail" and len(args) == 2 else None
+def holes(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name}
 
 
-def of_progress(name: str, args: list[ast.expr]) -> ast.expr | None:
-    return args[1] if name == "step" and len(args) == 2 else None
+def is_finished(node: ast.expr) -> bool:
+    """Tell whether a sentence was put together before anybody could translate it."""
+    method = node.func if isinstance(node, ast.Call) else None
+    return isinstance(node, ast.JoinedStr | ast.BinOp) or (
+        isinstance(method, ast.Attribute) and method.attr in ("format", "join")
+    )
 
 
-def files(part: str) -> list[Path]:
-    return [CORE / part] if part.endswith(".py") else sorted((CORE / part).rglob("*.py"))
-
-
-def test_every_progress_sentence_has_a_swedish_one() -> None:
-    found = {text for path in CORE.rglob("*.py") for text in sentences(path, of_progress)}
-    assert len(found) > 40
-    assert sorted(found - set(BOOK)) == []
-
-
-@pytest.mark.parametrize("part", TRANSLATED)
-def test_every_error_has_a_swedish_one(part: str) -> None:
-    found = {text for path in files(part) for text in sentences(path, of_errors)}
-    assert found
-    assert sorted(found - set(BOOK)) == []
-
-
-def test_every_remark_about_a_scan_has_a_swedish_one() -> None:
-    found = {text for part in REMARKS for text in said_by(CORE / part)}
-    assert len(found) > 30
-    assert sorted(found - set(BOOK)) == []
-
-
-def test_every_sentence_of_a_calibration_has_a_swedish_one() -> None:
-    found = {text for name in STEPS for text in said_by(WORKBENCH / name)}
-    assert len(found) > 20
-    assert sorted(found - set(BOOK)) == []
-
-
-def said_by(path: Path) -> Iterator[str]:
-    """All that looks like a sentence: four words and more that are no documentation."""
-    tree = ast.parse(path.read_text("utf-8"))
+def texts_of(path: Path) -> Iterator[ast.Constant | ast.JoinedStr]:
+    """Find the texts of a file that are no documentation, f-strings as one."""
+    tree = TREES[path]
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    silent |= {
-        id(v) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for v in node.values
+    silent |= {id(part) for part in parts_of_f_strings(tree)} | {
+        id(text) for text in told_to_programmers(tree)
     }
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant | ast.JoinedStr) and id(node) not in silent:
-            text = template(node)
-            if text is not None and len(text.split()) > 3:
-                yield text
+            yield node
+
+
+def parts_of_f_strings(tree: ast.AST) -> Iterator[ast.AST]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            yield from (part for part in ast.walk(node) if part is not node)
+
+
+def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
+    """Find what built-in errors, assertions and the log say."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assert) and node.msg is not None:
+            yield node.msg
+        if isinstance(node, ast.Call):
+            name = getattr(node.func, "id", "")
+            owner = getattr(getattr(node.func, "value", None), "id", "")
+            if (hasattr(builtins, name) and name.endswith("Error")) or owner == "log":
+                yield from node.args
+
+
+def sentence_of(node: ast.Constant | ast.JoinedStr) -> str:
+    """Give the fixed words of a text if there are four or more, as in a sentence; else nothing."""
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    words = "".join(str(p.value) if isinstance(p, ast.Constant) else " " for p in parts)
+    is_text = isinstance(node, ast.JoinedStr) or isinstance(node.value, str)
+    return words if is_text and len(words.split()) > 3 else ""
+
+
+def in_prose() -> list[Path]:
+    papers = {CORE / name for name in PAPERS}
+    acquisition = [path for path in TREES if STUDIO / "acquisition" in path.parents]
+    return [path for path in TREES if CORE in path.parents and path not in papers] + acquisition
+
+
+def test_sentences_are_found_where_they_are_said() -> None:
+    assert {"SideMismatchError", "PoseRefusedError", "NoSensorFoundError"} <= ERRORS
+    assert len({said.template for said in SAID}) > 380
+
+
+def test_no_sentence_is_finished_before_it_is_a_message() -> None:
+    assert [said.where for said in SAID if is_finished(said.sentence)] == []
+
+
+def test_no_sentence_is_put_together_elsewhere() -> None:
+    found = {
+        f"{path.name}:{node.lineno}"
+        for path in in_prose()
+        for node in texts_of(path)
+        if isinstance(node, ast.JoinedStr) and sentence_of(node)
+    }
+    assert sorted(found) == []
+
+
+def test_every_message_has_a_swedish_one() -> None:
+    templates = {said.template for said in SAID} - {None, ""}
+    assert sorted(text for text in templates if text and not CATALOGUE.get(text)) == []
+
+
+def test_every_other_sentence_has_a_swedish_one() -> None:
+    texts = (sentence_of(node) for path in in_prose() for node in texts_of(path))
+    assert sorted({text for text in texts if text} - set(CATALOGUE)) == []
+
+
+def test_every_hole_has_its_value() -> None:
+    filled = [s for s in SAID if s.template is not None and (s.values or s.open_ended)]
+    assert [s.where for s in filled if not s.values <= holes(str(s.template))] == []
+    whole = [s for s in filled if not s.open_ended]
+    assert [s.where for s in whole if s.values != holes(str(s.template))] == []
 
 
 def test_holes_stay_what_they_are() -> None:
-    for text, said in BOOK.items():
-        holes = [f"{{{number}}}" for number in range(9)]
-        assert [h for h in holes if h in text] == [h for h in holes if h in said], text
+    filled = {s.template for s in SAID if s.template and (s.values or s.open_ended)}
+    for text in filled | {text for text in CATALOGUE if text.startswith("{part_")}:
+        assert fields(text) == fields(CATALOGUE[text]), text
+
+
+def fields(template: str) -> set[tuple[str | None, str | None, str | None]]:
+    return {field[1:] for field in string.Formatter().parse(template) if field[1] is not None}
+
+
+def test_nothing_is_translated_that_nobody_says() -> None:
+    constants = {
+        node.value
+        for tree in TREES.values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant)
+    }
+    unused = CATALOGUE.keys() - constants - PUT_TOGETHER
+    assert sorted(text for text in unused if not text.startswith("{part_")) == []
+
+
+@pytest.fixture
+def swedish(qapp: QApplication) -> Iterator[Callable[[str], str]]:
+    load_language(qapp, "sv")
+    yield translate_core_message
+    load_language(qapp, "en")
 
 
 def test_a_real_error_is_said_in_swedish(qapp: QApplication, tmp_path: Path) -> None:
@@ -148,21 +238,23 @@ def test_a_real_error_is_said_in_swedish(qapp: QApplication, tmp_path: Path) -> 
     assert translate_core_message(str(caught.value)) == str(caught.value)
 
 
-def test_a_reason_within_a_sentence_is_said_as_well() -> None:
-    book = Phrasebook(BOOK)
+def test_a_reason_within_a_sentence_is_said_as_well(swedish: Callable[[str], str]) -> None:
     reason = "the markers that are seen lie almost on one line, so the sensor's place is uncertain"
-    said = book.say(
-        f"No foot can be made from s.zip, because none of its views can be used ({reason})."
+    message = Message(
+        "No foot can be made from {session}, because none of its views can be used ({reasons}).",
+        session="s.zip",
+        reasons=joined([Message("view {view}: {reason}", view="left", reason=reason)], "; "),
     )
-    assert said == (
+    assert swedish(message) == (
         "Ingen fot kan göras av s.zip, eftersom ingen av dess vyer kan användas"
-        " (markörerna som syns ligger nästan på en linje, så sensorns plats är osäker)."
+        " (vyn vänster: markörerna som syns ligger nästan på en linje, så sensorns plats är"
+        " osäker)."
     )
 
 
-def test_what_does_not_fit_a_kinect_is_said_as_well() -> None:
+def test_what_does_not_fit_a_kinect_is_said_as_well(swedish: Callable[[str], str]) -> None:
     wide = LinearInverseDisparity(USUAL_DEPTH.a * 1.25, USUAL_DEPTH.b * 1.25)
-    said = Phrasebook(BOOK).say(find_misfit(nominal_kinect("A1"), 30.0, wide))
+    said = swedish(find_misfit(nominal_kinect("A1"), 30.0, wide))
     assert said == (
         "Resultatet passar inte en Kinect v1: djupets a är 3.915 (vanligt: 3.038 till 3.226), "
         "djupets b är -0.00359 (vanligt: -0.00296 till -0.00279); brädets ruta är troligare "
@@ -170,37 +262,54 @@ def test_what_does_not_fit_a_kinect_is_said_as_well() -> None:
     )
 
 
-def test_the_reason_why_no_picture_of_a_board_can_be_used_is_said_as_well() -> None:
+def test_the_reason_why_no_picture_of_a_board_can_be_used_is_said_as_well(
+    swedish: Callable[[str], str],
+) -> None:
     grey = np.full((480, 640), 90, np.uint8)
     with pytest.raises(CalibrationError) as caught:
         Chequerboard(9, 6, 30).find("color_000.png", grey)
-    said = Phrasebook(BOOK).say(f"None of the 3 pictures can be used: {caught.value}")
-    assert said == (
+    message = Message(
+        "None of the {count} pictures can be used: {reason}", count=3, reason=caught.value.message
+    )
+    assert swedish(message) == (
         "Ingen av de 3 bilderna kan användas: color_000.png: inget schackbräde med 9×6 inre hörn"
         " syns; visa hela brädet, plant och väl belyst."
     )
 
 
-def test_a_list_of_words_is_said_word_by_word() -> None:
-    said = Phrasebook(BOOK).say(
-        "The board was hardly seen in these parts: upper left, lower right."
+def test_a_list_of_words_is_said_word_by_word(swedish: Callable[[str], str]) -> None:
+    parts = joined(["upper left", "lower right"])
+    message = Message("The board was hardly seen in these parts: {parts}.", parts=parts)
+    assert swedish(message) == (
+        "Brädet syntes knappt i dessa delar: uppe till vänster, nere till höger."
     )
-    assert said == "Brädet syntes knappt i dessa delar: uppe till vänster, nere till höger."
-    sides = Phrasebook(BOOK | {"Turn it: {0}.": "Vrid det: {0}."}).say(
-        "Turn it: 4 × right, 3 × up."
-    )
-    assert sides == "Vrid det: 4 × åt höger, 3 × uppåt."
+    assert swedish(joined(["left", "right"], " and ")) == "vänster och höger"
 
 
-@pytest.mark.parametrize("unknown", ["", "Nobody has said this.", "{0} [a-z]+ (", "x" * 300])
-def test_what_is_not_in_the_book_stays_english(unknown: str) -> None:
-    assert Phrasebook(BOOK).say(unknown) == unknown
+def test_numbers_keep_the_form_of_the_template(swedish: Callable[[str], str]) -> None:
+    message = Message("The distance is known within {error_mm:.1f} mm.", error_mm=0.26)
+    assert swedish(message) == "Avståndet är känt inom 0.3 mm."
 
 
-def test_a_value_with_braces_is_left_alone() -> None:
-    book = Phrasebook({"{0} is no name.": "{0} är inget namn."})
-    assert book.say("{1} is no name.") == "{1} är inget namn."
+@pytest.mark.parametrize(
+    "unknown",
+    ["", "Nobody has said this.", "{0} [a-z]+ (", Message("{a} of nobody {b}", a="{b}", b=1)],
+)
+def test_what_is_in_no_catalogue_stays_english(swedish: Callable[[str], str], unknown: str) -> None:
+    assert swedish(unknown) == unknown
 
 
-def test_a_language_without_a_book_is_english(tmp_path: Path) -> None:
-    assert Phrasebook.read(tmp_path / "none.json").say("The foot is ready") == "The foot is ready"
+def test_a_value_with_braces_is_left_alone(swedish: Callable[[str], str]) -> None:
+    message = Message("{path} does not exist; check the name.", path="{reason}.zip")
+    assert swedish(message) == "{reason}.zip finns inte; kontrollera namnet."
+
+
+def test_a_path_is_no_word(swedish: Callable[[str], str]) -> None:
+    message = Message("{path} does not exist; check the name.", path=Path("left"))
+    assert swedish(message) == "left finns inte; kontrollera namnet."
+
+
+def test_a_language_without_a_catalogue_is_english(qapp: QApplication) -> None:
+    load_language(qapp, "fr")
+    assert translate_core_message("The foot is ready") == "The foot is ready"
+    load_language(qapp, "en")

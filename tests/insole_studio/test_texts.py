@@ -11,53 +11,37 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import insole_studio
-from insole_core.insole.prescription.clinic_rules import SENTENCES
 from insole_core.resources import resource_path
-from insole_studio.texts import load_language, tr
+from insole_studio.texts import CONTEXT, CORE_CONTEXT, load_language, tr
 
 SWEDISH = resource_path("translations/sv")
-DESIGN_PARTS = (
-    "shell",
-    "stages/calibrate",
-    "stages/capture",
-    "stages/compare",
-    "stages/design",
-    "stages/export",
-    "stages/reconstruct",
-    "tools",
-    "widgets",
-    "scene",
-    "workbench",
-)
 
 
 def texts_of_the_code() -> Iterator[str]:
     root = Path(insole_studio.__file__).parent
-    for part in DESIGN_PARTS:
-        for path in (root / part).rglob("*.py"):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-                if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tr":
-                    (text,) = node.args
-                    assert isinstance(text, ast.Constant), f"{path}:{node.lineno}"
-                    yield str(text.value)
+    for path in root.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tr":
+                (text,) = node.args
+                assert isinstance(text, ast.Constant), f"{path}:{node.lineno}"
+                yield str(text.value)
 
 
-def catalogue() -> dict[str, str]:
+def catalogue(name: str = CONTEXT) -> dict[str, str]:
+    """Give the Swedish texts of one context by the English ones."""
+    contexts = (c for path in SWEDISH.glob("*.ts") for c in ElementTree.parse(path).iter("context"))
     return {
         message.findtext("source", ""): message.findtext("translation", "")
-        for path in SWEDISH.glob("*.ts")
-        for message in ElementTree.parse(path).iter("message")
+        for context in contexts
+        if context.findtext("name") == name
+        for message in context.iter("message")
     }
 
 
 def test_every_text_has_a_swedish_one() -> None:
-    translated = catalogue()
-    assert [text for text in set(texts_of_the_code()) if not translated.get(text)] == []
-
-
-def test_every_warning_of_the_rules_has_a_swedish_sentence() -> None:
-    translated = catalogue()
-    assert [sentence for sentence in SENTENCES if not translated.get(sentence)] == []
+    translated, texts = catalogue(), set(texts_of_the_code())
+    assert len(texts) > 400
+    assert [text for text in texts if not translated.get(text)] == []
 
 
 def test_names_in_braces_stay_what_they_are() -> None:
@@ -66,10 +50,13 @@ def test_names_in_braces_stay_what_they_are() -> None:
             assert "{" + part.split("}")[0] + "}" in translation
 
 
-def test_the_compiled_catalogues_are_those_of_the_texts(qapp: QApplication) -> None:
+@pytest.mark.parametrize("context", [CONTEXT, CORE_CONTEXT])
+def test_the_compiled_catalogues_are_those_of_the_texts(qapp: QApplication, context: str) -> None:
     load_language(qapp, "sv")
-    wrong = {text for text, swedish in catalogue().items() if tr(text) != swedish}
+    texts = catalogue(context)
+    wrong = {text for text in texts if qapp.translate(context, text) != texts[text]}
     load_language(qapp, "en")
+    assert texts
     assert wrong == set()
 
 

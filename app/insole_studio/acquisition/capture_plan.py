@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from itertools import chain
 
 from insole_core.errors import UsageError
+from insole_core.messages import Message, joined
 from insole_core.recording.session import ReferenceSystem
 from insole_studio.acquisition.stabilisation import StabilisationRule
 
@@ -55,9 +56,9 @@ class CaptureStep:
     by_hand: bool = False
 
     @property
-    def names(self) -> str:
+    def names(self) -> Message:
         """Its views, for sentences."""
-        return " and ".join(shot.view for shot in self.shots)
+        return joined((shot.view for shot in self.shots), " and ")
 
 
 @dataclass(frozen=True)
@@ -143,7 +144,12 @@ def make_plan(
         ("bursts", bursts, MOST_BURSTS),
     ):
         if not 1 <= number <= most:
-            raise UsageError(f"{number} {name} were asked for, but 1 to {most} are possible.")
+            raise UsageError(
+                "{count} {things} were asked for, but 1 to {most} are possible.",
+                count=number,
+                things=name,
+                most=most,
+            )
     rounds = [_round(assignment, burst) for burst in range(bursts)]
     if simultaneous:
         steps = [CaptureStep(shots) for shots in rounds]
@@ -165,7 +171,9 @@ def parse_assignment(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
     for text in texts:
         view, _, serial = text.partition("=")
         if not view or not serial:
-            raise UsageError(f'"{text}" names no view and sensor; write for example left=A00362A.')
+            raise UsageError(
+                '"{text}" names no view and sensor; write for example left=A00362A.', text=text
+            )
         pairs.append((view, serial))
     return tuple(pairs)
 
@@ -218,7 +226,11 @@ def _check(assignment: Sequence[tuple[str, str]], simultaneous: bool) -> None:
     for view, serial in assignment:
         users.setdefault(serial, []).append(view)
     if len(users) > MOST_SENSORS:
-        raise UsageError(f"{len(users)} sensors were named, but at most {MOST_SENSORS} work.")
+        raise UsageError(
+            "{count} sensors were named, but at most {most} work.",
+            count=len(users),
+            most=MOST_SENSORS,
+        )
     _check_shared(users if simultaneous else {})
 
 
@@ -226,9 +238,10 @@ def _check_shared(users: Mapping[str, Sequence[str]]) -> None:
     for serial, views in users.items():
         if len(views) > 1:
             raise UsageError(
-                f"The views {' and '.join(views)} are both given to sensor {serial}, which cannot "
-                "take them at the same time; give each view its own sensor, or capture one after "
-                "the other."
+                "The views {views} are both given to sensor {serial}, which cannot take them at "
+                "the same time; give each view its own sensor, or capture one after the other.",
+                views=joined(views, " and "),
+                serial=serial,
             )
 
 
@@ -236,7 +249,7 @@ def _check_names(views: Sequence[str]) -> None:
     for view in views:
         if not _VIEW.fullmatch(view):
             raise UsageError(
-                f'"{view}" cannot name a view; use 1 to 32 of the letters a-z, 0-9 and _.'
+                '"{view}" cannot name a view; use 1 to 32 of the letters a-z, 0-9 and _.', view=view
             )
         if views.count(view) > 1:
-            raise UsageError(f"The view {view} is named twice; name every view once.")
+            raise UsageError("The view {view} is named twice; name every view once.", view=view)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.messages import Message, joined
 from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
 from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
@@ -56,7 +57,7 @@ class CaptureCallbacks:
 
 def hand_sentence(step: CaptureStep) -> str:
     """Say what somebody has to do before a step."""
-    return f"Put the sensor in its place for view {step.names}"
+    return Message("Put the sensor in its place for view {views}", views=step.names)
 
 
 def open_sensors(rig: Rig, serials: Iterable[str]) -> dict[str, OpenSensor]:
@@ -178,22 +179,22 @@ class CaptureRunner:
             self._watcher.wait_for_hand(step)
         for shot in step.shots:
             self._move(shot, step.by_hand, tilts.get(shot.serial))
-        self._tell(Phase.SETTLING, f"Waiting for steady depth of view {names}")
+        self._tell(Phase.SETTLING, _settling(names))
         taken = [
             Series(shot, self._sensors[shot.serial], self._plan, beginning)
             for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
         self._collect(taken, names)
-        self._tell(Phase.VERIFYING, f"Checking view {names}")
+        self._tell(Phase.VERIFYING, Message("Checking view {views}", views=names))
         for series in taken:
             self._finish(series)
-        self._tell(Phase.VERIFYING, f"View {names} is on the disk")
+        self._tell(Phase.VERIFYING, Message("View {views} is on the disk", views=names))
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
         """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
         sensor = self._sensors[shot.serial]
         if level_deg is not None:
-            self._tell(Phase.TILTING, f"Tilting the sensor for view {shot.view}")
+            self._tell(Phase.TILTING, Message("Tilting the sensor for view {view}", view=shot.view))
             sensor.tilt_to(level_deg + shot.tilt_deg)
         if by_hand or level_deg is not None:
             sensor.stop()  # what is under way was seen from the place before
@@ -231,10 +232,10 @@ class CaptureRunner:
                 raise Cancelled(names)
             came = [self._advance(series) for series in taken]
             if any(came):
-                settled = all(series.settled for series in taken)
-                phase = Phase.CAPTURING if settled else Phase.SETTLING
-                verb = "Capturing" if settled else "Waiting for steady depth of"
-                self._tell(phase, f"{verb} view {names}")
+                if all(series.settled for series in taken):
+                    self._tell(Phase.CAPTURING, Message("Capturing view {views}", views=names))
+                else:
+                    self._tell(Phase.SETTLING, _settling(names))
             else:
                 time.sleep(_POLL_S)
 
@@ -273,9 +274,15 @@ class CaptureRunner:
             self._told = status
             self._watcher.report(status)
 
-    def _told_with_kept(self, error: SensorError) -> str:
-        kept = ", ".join(self._draft.views)
-        return f"{error} Kept so far: {kept}." if kept else str(error)
+    def _told_with_kept(self, error: SensorError) -> Message:
+        kept = joined(self._draft.views)
+        if not kept:
+            return error.message
+        return Message("{problem} Kept so far: {views}.", problem=error.message, views=kept)
+
+
+def _settling(names: str) -> Message:
+    return Message("Waiting for steady depth of view {views}", views=names)
 
 
 def _color_size(calibrated: Calibrated) -> ColorSize:

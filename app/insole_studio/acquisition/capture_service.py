@@ -9,6 +9,7 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 
 from insole_core.errors import InsoleError
+from insole_core.messages import Message, joined
 from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CaptureStep
 from insole_studio.acquisition.capture_runner import CaptureCallbacks, CaptureRunner
@@ -23,7 +24,6 @@ from insole_studio.acquisition.messages import (
     Find,
     Identify,
     Infrared,
-    Message,
     Placed,
     Quit,
     Sensors,
@@ -131,9 +131,13 @@ class _Service:
             elif isinstance(command, Quit):
                 self._quitting = True
         except KeyError as error:
-            self._send(Message(f"Sensor {error.args[0]} is not in use; look for sensors again."))
+            self._send(
+                Message(
+                    "Sensor {serial} is not in use; look for sensors again.", serial=error.args[0]
+                )
+            )
         except InsoleError as error:
-            self._send(Message(str(error)))
+            self._send(error.message)
 
     def _tilt(self, command: Tilt) -> None:
         sensor = self._live.opened[command.serial]
@@ -148,8 +152,10 @@ class _Service:
         if roll_deg >= _ROLL_DEG:
             self._send(
                 Message(
-                    f"Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot "
-                    "mend; straighten it by hand and level it again."
+                    "Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot "
+                    "mend; straighten it by hand and level it again.",
+                    serial=serial,
+                    roll_deg=roll_deg,
                 )
             )
 
@@ -161,11 +167,12 @@ class _Service:
         except Cancelled:
             self._end(Phase.CANCELLED, "The capture was stopped.")
         except KeyError as error:
-            self._end(Phase.FAILED, f"Sensor {error.args[0]} is not in use; plug it in.")
+            unused = Message("Sensor {serial} is not in use; plug it in.", serial=error.args[0])
+            self._end(Phase.FAILED, unused)
         except InsoleError as error:
             self._end(Phase.FAILED, str(error))
         else:
-            self._end(Phase.DONE, " ".join(warnings))
+            self._end(Phase.DONE, joined(warnings, " "))
         if not self._quitting:
             self._live.start()
 

@@ -9,6 +9,7 @@ from typing import Literal, Protocol
 
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.calibration.stored_correction import apply_correction
+from insole_core.messages import Message
 from insole_core.recording.session import Box, ReferenceSystem, Session
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
@@ -79,9 +80,10 @@ class CaptureSetup:
         if known is not None:
             return known
         faces = view_faces(view, self.system)
-        sentence = (
-            f"Sensor {opened.serial} is not calibrated; the numbers of its factory are used, which "
-            "are several millimetres less exact."
+        sentence = Message(
+            "Sensor {serial} is not calibrated; the numbers of its factory are used, which are "
+            "several millimetres less exact.",
+            serial=opened.serial,
         )
         return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
 

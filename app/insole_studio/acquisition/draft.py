@@ -100,7 +100,9 @@ class Draft:
         manifest = read_session(folder).manifest
         facts = manifest.extra.get(_FACTS)
         if not isinstance(facts, dict):
-            raise InputError(f"{folder} was not left by a capture; choose the folder it named.")
+            raise InputError(
+                "{folder} was not left by a capture; choose the folder it named.", folder=folder
+            )
         kept = kept_request(manifest.extra)
         wanted = order or (kept.plan().views if kept else ())
         draft = cls(folder, manifest, [*wanted, *(view for view in facts if view not in wanted)])

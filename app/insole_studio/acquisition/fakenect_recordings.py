@@ -44,7 +44,8 @@ class _Pictures:
             image = read_depth(self.depth[index])
         if image.shape[::-1] != DEPTH_SIZE or image.max() > NO_READING:
             raise InputError(
-                f"{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit."
+                "{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit.",
+                path=path,
             )
         return image
 
@@ -79,12 +80,19 @@ def read_view(name: str, folder: Path, system: ReferenceSystem) -> View:
     if not pictures.depth or not pictures.color:
         missing = "colour" if pictures.depth else "depth"
         raise InputError(
-            f"{folder} holds no {missing} pictures, but a view needs at least one; record again "
-            f"with {missing}."
+            "{folder} holds no {missing} pictures, but a view needs at least one; record again "
+            "with {missing}.",
+            folder=folder,
+            missing=missing,
         )
     height, width = pictures.read_color(0).shape[:2]
     if (width, height) not in COLOR_SIZES:
-        raise InputError(f"{folder} holds colour of {width}×{height}, which no Kinect v1 sends.")
+        raise InputError(
+            "{folder} holds colour of {width}×{height}, which no Kinect v1 sends.",
+            folder=folder,
+            width=width,
+            height=height,
+        )
     return View(
         name=name,
         sensor=_sensor(recording, view_faces(name, system), (width, height)),

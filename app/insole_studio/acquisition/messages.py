@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from insole_core.messages import Message
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan
 from insole_studio.acquisition.capture_status import CaptureStatus, Phase
@@ -134,11 +135,5 @@ class Sensors:
     problem: str | None = None
 
 
-@dataclass(frozen=True)
-class Message:
-    """A sentence for the user: an order could not be carried out."""
-
-    sentence: str
-
-
 Event = Sensors | CaptureStatus | Message
+"""A `Message` says why an order could not be carried out."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from insole_core.geometry.arrays import RawArray
+from insole_core.messages import Message
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import median_raw
 from insole_studio.acquisition.capture_plan import CapturePlan, Shot
@@ -113,29 +114,50 @@ class Series:
         view, warnings = self.shot.view, []
         if self.settling.timed_out:
             warnings.append(
-                f"The depth of view {view} was still changing when it was captured; hold the foot "
-                "still and capture this view again."
+                Message(
+                    "The depth of view {view} was still changing when it was captured; hold the "
+                    "foot still and capture this view again.",
+                    view=view,
+                )
             )
         valid = float(np.mean([np.mean(image != NO_READING) for image in self.depth]))
         if valid < _LEAST_VALID_SHARE:
             warnings.append(
-                f"View {view} measured depth in only {valid:.1%} of its picture; check that it is "
-                "far enough from the foot and not covered, and capture this view again."
+                Message(
+                    "View {view} measured depth in only {share:.1%} of its picture; check that it "
+                    "is far enough from the foot and not covered, and capture this view again.",
+                    view=view,
+                    share=valid,
+                )
             )
         if _moved_share(self.depth) > _MOVED_SHARE:
             warnings.append(
-                f"Something moved while view {view} was captured; hold the foot still and capture "
-                "this view again."
+                Message(
+                    "Something moved while view {view} was captured; hold the foot still and "
+                    "capture this view again.",
+                    view=view,
+                )
             )
         return (*warnings, *self._check_light())
 
     def _check_light(self) -> tuple[str, ...]:
         if self.light is Light.GOOD:
             return ()
-        remedy = "add light" if self.light is Light.DARK else "turn strong lights away"
+        view = self.shot.view
+        if self.light is Light.DARK:
+            return (
+                Message(
+                    "The colour picture of view {view} is too dark; add light and capture this "
+                    "view again.",
+                    view=view,
+                ),
+            )
         return (
-            f"The colour picture of view {self.shot.view} is too {self.light.value}; {remedy} and "
-            "capture this view again.",
+            Message(
+                "The colour picture of view {view} is too bright; turn strong lights away and "
+                "capture this view again.",
+                view=view,
+            ),
         )
 
 

@@ -112,7 +112,7 @@ class ScriptedWindow:
         """Write a picture of the whole window as PNG."""
         self.settle()
         if not grab_window(self.app).save(str(path)):
-            raise OutputError(f"{path} cannot be written; choose another place.")
+            raise OutputError("{path} cannot be written; choose another place.", path=path)
 
     def settle(self) -> None:
         """Wait until all work is done and shown."""

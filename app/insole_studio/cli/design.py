@@ -108,7 +108,7 @@ def _print_warnings(insole: Insole) -> None:
 
     landmarks = find_landmarks(insole.foot)
     for warning in design_warnings(insole, landmarks, load_rules()):
-        print(f"Warning: {warning.text}", file=sys.stderr)
+        print(f"Warning: {warning.sentence}", file=sys.stderr)
 
 
 def _plain(side: Side) -> InsoleDesign:

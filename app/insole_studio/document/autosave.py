@@ -54,7 +54,7 @@ class Recovered:
 class Autosave(QObject):
     """Writes the case a moment after each change, beside the window."""
 
-    failed = Signal(str)
+    failed = Signal(object)
 
     def __init__(self, case: Case, jobs: Jobs, folder: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -30,7 +30,7 @@ class InsolePreview(QObject):
     """
 
     changed = Signal()
-    failed = Signal(str)
+    failed = Signal(object)
     """The problem is another one; empty when there is none any more."""
 
     def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:

@@ -60,7 +60,7 @@ class SideBySide(QObject):
     """Keeps built, beside the window, what stands beside the foot at hand."""
 
     changed = Signal()
-    failed = Signal(str)
+    failed = Signal(object)
 
     def __init__(
         self, case: Case, jobs: Jobs, builder: InsoleBuilder, parent: QObject | None = None

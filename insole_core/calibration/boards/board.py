@@ -12,6 +12,7 @@ import numpy as np
 
 from insole_core.errors import CalibrationError, InputError, UsageError
 from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.messages import Message
 
 _PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 _LEAST_CORNERS = 8
@@ -92,22 +93,29 @@ class Chequerboard:
         edge = cv2.estimateChessboardSharpness(grey, (self.columns, self.rows), corners)[0][0]
         if _BLURRED_EDGE_PX < edge < _EDGE_UNKNOWN_PX:
             raise CalibrationError(
-                f"{name} is blurred (an edge takes {edge:.1f} px); hold the board still and take "
-                "the picture again."
+                "{picture} is blurred (an edge takes {edge_px:.1f} px); hold the board still and "
+                "take the picture again.",
+                picture=name,
+                edge_px=edge,
             )
         return BoardDetection(
             name, grey.shape[::-1], self.points_mm, corners.reshape(-1, 2).astype(float)
         )
 
     def _not_found(self, name: str, grey: ByteArray) -> CalibrationError:
-        wanted = f"{self.columns}×{self.rows} inner corners"
+        wanted = Message("{columns}×{rows} inner corners", columns=self.columns, rows=self.rows)
         if cv2.findChessboardCornersSB(grey, (3, 3), flags=cv2.CALIB_CB_LARGER)[0]:
             return CalibrationError(
-                f"{name}: a chequerboard is seen, but not one of {wanted}; show all of it, or "
-                "count its inner corners (a row has one less than squares)."
+                "{picture}: a chequerboard is seen, but not one of {board}; show all of it, or "
+                "count its inner corners (a row has one less than squares).",
+                picture=name,
+                board=wanted,
             )
         return CalibrationError(
-            f"{name}: no chequerboard of {wanted} is seen; show the whole board, flat and well lit."
+            "{picture}: no chequerboard of {board} is seen; show the whole board, flat and well "
+            "lit.",
+            picture=name,
+            board=wanted,
         )
 
 
@@ -128,13 +136,16 @@ class Charuco:
         _check_grid(self.columns, self.rows, self.square_mm, least=3)
         if not 0 < self.marker_mm < self.square_mm:
             raise UsageError(
-                f"A ChArUco marker of {self.marker_mm:g} mm does not fit a square of "
-                f"{self.square_mm:g} mm; give the marker's own size in mm."
+                "A ChArUco marker of {marker_mm:g} mm does not fit a square of {square_mm:g} mm; "
+                "give the marker's own size in mm.",
+                marker_mm=self.marker_mm,
+                square_mm=self.square_mm,
             )
         if not hasattr(cv2.aruco, self.dictionary):
             raise UsageError(
-                f"There is no marker dictionary {self.dictionary}; the printed board of this "
-                "program uses DICT_5X5_250."
+                "There is no marker dictionary {dictionary}; the printed board of this program "
+                "uses DICT_5X5_250.",
+                dictionary=self.dictionary,
             )
 
     @cached_property
@@ -149,9 +160,14 @@ class Charuco:
         count = 0 if ids is None else len(ids)
         if count < _LEAST_CORNERS:
             raise CalibrationError(
-                f"{name}: {count} corners of the ChArUco board of {self.columns}×{self.rows} "
-                f"squares are seen, but {_LEAST_CORNERS} are needed; show more of the board, and "
-                "check its size and dictionary."
+                "{picture}: {corners} corners of the ChArUco board of {columns}×{rows} squares are "
+                "seen, but {least} are needed; show more of the board, and check its size and "
+                "dictionary.",
+                picture=name,
+                corners=count,
+                columns=self.columns,
+                rows=self.rows,
+                least=_LEAST_CORNERS,
             )
         points = self.points_mm[np.asarray(ids).ravel()]
         return BoardDetection(name, grey.shape[::-1], points, corners.reshape(-1, 2).astype(float))
@@ -173,16 +189,20 @@ def picture_paths(folder: Path, prefix: str = "") -> list[Path]:
         When there are none.
     """
     if not folder.is_dir():
-        raise InputError(f"There is no folder {folder}; name the folder with the pictures.")
+        raise InputError(
+            "There is no folder {folder}; name the folder with the pictures.", folder=folder
+        )
     paths = sorted(
         path
         for path in folder.iterdir()
         if path.suffix.lower() in _PICTURES and path.name.startswith(prefix)
     )
     if not paths:
+        what = Message("pictures named {prefix}…", prefix=prefix) if prefix else "pictures"
         raise InputError(
-            f"{folder} holds no pictures{f' named {prefix}…' if prefix else ''}; "
-            "name the folder with the pictures of the board."
+            "{folder} holds no {what}; name the folder with the pictures of the board.",
+            folder=folder,
+            what=what,
         )
     return paths
 
@@ -210,7 +230,9 @@ def read_color(path: Path) -> ByteArray:
 def _read(path: Path, flags: int) -> ByteArray:
     picture = cv2.imread(str(path), flags)
     if picture is None:
-        raise InputError(f"{path} is no readable picture; restore it or take it out of the folder.")
+        raise InputError(
+            "{path} is no readable picture; restore it or take it out of the folder.", path=path
+        )
     return np.asarray(picture)
 
 
@@ -238,11 +260,17 @@ def _grid(columns: int, rows: int, square_mm: float) -> FloatArray:
 def _check_grid(columns: int, rows: int, square_mm: float, least: int) -> None:
     if columns < least or rows < least:
         raise UsageError(
-            f"A board of {columns}×{rows} is too small; it must have at least {least}×{least}."
+            "A board of {columns}×{rows} is too small; it must have at least {least}×{least}.",
+            columns=columns,
+            rows=rows,
+            least=least,
         )
     low, high = _SQUARE_MM
     if not low <= square_mm <= high:
         raise UsageError(
-            f"A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres "
-            f"({low:g} to {high:g})."
+            "A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres "
+            "({low_mm:g} to {high_mm:g}).",
+            square_mm=square_mm,
+            low_mm=low,
+            high_mm=high,
         )

@@ -166,8 +166,10 @@ def _names(options: BoardDepthOptions) -> tuple[str, ...]:
 def _check(count: int, board2color: Sequence[FloatArray]) -> None:
     if count < _LEAST_BOARDS:
         raise CalibrationError(
-            f"The board is seen in colour and depth at {count} positions, but {_LEAST_BOARDS} are "
-            "needed; hold it 600 to 1500 mm from the sensor and take more."
+            "The board is seen in colour and depth at {count} positions, but {least} are needed; "
+            "hold it 600 to 1500 mm from the sensor and take more.",
+            count=count,
+            least=_LEAST_BOARDS,
         )
     normals = np.array([placed[:3, 2] * np.sign(placed[2, 2] or 1) for placed in board2color])
     # The least eigenvalue: the tilt about the axis with the least tilts.

@@ -6,14 +6,16 @@ What limits the pose is how well the corners tell the board's distance, so how s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from insole_core.calibration.boards.board import BoardDetection
 from insole_core.calibration.boards.intrinsics import nominal_normal
+from insole_core.messages import Message, joined
 
-SIDES = ("left", "right", "up", "down")
+SIDE_WORDS = {"left": "to the left", "right": "to the right", "up": "upwards", "down": "downwards"}
+SIDES = tuple(SIDE_WORDS)
 LEAST_TURN_DEG = 35.0
 EACH_WITH_DEPTH, EACH_WITH_INFRARED = 12, 4
 """Positions to each side, for half a millimetre."""
@@ -32,3 +34,11 @@ def missing_turns(sightings: Sequence[BoardDetection], each: int) -> dict[str, i
     turns = [turn_of(sighting) for sighting in sightings]
     strong = [side for angle_deg, side in turns if angle_deg >= LEAST_TURN_DEG]
     return {side: each - strong.count(side) for side in SIDES if strong.count(side) < each}
+
+
+def turns_text(turns: Mapping[str, int]) -> Message:
+    """List positions by side, such as ``4 × to the left, 2 × upwards``."""
+    return joined(
+        Message("{count}\u00a0×\u00a0{side}", count=count, side=SIDE_WORDS[side])
+        for side, count in turns.items()
+    )

@@ -16,6 +16,7 @@ from insole_core.calibration.least_squares import Blocks, least_squares, pose, p
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rigid, transform
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
@@ -139,14 +140,16 @@ def find_boards(
     sightings: list[BoardDetection] = []
     without: dict[str, str] = {}
     for done, path in enumerate(paths):
-        progress.step(done / len(paths), f"Looking for the board in {path.name}")
+        progress.step(done / len(paths), "Looking for the board in {picture}", picture=path.name)
         try:
             sightings.append(board.find(path.name, read_grey(path)))
         except CalibrationError as error:
             without[path.name] = str(error)
     if not sightings:
         raise CalibrationError(
-            f"None of the {len(paths)} pictures can be used: {next(iter(without.values()))}"
+            "None of the {count} pictures can be used: {reason}",
+            count=len(paths),
+            reason=next(iter(without.values())),
         )
     _check_sizes(sightings)
     return sightings, without
@@ -171,13 +174,17 @@ def calibrate_camera(
     _check_poses(sightings)
     used, left_out = list(sightings), dict[str, str]()
     while True:
-        progress.step(0.1 + 0.4 * bool(left_out), f"Fitting the camera to {len(used)} pictures")
+        progress.step(
+            0.1 + 0.4 * bool(left_out), "Fitting the camera to {count} pictures", count=len(used)
+        )
         camera, deviations, pictures = _fit(used, options)
         outliers = _outliers(pictures, options)
         if not outliers:
             break
         left_out |= {
-            p.sighting.name: f"its error of {p.rms_px:.2f} px is far above that of the others"
+            p.sighting.name: Message(
+                "its error of {error_px:.2f} px is far above that of the others", error_px=p.rms_px
+            )
             for p in outliers
         }
         used = [sighting for sighting in used if sighting.name not in left_out]
@@ -278,15 +285,19 @@ def _check_sizes(sightings: Sequence[BoardDetection]) -> None:
     if len(by_size) > 1:
         named = ", ".join(f"{name} ({w}×{h})" for (w, h), name in by_size.items())
         raise CalibrationError(
-            f"The pictures differ in size: {named}; use pictures of one camera in one mode."
+            "The pictures differ in size: {sizes}; use pictures of one camera in one mode.",
+            sizes=named,
         )
 
 
 def _check_count(count: int) -> None:
     if count < _LEAST_PICTURES:
         raise CalibrationError(
-            f"Only {count} pictures of the board can be used, but at least {_LEAST_PICTURES} are "
-            f"needed and {_GOOD_PICTURES} are good; take more, with the board tilted differently."
+            "Only {count} pictures of the board can be used, but at least {least} are needed and "
+            "{good} are good; take more, with the board tilted differently.",
+            count=count,
+            least=_LEAST_PICTURES,
+            good=_GOOD_PICTURES,
         )
 
 
@@ -310,17 +321,26 @@ def _check_distance(pictures: Sequence[PictureFit]) -> None:
     distance = float(np.median([picture.board2camera[2, 3] for picture in pictures]))
     if not low <= distance <= high:
         raise CalibrationError(
-            f"The board would have stood {distance:.0f} mm from the camera; check the size of its "
-            "square, which must be given in millimetres."
+            "The board would have stood {distance_mm:.0f} mm from the camera; check the size of "
+            "its square, which must be given in millimetres.",
+            distance_mm=distance,
         )
 
 
 def _advice(count: int, counts: IntArray) -> tuple[str, ...]:
     advice = []
     if count < _GOOD_PICTURES:
-        advice.append(f"Only {count} pictures were used; {_GOOD_PICTURES} or more are better.")
+        advice.append(
+            Message(
+                "Only {count} pictures were used; {good} or more are better.",
+                count=count,
+                good=_GOOD_PICTURES,
+            )
+        )
     if missing := missing_regions(counts):
-        advice.append(f"The board was hardly seen in these parts: {', '.join(missing)}.")
+        advice.append(
+            Message("The board was hardly seen in these parts: {parts}.", parts=joined(missing))
+        )
     return tuple(advice)
 
 

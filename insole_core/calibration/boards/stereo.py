@@ -121,8 +121,10 @@ def calibrate_stereo(
     pairs = [(a, b) for a, b in pairs if len(a.pixels) >= _LEAST_COMMON]
     if len(pairs) < _LEAST_PAIRS:
         raise CalibrationError(
-            f"The board is seen by both cameras in {len(pairs)} pairs of pictures, but "
-            f"{_LEAST_PAIRS} are needed; take infrared and colour pictures of the same positions."
+            "The board is seen by both cameras in {count} pairs of pictures, but {least} are "
+            "needed; take infrared and colour pictures of the same positions.",
+            count=len(pairs),
+            least=_LEAST_PAIRS,
         )
     problem = _Pairs(tuple(pairs), depth_camera, color_camera)
     found = least_squares(problem.residuals, problem.start(), problem.blocks())

@@ -24,6 +24,7 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
+from insole_core.messages import Message, joined
 from insole_core.recording.session import Marker, ReferenceSystem
 
 __all__ = ["KnownLength", "MarkerSurvey", "MarkerView", "check_survey", "survey_markers"]
@@ -73,20 +74,26 @@ class MarkerSurvey:
     @property
     def sentences(self) -> tuple[str, ...]:
         """What was measured, and what stays as planned."""
-        said = [
-            f"The faces {' and '.join(faces)} were measured together."
+        said: list[str] = [
+            Message("The faces {faces} were measured together.", faces=joined(faces, " and "))
             for faces in self.together
             if len(faces) > 1
         ]
         said += [
-            f"The face {face} was not measured and stays as planned: {why}"
+            Message(
+                "The face {face} was not measured and stays as planned: {reason}",
+                face=face,
+                reason=why,
+            )
             for face, why in self.left_out.items()
         ]
         if len(self.together) > 1:
-            apart = " and ".join(" with ".join(faces) for faces in self.together)
             said.append(
-                f"Nothing links {apart}: each was measured on its own, and their place to each "
-                "other stays as planned."
+                Message(
+                    "Nothing links {groups}: each was measured on its own, and their place to each "
+                    "other stays as planned.",
+                    groups=joined((joined(faces, " with ") for faces in self.together), " and "),
+                )
             )
         return tuple(said)
 
@@ -163,9 +170,12 @@ class _Part:
     def problem(self) -> str:
         """Say why these faces cannot be measured; empty when they can."""
         if len(self._views) < _LEAST_VIEWS or len(self._known) < _LEAST_SEEN:
-            return (
-                f"{len(self._views)} pictures show enough markers and {len(self._known)} markers "
-                f"are seen twice; take at least {_LEAST_VIEWS} pictures (better 15) from all sides."
+            return Message(
+                "{pictures} pictures show enough markers and {markers} markers are seen twice; "
+                "take at least {least} pictures (better 15) from all sides.",
+                pictures=len(self._views),
+                markers=len(self._known),
+                least=_LEAST_VIEWS,
             )
         if not self._lengths:
             return "no length between two of its markers was given; measure one by hand."
@@ -244,13 +254,18 @@ def _check_lengths(
         ]  # fmt: skip
         if seldom:
             raise CalibrationError(
-                f"The known length ends at {', '.join(sorted(seldom))}, which the pictures do not "
-                "show twice; take more pictures or measure between other markers."
+                "The known length ends at {markers}, which the pictures do not show twice; take "
+                "more pictures or measure between other markers.",
+                markers=joined(sorted(seldom)),
             )
         first, second = (face[end] for end in ends)
         if together[first] != together[second]:
             raise CalibrationError(
-                f"The known length goes from {length.first} on face {first} to {length.second} on "
-                f"face {second}, but nothing links these faces; measure between two markers of one "
-                "face, or take pictures that show four markers of both."
+                "The known length goes from {first} on face {first_face} to {second} on face "
+                "{second_face}, but nothing links these faces; measure between two markers of one "
+                "face, or take pictures that show four markers of both.",
+                first=length.first,
+                first_face=first,
+                second=length.second,
+                second_face=second,
             )

@@ -15,6 +15,7 @@ from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rotation_angle_deg, transform
 from insole_core.json_object import JsonObject
+from insole_core.messages import Message
 from insole_core.recording.manifest_json import parse_reference_system, reference_system_json
 from insole_core.recording.session import Marker, ReferenceSystem
 
@@ -46,7 +47,9 @@ def load_reference_system(path: Path) -> ReferenceSystem:
     root = JsonObject.read(path)
     system = parse_reference_system(root)
     if len(system.markers) < _LEAST_MARKERS:
-        raise root.fail("markers", f"has {len(system.markers)} markers, but at least 4 are needed")
+        raise root.fail(
+            "markers", "has {count} markers, but at least 4 are needed", count=len(system.markers)
+        )
     return system
 
 
@@ -121,28 +124,48 @@ def positions(markers: Sequence[Marker]) -> FloatArray:
 
 def _check_face(face: str, points: FloatArray, others: FloatArray) -> FaceCheck:
     if len(points) < _LEAST_MARKERS:
-        problem = f"the face has {len(points)} markers, but at least {_LEAST_MARKERS} are needed"
+        problem = Message(
+            "the face has {count} markers, but at least {least} are needed",
+            count=len(points),
+            least=_LEAST_MARKERS,
+        )
         return FaceCheck(face, len(points), 0.0, 0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 0.0, (problem,))
     (symmetry, turn), relief = _symmetry(points), _relief_mm(points)
     nearest = min(float(np.linalg.norm(a - b)) for a, b in combinations(points, 2))
     normal = _towards_sensor(points, others)
     clear = _clear_to_deg(points, normal)
-    problems = []
+    problems: list[str] = []
     if symmetry < _SYMMETRY_MM:
         problems.append(
-            f"turned by {turn:.0f}°, it looks like itself within {symmetry:.1f} mm; move some "
-            "markers by a few studs so that it is less regular"
+            Message(
+                "turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move "
+                "some markers by a few studs so that it is less regular",
+                turn_deg=turn,
+                apart_mm=symmetry,
+            )
         )
     if relief < _LEAST_RELIEF_MM:
         problems.append(
-            f"its markers lie within {relief:.1f} mm of one plane; raise some of them by a brick"
+            Message(
+                "its markers lie within {relief_mm:.1f} mm of one plane; raise some of them by a "
+                "brick",
+                relief_mm=relief,
+            )
         )
     if nearest < _NEAREST_MM:
-        problems.append(f"two of its markers are only {nearest:.0f} mm apart; move them apart")
+        problems.append(
+            Message(
+                "two of its markers are only {apart_mm:.0f} mm apart; move them apart",
+                apart_mm=nearest,
+            )
+        )
     elif clear < _LEAST_CLEAR_DEG:
         problems.append(
-            f"two of its markers hide each other when it is seen from {clear:.0f}° aside; move "
-            "them apart across the face"
+            Message(
+                "two of its markers hide each other when it is seen from {turn_deg:.0f}° aside; "
+                "move them apart across the face",
+                turn_deg=clear,
+            )
         )
     x, y, z = normal.tolist()
     return FaceCheck(

@@ -66,15 +66,23 @@ def capture_from_frames(
     try:
         first, frames = _peek(frames)
     except StopIteration:
-        raise CalibrationError(f"{name} holds no depth frames; capture it again.") from None
+        raise CalibrationError(
+            "{name} holds no depth frames; capture it again.", name=name
+        ) from None
     if first.shape != _SHAPE:
         height, width = first.shape[:2]
-        raise InputError(f"{name} is {width}×{height}, but a depth frame must be 640×480.")
+        raise InputError(
+            "{capture} is {width}×{height}, but a depth frame must be 640×480.",
+            capture=name,
+            width=width,
+            height=height,
+        )
     raw = mean_raw(frames)
     if not np.isfinite(raw).any():
         raise CalibrationError(
-            f"{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and "
-            "capture it again."
+            "{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and "
+            "capture it again.",
+            name=name,
         )
     return WallCapture(name, raw, distance_mm, plane, serial)
 
@@ -97,7 +105,7 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     try:
         reading = [pool.submit(_read_capture, name, paths) for name, paths in groups]
         for done, (name, _) in enumerate(groups):
-            progress.step(done / len(groups), f"Reading {name}")
+            progress.step(done / len(groups), "Reading {file}", file=name)
             captures.append(reading[done].result())
     finally:
         pool.shutdown(cancel_futures=True)
@@ -122,11 +130,14 @@ def read_depth(path: Path) -> RawArray:
     """
     image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     if image is None:
-        raise InputError(f"{path} is no readable image; restore it or take it out of the folder.")
+        raise InputError(
+            "{path} is no readable image; restore it or take it out of the folder.", path=path
+        )
     if image.dtype != np.uint16 or image.ndim != 2 or image.max() > NO_READING:
         raise InputError(
-            f"{path} is no raw depth image (16-bit grey, numbers up to 2047); "
-            "record the raw numbers of the sensor."
+            "{path} is no raw depth image (16-bit grey, numbers up to 2047); record the raw "
+            "numbers of the sensor.",
+            path=path,
         )
     return np.asarray(image)
 
@@ -142,13 +153,16 @@ def check_same_device(captures: Iterable[WallCapture]) -> None:
     if len(by_serial) > 1:
         named = ", ".join(f"{name} ({serial})" for serial, name in by_serial.items())
         raise CalibrationError(
-            f"The captures come from different sensors: {named}; calibrate one sensor at a time."
+            "The captures come from different sensors: {sensors}; calibrate one sensor at a time.",
+            sensors=named,
         )
 
 
 def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     if not folder.is_dir():
-        raise InputError(f"There is no folder {folder}; name the folder with the wall captures.")
+        raise InputError(
+            "There is no folder {folder}; name the folder with the wall captures.", folder=folder
+        )
     below = [
         (sub.name, [path for path in sorted(sub.glob("*.png")) if not _is_color(path)])
         for sub in sorted(folder.iterdir())
@@ -158,7 +172,9 @@ def _groups(folder: Path) -> list[tuple[str, list[Path]]]:
     if not groups:
         groups = [(path.name, [path]) for path in sorted(folder.glob("*.png"))]
     if not groups:
-        raise InputError(f"{folder} holds no PNG images; name the folder with the wall captures.")
+        raise InputError(
+            "{folder} holds no PNG images; name the folder with the wall captures.", folder=folder
+        )
     return groups
 
 

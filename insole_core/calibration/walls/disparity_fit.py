@@ -116,8 +116,9 @@ def centre_pairs(
         centre = image[_CENTRE]
         if capture.distance_mm is None or not np.isfinite(centre).any():
             raise CalibrationError(
-                f"{capture.name} needs a reading at the image centre and its measured distance; "
-                "measure it, or take the capture out."
+                "{capture} needs a reading at the image centre and its measured distance; measure "
+                "it, or take the capture out.",
+                capture=capture.name,
             )
         raw.append(float(np.nanmedian(centre)))
         depth_mm.append(capture.distance_mm)
@@ -160,13 +161,18 @@ def _check(raw: FloatArray, depth_mm: FloatArray, least: int) -> None:
     low, high = _DEPTH_MM
     if len(depth_mm) and not (low <= depth_mm.min() and depth_mm.max() <= high):
         raise CalibrationError(
-            f"The distances reach from {depth_mm.min():g} to {depth_mm.max():g} mm; give them in "
-            f"millimetres, between {low:g} and {high:g}."
+            "The distances reach from {nearest_mm:g} to {farthest_mm:g} mm; give them in "
+            "millimetres, between {low_mm:g} and {high_mm:g}.",
+            nearest_mm=depth_mm.min(),
+            farthest_mm=depth_mm.max(),
+            low_mm=low,
+            high_mm=high,
         )
     if _distinct(depth_mm) < least:
         raise CalibrationError(
-            f"The model needs walls at {least} clearly different distances; capture more, for "
-            "example at 600, 800 and 1000 mm."
+            "The model needs walls at {count} clearly different distances; capture more, for "
+            "example at 600, 800 and 1000 mm.",
+            count=least,
         )
 
 

@@ -13,6 +13,7 @@ from insole_core.calibration.walls.map_blocks import BLOCK_PX, Blocks, blocks_of
 from insole_core.calibration.walls.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel
@@ -127,8 +128,9 @@ def calibrate_distortion(
         walls = [wall for wall, bad in zip(walls, uneven, strict=True) if not bad]
         if len(walls) < 2:
             raise CalibrationError(
-                f"The walls contradict each other ({', '.join(left_out)}); capture a flat, empty "
-                "wall at several distances."
+                "The walls contradict each other ({walls}); capture a flat, empty wall at several "
+                "distances.",
+                walls=joined(left_out),
             )
         progress.step(0.7, "Solving again without uneven walls")
         blocks, solved = _solve(walls, rows, options)
@@ -147,7 +149,7 @@ def _find_walls(
     walls: list[WallFit] = []
     left_out: dict[str, str] = {}
     for done, capture in enumerate(captures):
-        progress.step(done / len(captures), f"Finding the wall in {capture.name}")
+        progress.step(done / len(captures), "Finding the wall in {capture}", capture=capture.name)
         try:
             walls.append(fit_wall(capture, rows, disparity))
         except CalibrationError as error:
@@ -244,9 +246,14 @@ def _figures(
 
 def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
     distances = [figure.distance_mm for figure in figures]
-    advice = []
+    advice: list[str] = []
     if len(figures) < 4:
-        advice.append(f"Only {len(figures)} walls were used; six distances or more are better.")
+        advice.append(
+            Message(
+                "Only {count} walls were used; six distances or more are better.",
+                count=len(figures),
+            )
+        )
     if max(distances) < 1.2 * min(distances):
         advice.append(
             "All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the "
@@ -255,11 +262,17 @@ def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
     left_raw = float(np.sqrt(np.mean([figure.rms_after_raw**2 for figure in figures])))
     if left_raw > _GOOD_RAW:
         advice.append(
-            f"The walls are still off by {left_raw:.1f} raw units, which is more than noise; take "
-            "care that they are flat and empty, and that the sensor stands still."
+            Message(
+                "The walls are still off by {rms_raw:.1f} raw units, which is more than noise; "
+                "take care that they are flat and empty, and that the sensor stands still.",
+                rms_raw=left_raw,
+            )
         )
     if covered < 0.95:
         advice.append(
-            f"{1 - covered:.0%} of the image was never filled by a wall; move the board there."
+            Message(
+                "{share:.0%} of the image was never filled by a wall; move the board there.",
+                share=1 - covered,
+            )
         )
     return tuple(advice)

@@ -119,6 +119,8 @@ def _eliminate(normal: list[list[FloatArray]], right: list[FloatArray]) -> list[
 def _check_count(walls: Sequence[WallFit], least: int) -> None:
     if len(walls) < least:
         raise CalibrationError(
-            f"The correction needs captures of the wall at {least} distances or more, but only "
-            f"{len(walls)} can be used; capture more."
+            "The correction needs captures of the wall at {least} distances or more, but only "
+            "{count} can be used; capture more.",
+            least=least,
+            count=len(walls),
         )

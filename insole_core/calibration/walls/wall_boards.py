@@ -43,7 +43,9 @@ def with_board_planes(
     """
     known = []
     for done, capture in enumerate(captures):
-        progress.step(done / len(captures), f"Looking for the board on {capture.name}")
+        progress.step(
+            done / len(captures), "Looking for the board on {capture}", capture=capture.name
+        )
         picture = picture_paths(folder / capture.name, "color")[0]
         sighting = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
         board2color = board_pose(sighting, sensor.color_camera)

@@ -80,8 +80,10 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
     wall = _largest_region(np.abs(capture.raw - expected) < _WALL_RAW)
     if wall.mean() < _LEAST_SHARE:
         raise CalibrationError(
-            f"{capture.name} shows no flat wall that fills at least {_LEAST_SHARE:.0%} of the "
-            "view; point the sensor at an empty flat wall and capture it again."
+            "{capture} shows no flat wall that fills at least {share:.0%} of the view; point the "
+            "sensor at an empty flat wall and capture it again.",
+            capture=capture.name,
+            share=_LEAST_SHARE,
         )
     return WallFit(capture, plane, expected, wall)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from itertools import combinations, islice
 from pathlib import Path
@@ -27,15 +27,19 @@ from insole_core.insole.prescription.design import (
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.surface.posting import posting_angles
 from insole_core.json_object import JsonObject
+from insole_core.messages import Message, Value
 from insole_core.resources import resource_path
 
 _AT_HEADS = ("egg", "bar")
 """Shapes that end behind the metatarsal heads."""
 _WORDS = {
+    "egg": "pelott",
+    "bar": "metatarsal bar",
     "outline": "free-hand pad",
     "arch_support": "arch support",
     "cut_out": "cut-out",
     "mortons_extension": "Morton's extension",
+    "pternion": "rearmost point",
     "heel_centre": "heel centre",
     "metatarsal_head_1": "1st head",
     "metatarsal_head_2": "2nd head",
@@ -77,33 +81,6 @@ class ClinicRules:
     pronation: tuple[PronationStep, ...] = ()
 
 
-SENTENCES = (
-    POSTED_REARFOOT := "The rearfoot is posted by {angle}°; more than {usual}° is unusual.",
-    POSTED_FOREFOOT := "The forefoot is posted by {angle}°; more than {usual}° is unusual.",
-    LIFTED := "The heel is lifted by {height} mm; on the device up to {usual} mm are usual.",
-    SHALLOW_CUP := (
-        "A skive of {depth} mm with {angle}° of inversion needs a heel cup of {needed} mm, and the"
-        " cup is {cup} mm deep."
-    ),
-    HIGH := "The insole is {height} mm high and may not fit a shoe; up to {usual} mm are usual.",
-    BESIDE_FOOT := "Only {share} of the {pad} lie below the foot; move it inwards.",
-    BEHIND_HEADS := (
-        "The front edge of the {pad} lies {distance} mm behind the line of the heads 2 to 4;"
-        " {least} to {most} mm behind it are usual."
-    ),
-    BEFORE_HEADS := (
-        "The front edge of the {pad} lies {distance} mm before the line of the heads 2 to 4;"
-        " {least} to {most} mm behind it are usual."
-    ),
-    OVERLAP := "The {pad} lies with {share} on the {other_pad}, and their heights add up.",
-    DISORDER := (
-        "The landmarks {landmark} and {other_landmark} stand in an order that no foot has; drag"
-        " them to where they belong."
-    ),
-)
-"""What a warning may say; a window translates the sentence and puts the values into it."""
-
-
 @dataclass(frozen=True)
 class DesignWarning:
     """Something that can be built and is unusual.
@@ -111,26 +88,15 @@ class DesignWarning:
     Parameters
     ----------
     sentence
-        One of `SENTENCES`, names in braces for the values.
-    values
-        The numbers, ready to be read; of "pad" and "other_pad" the shape, of "landmark" and
-        "other_landmark" its name.
     correction_id
         The correction that causes it; empty where it is the whole.
     place_mm
         Where to look, insole frame.
     """
 
-    sentence: str
-    values: Mapping[str, str]
+    sentence: Message
     correction_id: str = ""
     place_mm: Place | None = None
-
-    @property
-    def text(self) -> str:
-        """The sentence with its numbers, in English."""
-        plain = {name: _WORDS.get(value, value) for name, value in self.values.items()}
-        return self.sentence.format(**plain)
 
 
 def load_rules(path: Path | None = None) -> ClinicRules:
@@ -170,6 +136,10 @@ def design_warnings(
     )
 
 
+def _words(name: str) -> str:
+    return _WORDS.get(name, name)
+
+
 def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
     """Distance of a pad's front edge behind the line of the heads 2 to 4; < 0 before it.
 
@@ -189,18 +159,33 @@ def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
             a, b = landmarks[first], landmarks[second]
             if (b.point[:2] - a.point[:2]) @ towards < 0:
                 x, y = (b if b.origin == "hand" else a).point[:2]
-                values = {"landmark": first, "other_landmark": second}
-                yield DesignWarning(DISORDER, values, place_mm=(float(x), float(y)))
+                disorder = Message(
+                    "The landmarks {landmark} and {other_landmark} stand in an order that no foot "
+                    "has; drag them to where they belong.",
+                    landmark=_words(first),
+                    other_landmark=_words(second),
+                )
+                yield DesignWarning(disorder, place_mm=(float(x), float(y)))
 
 
 def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
-    sentences = (POSTED_REARFOOT, POSTED_FOREFOOT)
-    usual = f"{rules.post_unusual_deg:g}"
-    for sentence, angle in zip(sentences, posting_angles(design), strict=True):
-        if abs(angle) > rules.post_unusual_deg:
-            causes = (c.id for c in design.active if isinstance(c, Posting))
-            values = {"angle": f"{angle:g}", "usual": usual}
-            yield DesignWarning(sentence, values, next(causes))
+    usual = rules.post_unusual_deg
+    rearfoot, forefoot = posting_angles(design)
+    cause = next((c.id for c in design.active if isinstance(c, Posting)), "")
+    if abs(rearfoot) > usual:
+        posted = Message(
+            "The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.",
+            angle=rearfoot,
+            usual=usual,
+        )
+        yield DesignWarning(posted, cause)
+    if abs(forefoot) > usual:
+        posted = Message(
+            "The forefoot is posted by {angle:g}°; more than {usual:g}° is unusual.",
+            angle=forefoot,
+            usual=usual,
+        )
+        yield DesignWarning(posted, cause)
 
 
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
@@ -209,21 +194,28 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
     inversion = max(posting_angles(design)[0], 0.0)
     for c in design.active:
         if isinstance(c, HeelLift) and c.height_mm > rules.greatest_heel_lift_mm:
-            usual = f"{rules.greatest_heel_lift_mm:g}"
-            yield DesignWarning(LIFTED, {"height": f"{c.height_mm:g}", "usual": usual}, c.id)
+            lifted = Message(
+                "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
+                "usual.",
+                height_mm=c.height_mm,
+                usual_mm=rules.greatest_heel_lift_mm,
+            )
+            yield DesignWarning(lifted, c.id)
         if not isinstance(c, HeelSkive):
             continue
         both = c.depth_mm + inversion
         deep = both > rules.skive_and_inversion_limit
         needed = rules.skive_and_inversion_cup_mm if deep else rules.skive_least_cup_mm
         if cup < needed:
-            values = {
-                "depth": f"{c.depth_mm:g}",
-                "angle": f"{inversion:g}",
-                "needed": f"{needed:g}",
-                "cup": f"{cup:g}",
-            }
-            yield DesignWarning(SHALLOW_CUP, values, c.id)
+            shallow = Message(
+                "A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of "
+                "{needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.",
+                depth_mm=c.depth_mm,
+                angle=inversion,
+                needed_mm=needed,
+                cup_mm=cup,
+            )
+            yield DesignWarning(shallow, c.id)
 
 
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
@@ -231,9 +223,13 @@ def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
     row, column = np.unravel_index(heights.argmax(), heights.shape)
     if heights[row, column] > rules.greatest_insole_height_mm:
         place = float(insole.contact.x_mm[column]), float(insole.contact.y_mm[row])
-        usual = f"{rules.greatest_insole_height_mm:g}"
-        values = {"height": f"{heights[row, column]:.0f}", "usual": usual}
-        yield DesignWarning(HIGH, values, place_mm=place)
+        high = Message(
+            "The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm "
+            "are usual.",
+            height_mm=float(heights[row, column]),
+            usual_mm=rules.greatest_insole_height_mm,
+        )
+        yield DesignWarning(high, place_mm=place)
 
 
 def _of_pad(
@@ -241,21 +237,37 @@ def _of_pad(
 ) -> Iterator[DesignWarning]:
     share = _share_on_foot(insole, pad)
     if share < rules.least_on_foot_share:
-        values = {"share": f"{share:.0%}", "pad": pad.shape}
-        yield DesignWarning(BESIDE_FOOT, values, pad.id, pad.centre_mm)
+        beside = Message(
+            "Only {share:.0%} of the {pad} lie below the foot; move it inwards.",
+            share=share,
+            pad=_words(pad.shape),
+        )
+        yield DesignWarning(beside, pad.id, pad.centre_mm)
     if pad.shape not in _AT_HEADS or pad.height_mm <= 0:
         return
     behind = behind_heads_mm(pad, landmarks)
     least, most = rules.pelott_least_behind_heads_mm, rules.pelott_greatest_behind_heads_mm
     if not least <= behind <= most:
-        sentence = BEHIND_HEADS if behind >= 0 else BEFORE_HEADS
-        values = {
-            "pad": pad.shape,
-            "distance": f"{abs(behind):.0f}",
-            "least": f"{least:g}",
-            "most": f"{most:g}",
+        values: dict[str, Value] = {
+            "pad": _words(pad.shape),
+            "distance_mm": abs(behind),
+            "least_mm": least,
+            "most_mm": most,
         }
-        yield DesignWarning(sentence, values, pad.id, pad.centre_mm)
+        away = (
+            Message(
+                "The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the "
+                "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
+                **values,
+            )
+            if behind >= 0
+            else Message(
+                "The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the "
+                "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
+                **values,
+            )
+        )
+        yield DesignWarning(away, pad.id, pad.centre_mm)
 
 
 def _share_on_foot(insole: Insole, pad: Pelott) -> float:
@@ -273,8 +285,13 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
         small, large = sorted((a, b), key=lambda pad: len(places[pad.id]))
         share = float(inside_curve(pad_outline(large, 180), places[small.id]).mean())
         if share > rules.greatest_overlap_share:
-            values = {"pad": small.shape, "share": f"{share:.0%}", "other_pad": large.shape}
-            yield DesignWarning(OVERLAP, values, small.id, small.centre_mm)
+            overlap = Message(
+                "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.",
+                pad=_words(small.shape),
+                share=share,
+                other_pad=_words(large.shape),
+            )
+            yield DesignWarning(overlap, small.id, small.centre_mm)
 
 
 def _places_in(pad: Pelott) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:

@@ -43,14 +43,20 @@ def read_design(path: Path) -> InsoleDesign:
         return design_from_json(content)
     except OSError as error:
         raise InputError(
-            f"{path} cannot be read: {error.strerror}; check the name of the file."
+            "{path} cannot be read: {reason}; check the name of the file.",
+            path=path,
+            reason=str(error.strerror),
         ) from error
     except UnicodeDecodeError as error:
-        raise InputError(f"{path} is no UTF-8 text; hand in a design as JSON.") from error
+        raise InputError("{path} is no UTF-8 text; hand in a design as JSON.", path=path) from error
     except (json.JSONDecodeError, RecursionError) as error:
-        raise InputError(f"{path} is no valid JSON: {error}; export the design again.") from error
+        raise InputError(
+            "{path} is no valid JSON: {reason}; export the design again.",
+            path=path,
+            reason=str(error),
+        ) from error
     except DesignError as error:
-        raise InputError(f"{path}: {error}") from error
+        raise InputError("{path}: {reason}", path=path, reason=str(error)) from error
 
 
 def design_to_json(design: InsoleDesign) -> dict[str, Any]:
@@ -75,7 +81,9 @@ def design_from_json(content: Any) -> InsoleDesign:
     """
     top = dict(_object(content, "the design"))
     if top.pop("format", None) != FORMAT:
-        raise DesignError(f'format must be "{FORMAT}"; this is no design of an insole.')
+        raise DesignError(
+            'format must be "{format}"; this is no design of an insole.', format=FORMAT
+        )
     _check_version(top.pop("version", None))
     _check_keys(top, InsoleDesign, "the design")
     corrections = top.pop("corrections", None)
@@ -112,8 +120,10 @@ def _correction(content: Any, number: int) -> Correction:
     if not isinstance(name, str) or name not in CORRECTION_TYPES:
         known = ", ".join(f'"{known}"' for known in CORRECTION_TYPES)
         raise DesignError(
-            f"{where} is of the type {json.dumps(name)}, which this version does not know;"
-            f" it knows {known}."
+            "{where} is of the type {type}, which this version does not know; it knows {known}.",
+            where=where,
+            type=json.dumps(name),
+            known=known,
         )
     correction: Correction = _read(CORRECTION_TYPES[name], given, f"{where} ({name})")
     return correction
@@ -127,55 +137,71 @@ def _read(kind: type[Any], given: dict[str, Any], where: str) -> Any:
 def _value(key: str, value: Any, where: str) -> Any:
     if key in _TEXTS:
         if not isinstance(value, str):
-            raise DesignError(f"{where} must be a text; write it in quotation marks.")
+            raise DesignError("{where} must be a text; write it in quotation marks.", where=where)
         return value
     if key == "enabled":
         if not isinstance(value, bool):
-            raise DesignError(f"{where} must be true or false.")
+            raise DesignError("{where} must be true or false.", where=where)
         return value
     if key in _PLACES:
         return _place(value, where)
     if key in _PLACE_LISTS:
         if not isinstance(value, list):
-            raise DesignError(f"{where} must be a list of places, each two numbers in [ ].")
+            raise DesignError(
+                "{where} must be a list of places, each two numbers in [ ].", where=where
+            )
         return tuple(_place(place, where) for place in value)
     return _number(value, where)
 
 
 def _place(value: Any, where: str) -> tuple[float, float]:
     if not isinstance(value, list) or len(value) != 2:
-        raise DesignError(f"{where} must be two numbers in [ ].")
+        raise DesignError("{where} must be two numbers in [ ].", where=where)
     return _number(value[0], where), _number(value[1], where)
 
 
 def _number(value: Any, where: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise DesignError(f"{where} must be a number, and is {json.dumps(value)[:60]}.")
+        raise DesignError(
+            "{where} must be a number, and is {value}.", where=where, value=json.dumps(value)[:60]
+        )
     try:
         return float(value)
     except OverflowError as error:
-        raise DesignError(f"{where} is too large a number; put in a usual one.") from error
+        raise DesignError(
+            "{where} is too large a number; put in a usual one.", where=where
+        ) from error
 
 
 def _side(value: Any) -> Side:
     if value not in ("left", "right"):
-        raise DesignError(f'side must be "left" or "right", and is {json.dumps(value)[:60]}.')
+        raise DesignError(
+            'side must be "left" or "right", and is {value}.', value=json.dumps(value)[:60]
+        )
     return Side(value)
 
 
 def _object(content: Any, where: str) -> dict[str, Any]:
     if not isinstance(content, dict):
-        raise DesignError(f"{where} must be a JSON object, with keys and values in {{ }}.")
+        raise DesignError(
+            "{where} must be a JSON object, with keys and values in {{ }}.", where=where
+        )
     return content
 
 
 def _check_version(version: Any) -> None:
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
-        raise DesignError(f"version must be {VERSION}, and is {json.dumps(version)[:60]}.")
+        raise DesignError(
+            "version must be {known}, and is {version}.",
+            known=VERSION,
+            version=json.dumps(version)[:60],
+        )
     if version > VERSION:
         raise DesignError(
-            f"this design is of version {version}, and this program reads up to version {VERSION};"
-            " install a newer Insole Studio."
+            "this design is of version {version}, and this program reads up to version {known}; "
+            "install a newer Insole Studio.",
+            version=version,
+            known=VERSION,
         )
 
 
@@ -187,16 +213,18 @@ def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
     if kind is InsoleDesign:
         required |= {"corrections"}
     for key in sorted(required - given.keys()):
-        raise DesignError(f'{where} lacks the key "{key}"; add it.')
+        raise DesignError('{where} lacks the key "{key}"; add it.', where=where, key=key)
     for key in sorted(given.keys() - described.keys()):
         raise DesignError(
-            f'{where} has the key "{key}", which this version does not know;'
-            " check its spelling or leave it out."
+            '{where} has the key "{key}", which this version does not know; check its spelling or '
+            "leave it out.",
+            where=where,
+            key=key,
         )
 
 
 def _refuse_constant(name: str) -> NoReturn:
-    raise DesignError(f"{name} is no number a design can hold; put in a usual one.")
+    raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
 
 
 def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -204,5 +232,5 @@ def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(content) < len(pairs):
         keys = [key for key, _ in pairs]
         twice = next(key for key in keys if keys.count(key) > 1)
-        raise DesignError(f'the key "{twice}" stands twice in one object; keep one.')
+        raise DesignError('the key "{twice}" stands twice in one object; keep one.', twice=twice)
     return content

@@ -26,6 +26,7 @@ from insole_core.insole.prescription.design import (
     Pelott,
     Posting,
 )
+from insole_core.messages import Message
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,10 @@ class Range:
         return math.isfinite(value) and self.least <= value <= self.greatest
 
     def __str__(self) -> str:
-        return f"{self.least:g} to {self.greatest:g} {self.unit}".rstrip()
+        least, most = self.least, self.greatest
+        if not self.unit:
+            return Message("{least:g} to {most:g}", least=least, most=most)
+        return Message("{least:g} to {most:g} {unit}", least=least, most=most, unit=self.unit)
 
 
 _PLACE = Range(-400, 400)
@@ -144,7 +148,7 @@ def check_design(design: InsoleDesign) -> None:
     _check(design.layers, LAYER_RANGES, " of layers")
     _check_outline(design.outline)
     for number, correction in enumerate(design.corrections):
-        where = f" of corrections[{number}] ({correction.type})"
+        where = Message(" of corrections[{number}] ({type})", number=number, type=correction.type)
         _check(correction, CORRECTION_RANGES[type(correction)], where)
         _check_zone(correction, where)
         if isinstance(correction, Pelott):
@@ -154,7 +158,7 @@ def check_design(design: InsoleDesign) -> None:
     ids = [c.id for c in design.corrections]
     if len(set(ids)) < len(ids):
         twice = next(i for i in ids if ids.count(i) > 1)
-        raise DesignError(f'two corrections have the id "{twice}"; give each its own.')
+        raise DesignError('two corrections have the id "{twice}"; give each its own.', twice=twice)
 
 
 def _check(value: Any, ranges: dict[str, Range], where: str) -> None:
@@ -162,13 +166,22 @@ def _check(value: Any, ranges: dict[str, Range], where: str) -> None:
         for number in _numbers(getattr(value, key)):
             if number not in ranges[key]:
                 raise DesignError(
-                    f"{key}{where} is {number:g}, and must be {ranges[key]};"
-                    " put in a value of that range."
+                    "{key}{where} is {value:g}, and must be {range}; put in a value of that range.",
+                    key=key,
+                    where=where,
+                    value=number,
+                    range=str(ranges[key]),
                 )
     for key, words in CHOICES.get(type(value), {}).items():
         if getattr(value, key) not in words:
             allowed = ", ".join(f'"{word}"' for word in words)
-            raise DesignError(f'{key}{where} is "{getattr(value, key)}", and must be {allowed}.')
+            raise DesignError(
+                '{key}{where} is "{value}", and must be {allowed}.',
+                key=key,
+                where=where,
+                value=getattr(value, key),
+                allowed=allowed,
+            )
     for key in (f.name for f in fields(value) if f.name in POINT_COUNTS):
         _check_count(key, getattr(value, key), where)
 
@@ -184,8 +197,12 @@ def _check_count(key: str, points: tuple[Any, ...] | None, where: str) -> None:
     least, greatest = POINT_COUNTS[key]
     if points is not None and not least <= len(points) <= greatest:
         raise DesignError(
-            f"{key}{where} has {len(points)} places, and must have {least} to {greatest};"
-            " draw it again."
+            "{key}{where} has {count} places, and must have {least} to {most}; draw it again.",
+            key=key,
+            where=where,
+            count=len(points),
+            least=least,
+            most=greatest,
         )
 
 
@@ -195,32 +212,43 @@ def _check_zone(correction: Correction, where: str) -> None:
         end = getattr(correction, f"{name}_end", None)
         if start is not None and end is not None and end - start < LEAST_ZONE - _ROUNDING:
             raise DesignError(
-                f"{name}_end{where} is {end:g}, and must lie at least {LEAST_ZONE:g} beyond"
-                f" {name}_start ({start:g}), or the surface gets a step."
+                "{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start "
+                "({start:g}), or the surface gets a step.",
+                zone=name,
+                where=where,
+                end=end,
+                least=LEAST_ZONE,
+                start=start,
             )
 
 
 def _check_smoothing(stroke: BrushStroke, where: str) -> None:
     if stroke.strength > MOST_SMOOTHING:
         raise DesignError(
-            f"strength{where} is {stroke.strength:g}, and for smoothing must be 0 to 1;"
-            " 1 evens out all it can."
+            "strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it "
+            "can.",
+            where=where,
+            strength=stroke.strength,
         )
 
 
 def _check_pad(pad: Pelott, where: str) -> None:
     if (pad.shape == "outline") != (pad.outline_mm is not None):
         raise DesignError(
-            f'outline_mm{where} belongs to the shape "outline" and to no other;'
-            " draw an outline, or choose another shape and leave it out."
+            'outline_mm{where} belongs to the shape "outline" and to no other; draw an outline, or '
+            "choose another shape and leave it out.",
+            where=where,
         )
     if pad.outline_mm is None:
         return
     if crosses_itself(pad.outline_mm):
-        raise DesignError(f"outline_mm{where} crosses itself; draw the outline again in one round.")
+        raise DesignError(
+            "outline_mm{where} crosses itself; draw the outline again in one round.", where=where
+        )
     if not encloses_centre(pad):
         raise DesignError(
-            f"outline_mm{where} does not go round the pad's centre; put the apex into the outline."
+            "outline_mm{where} does not go round the pad's centre; put the apex into the outline.",
+            where=where,
         )
 
 
@@ -232,8 +260,10 @@ def _check_outline(outline: Outline) -> None:
     points = outline.points_mm or ()
     if len(points) < LEAST_DRAWN_POINTS:
         raise DesignError(
-            f"points_mm of outline has {len(points)} places, and a drawn outline needs at least"
-            f" {LEAST_DRAWN_POINTS}; draw it again."
+            "points_mm of outline has {count} places, and a drawn outline needs at least "
+            "{least}; draw it again.",
+            count=len(points),
+            least=LEAST_DRAWN_POINTS,
         )
     if crosses_itself(closed_curve(points)[::_CURVE_STRIDE]):
         raise DesignError("The drawn outline of the insole crosses itself; move its points apart.")

@@ -112,7 +112,7 @@ def template_from_json(content: JsonObject) -> Template:
         design = design_from_json(content.value("design"))
         check_anchors(design.side, dict(zip(ANCHORS, (heel, first, fifth), strict=True)))
     except DesignError as error:
-        raise InputError(f"{content.file}: {error}") from error
+        raise InputError("{file}: {reason}", file=content.file, reason=str(error)) from error
     return Template(content.text("name"), design, (heel, first, fifth))
 
 
@@ -132,11 +132,14 @@ def check_anchors(side: Side, places: Mapping[str, Place]) -> None:
     heel, first, fifth = (np.array(places[name]) for name in ANCHORS)
     for name, head in (("1st", first), ("5th", fifth)):
         if head[1] <= heel[1]:
-            raise DesignError(f"The {name} metatarsal head lies behind the heel; put it in place.")
+            raise DesignError(
+                "The {head} metatarsal head lies behind the heel; put it in place.", head=name
+            )
     if (first - fifth)[0] * side.medial_sign <= 0:
         raise DesignError(
-            f"The 1st metatarsal head lies lateral of the 5th on this {side} foot;"
-            " exchange the two, or check the side."
+            "The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the "
+            "two, or check the side.",
+            side=side,
         )
     (ax, ay), (bx, by) = first - heel, fifth - heel
     if abs(ax * by - ay * bx) < _LEAST_AREA_MM2:

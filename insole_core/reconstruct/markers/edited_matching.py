@@ -182,8 +182,9 @@ def follow_names(
         poses = improved(poses, sight, float(share * camera.width / camera.fx))
     if len(poses.rotations) == 0:
         raise ReconstructionError(
-            f"the {len(spots)} markers that were pointed at cannot be seen at these places from "
-            "anywhere; check which marker is which"
+            "the {count} markers that were pointed at cannot be seen at these places from "
+            "anywhere; check which marker is which",
+            count=len(spots),
         )
     near = float(_FOLLOW_SHARES[-1] * camera.width / camera.fx)
     nearest, explained, _ = matches(poses, sight, near)
@@ -204,8 +205,12 @@ def _check_enough(order: list[int], excluded: BoolArray, edits: ViewEdits) -> No
     left = len(order) - int(excluded.sum())
     if left < ENOUGH_NAMES:
         raise ReconstructionError(
-            f"only {left} of the {len(order)} markers are left after the corrections by hand "
-            f"({edits.summary()}), and {ENOUGH_NAMES} are needed; include or add markers"
+            "only {left} of the {count} markers are left after the corrections by hand "
+            "({corrections}), and {least} are needed; include or add markers",
+            left=left,
+            count=len(order),
+            corrections=edits.summary(),
+            least=ENOUGH_NAMES,
         )
 
 
@@ -214,8 +219,11 @@ def _row(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int:
     if row is None:
         u, v = spot.pixel
         raise ReconstructionError(
-            f"the marker {spot.id} was pointed at where the colour image shows nothing "
-            f"({u:.0f}, {v:.0f}); point at it again"
+            "the marker {marker} was pointed at where the colour image shows nothing ({u:.0f}, "
+            "{v:.0f}); point at it again",
+            marker=spot.id,
+            u=u,
+            v=v,
         )
     return row
 

@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import rigid
+from insole_core.messages import Message
 from insole_core.reconstruct.markers.marker_matching import MarkerMatch, looks_at_foot
 from insole_core.reconstruct.poses.pose_batch import (
     LEAST_EXPLAINED,
@@ -143,15 +144,18 @@ def match_in_image(
     rms_px = scale_px * float(np.sqrt(variance))
     if rms_px > limits.largest_rms_px:
         raise ReconstructionError(
-            f"the blue spots lie {rms_px:.1f} px from where the markers should be seen; check "
-            "that it is the right reference system and the right calibration"
+            "the blue spots lie {rms_px:.1f} px from where the markers should be seen; check that "
+            "it is the right reference system and the right calibration",
+            rms_px=rms_px,
         )
     variance = max(variance, (limits.noise_px / scale_px) ** 2)
     rival = _elsewhere(poses, best, limits) & (missed - missed[best] < limits.margin * variance)
     if rival.any():
         raise ReconstructionError(
-            f"the blue spots fit the markers in two ways, {most} and "
-            f"{explained[rival].sum(1).max()} of them; see that more markers are in view"
+            "the blue spots fit the markers in two ways, {most} and {rivals} of them; see that "
+            "more markers are in view",
+            most=most,
+            rivals=explained[rival].sum(1).max(),
         )
     return ImageMarkerMatch(
         MarkerMatch(pairs[best, found], found, whole),
@@ -172,10 +176,14 @@ def _needed(markers: int, limits: ImageMatchLimits) -> int:
 
 
 def _too_few(most: int, blobs: int, markers: int, limits: ImageMatchLimits) -> str:
-    return (
-        f"only {most} of the {blobs} blue spots fit the {markers} markers, and "
-        f"{_needed(markers, limits)} are needed; check that it is the right reference system, that "
-        "its pictures are not mirrored and that most markers are seen"
+    return Message(
+        "only {most} of the {spots} blue spots fit the {markers} markers, and {needed} are "
+        "needed; check that it is the right reference system, that its pictures are not "
+        "mirrored and that most markers are seen",
+        most=most,
+        spots=blobs,
+        markers=markers,
+        needed=_needed(markers, limits),
     )
 
 

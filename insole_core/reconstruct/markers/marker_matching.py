@@ -257,16 +257,22 @@ def _check_enough(most: int, points: int, markers: int, limits: MarkerMatchLimit
     needed = _needed(markers, limits)
     if most < needed:
         raise ReconstructionError(
-            f"only {most} of the {points} blue spots fit the {markers} markers, and {needed} are "
-            "needed; check that it is the right reference system and that most markers are seen"
+            "only {most} of the {spots} blue spots fit the {markers} markers, and {needed} are "
+            "needed; check that it is the right reference system and that most markers are seen",
+            most=most,
+            spots=points,
+            markers=markers,
+            needed=needed,
         )
 
 
 def _check_rivals(rivals: IntArray, most: int, limits: MarkerMatchLimits) -> None:
     if int(rivals.max(initial=0)) > most - limits.margin:
         raise ReconstructionError(
-            f"the blue spots fit the markers in two ways, {most} and {rivals.max()} of them; "
-            "see that more markers are in view"
+            "the blue spots fit the markers in two ways, {most} and {rivals} of them; see that "
+            "more markers are in view",
+            most=most,
+            rivals=rivals.max(),
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from insole_core.errors import ReconstructionError
+from insole_core.messages import Message
 from insole_core.reconstruct.markers.marker_matching import MarkerMatchLimits
 from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
 
@@ -72,9 +73,12 @@ def _too_few(registration: Registration, limits: RegistrationLimits) -> str:
     used = sum(fix.used for fix in fixes)
     if used >= limits.least_used and 2 * used >= len(fixes):
         return ""
-    return (
-        f"only {used} of the {len(fixes)} markers agree with each other in the colour image "
-        f"({_worst_in_image(fixes)}); check that the reference system was not changed or moved"
+    return Message(
+        "only {used} of the {count} markers agree with each other in the colour image "
+        "({worst}); check that the reference system was not changed or moved",
+        used=used,
+        count=len(fixes),
+        worst=_worst_in_image(fixes),
     )
 
 
@@ -85,10 +89,13 @@ def _too_far(registration: Registration, limits: RegistrationLimits) -> str:
     fixes = [fix for fix in registration.fixes if not fix.excluded]
     worst = sorted(fixes, key=lambda fix: -fix.residual_mm)[:3]
     named = ", ".join(f"{fix.id} {fix.residual_mm:.1f} mm" for fix in worst)
-    return (
-        f"its markers lie {mean_mm:.1f} mm from the reference system on average, more than "
-        f"{limits.residual_mm:g} mm (worst: {named}); check that the reference system was not "
-        "changed or moved"
+    return Message(
+        "its markers lie {mean_mm:.1f} mm from the reference system on average, more than "
+        "{limit_mm:g} mm (worst: {worst}); check that the reference system was not changed "
+        "or moved",
+        mean_mm=mean_mm,
+        limit_mm=limits.residual_mm,
+        worst=named,
     )
 
 
@@ -103,14 +110,19 @@ def _too_uncertain(registration: Registration, limits: RegistrationLimits) -> st
         (pose.turn_deviation_deg, limits.turn_deviation_deg, "degrees uncertain in direction"),
     ):
         if value > limit:
-            return (
-                f"its markers leave the pose {value:.2f} {what}, more than {limit:g} "
-                f"({_worst_in_image(fixes)}); see that more markers are in view and that the "
-                "reference system was not moved"
+            return Message(
+                "its markers leave the pose {value:.2f} {what}, more than {limit:g} "
+                "({worst}); see that more markers are in view and that the reference "
+                "system was not moved",
+                value=value,
+                what=what,
+                limit=limit,
+                worst=_worst_in_image(fixes),
             )
     return ""
 
 
 def _worst_in_image(fixes: list[MarkerObservation]) -> str:
     worst = sorted(fixes, key=lambda fix: -(fix.reprojection_px or 0.0))[:3]
-    return "worst: " + ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)
+    named = ", ".join(f"{fix.id} {fix.reprojection_px:.1f} px" for fix in worst)
+    return Message("worst: {markers}", markers=named)

@@ -15,6 +15,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, transform
+from insole_core.messages import Message, joined
 from insole_core.reconstruct.markers.blobs import Blobs
 from insole_core.reconstruct.markers.detections import Detections
 from insole_core.reconstruct.markers.edited_matching import (
@@ -114,8 +115,11 @@ class PoseSearch:
         markers = self.system.facing(faces)
         if not markers:
             raise ReconstructionError(
-                f'its sensor.json lists the faces {_quoted(faces)}, but the reference system "'
-                f'{self.system.name}" has the faces {_quoted(_groups(self.system))}'
+                'its sensor.json lists the faces {faces}, but the reference system "{system}" has '
+                "the faces {system_faces}",
+                faces=_quoted(faces),
+                system=self.system.name,
+                system_faces=_quoted(_groups(self.system)),
             )
         return markers
 
@@ -184,12 +188,16 @@ class PoseSearch:
                 )
             except ReconstructionError:
                 continue
-            return (
-                f"its sensor.json says that it sees the markers {_quoted(self.sensor.faces)}, but "
-                f'it sees "{group}"; exchange the views, or correct "faces" there'
+            return Message(
+                "its sensor.json says that it sees the markers {faces}, but it sees "
+                '"{face}"; exchange the views, or correct "faces" there',
+                faces=_quoted(self.sensor.faces),
+                face=group,
             )
-        return (
-            f'the markers of the reference system "{self.system.name}" are not recognised: {error}'
+        return Message(
+            'the markers of the reference system "{system}" are not recognised: {reason}',
+            system=self.system.name,
+            reason=error.message,
         )
 
 
@@ -203,8 +211,9 @@ def _by_horn(naming: EditedMatch) -> FloatArray:
     weights = (naming.pairs.used & np.isfinite(naming.points[:, 2])).astype(float)
     if weights.sum() < ENOUGH_NAMES - 1:
         raise ReconstructionError(
-            f"only {weights.sum():.0f} of its markers have a depth reading; see that more markers "
-            "are in view"
+            "only {count:.0f} of its markers have a depth reading; see that more markers are in "
+            "view",
+            count=weights.sum(),
         )
     points = np.nan_to_num(naming.points)
     return absolute_orientation(points, naming.positions, weights).a2b
@@ -287,4 +296,4 @@ def _groups(system: ReferenceSystem) -> tuple[str, ...]:
 
 
 def _quoted(words: tuple[str, ...]) -> str:
-    return ", ".join(f'"{word}"' for word in words) or "none"
+    return joined(f'"{word}"' for word in words) or "none"

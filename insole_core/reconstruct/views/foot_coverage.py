@@ -6,6 +6,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message, joined
 
 REGIONS = ("toes", "forefoot", "arch", "heel", "achilles")
 _SOLE_SHARES = {
@@ -96,13 +97,22 @@ def coverage_warnings(coverage: dict[str, float], *, absence_is_told: bool) -> l
     known = {r: share for r, share in coverage.items() if share >= 0.5 or not absence_is_told}
     absent = [region for region, share in known.items() if share < 0.05]
     partial = [
-        f"{region} {100 * share:.0f} %" for region, share in known.items() if 0.05 <= share < ENOUGH
+        Message("{region} {percent:.0f} %", region=region, percent=100 * share)
+        for region, share in known.items()
+        if 0.05 <= share < ENOUGH
     ]
-    sentences = []
+    sentences: list[str] = []
     if absent:
-        sentences.append(f"Not measured: {', '.join(absent)}; no view that is used shows it.")
+        sentences.append(
+            Message(
+                "Not measured: {regions}; no view that is used shows it.", regions=joined(absent)
+            )
+        )
     if partial:
         sentences.append(
-            f"Only partly measured: {', '.join(partial)}; see the holes there before designing."
+            Message(
+                "Only partly measured: {regions}; see the holes there before designing.",
+                regions=joined(partial),
+            )
         )
     return sentences

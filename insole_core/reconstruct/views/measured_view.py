@@ -10,6 +10,7 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
+from insole_core.messages import Message, joined
 from insole_core.reconstruct.markers.blobs import Blobs, find_blobs, sharpened
 from insole_core.reconstruct.markers.detections import Detections, locate_blobs
 from insole_core.reconstruct.markers.edited_matching import with_places
@@ -90,7 +91,7 @@ class MeasuredView:
         except ReconstructionError as error:
             if not self.picture_fault:
                 raise
-            reason = f"{self.picture_fault} ({error})"
+            reason = Message("{fault} ({reason})", fault=self.picture_fault, reason=error.message)
             if isinstance(error, PoseRefusedError):
                 raise PoseRefusedError(reason, error.registration) from error
             raise ReconstructionError(reason) from error
@@ -134,7 +135,7 @@ def used_result(measured: MeasuredView, registration: Registration, note: str = 
     return replace(
         placed_result(measured.view.name, registration),
         used=True,
-        reason="; ".join(filter(None, notes)),
+        reason=joined(filter(None, notes), "; "),
         frames=measured.view.depth_count,
         left_out=measured.left_out,
     )

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 
 from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError
+from insole_core.messages import Message
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.sensor import Sensor
@@ -49,7 +50,10 @@ def calibrated_session(
         if chosen is not None:
             applied = apply_correction(sensor, chosen, now, insist)
             sensor = applied.sensor
-            warnings += [f"View {view.name}: {warning}" for warning in applied.warnings]
+            warnings += [
+                Message("View {view}: {warning}", view=view.name, warning=warning)
+                for warning in applied.warnings
+            ]
         views.append(replace(view, sensor=sensor))
     return replace(session, views=tuple(views)), tuple(warnings)
 
@@ -58,14 +62,20 @@ def _kept(view: View, store: SensorStore) -> Sensor:
     kept = store.load(view.sensor.serial)
     if kept is None:
         raise CalibrationError(
-            f"View {view.name} was recorded with sensor {view.sensor.serial}, which was never "
-            "calibrated here; calibrate it first."
+            "View {view} was recorded with sensor {serial}, which was never calibrated here; "
+            "calibrate it first.",
+            view=view.name,
+            serial=view.sensor.serial,
         )
     recorded, known = view.sensor.color_camera, kept.color_camera
     if (recorded.width, recorded.height) != (known.width, known.height):
         raise CalibrationError(
-            f"View {view.name} has colour images of {recorded.width}×{recorded.height}, but the "
-            f"sensor was calibrated at {known.width}×{known.height}; calibrate its colour camera "
-            "with pictures of that size."
+            "View {view} has colour images of {width}×{height}, but the sensor was calibrated at "
+            "{known_width}×{known_height}; calibrate its colour camera with pictures of that size.",
+            view=view.name,
+            width=recorded.width,
+            height=recorded.height,
+            known_width=known.width,
+            known_height=known.height,
         )
     return replace(kept, faces=view.sensor.faces)

@@ -17,6 +17,7 @@ from insole_core.calibration.boards.intrinsics import (
 from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.calibration_sections import camera_section
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.sensor_json import COLOR_SIZES, DEPTH_SIZE
 from insole_core.sensing.sensor import Sensor
@@ -65,19 +66,35 @@ def _sentences(found: CameraCalibration, kind: str) -> tuple[str, ...]:
     count, out = len(found.pictures), len(found.left_out)
     camera, deviations = found.camera, found.deviations
     return (
-        f"{count} of {count + out} {kind} pictures were used; a corner is met within "
-        f"{found.rms_px:.2f} px.",
-        f"The focal length is {camera.fx:.1f} / {camera.fy:.1f} px, known within "
-        f"{max(deviations['fx'], deviations['fy']):.1f} px.",
-        *(f"{name} was left out: {reason}" for name, reason in found.left_out.items()),
+        Message(
+            "{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.",
+            count=count,
+            taken=count + out,
+            kind=kind,
+            rms_px=found.rms_px,
+        ),
+        Message(
+            "The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.",
+            fx=camera.fx,
+            fy=camera.fy,
+            error_px=max(deviations["fx"], deviations["fy"]),
+        ),
+        *(
+            Message("{picture} was left out: {reason}", picture=name, reason=reason)
+            for name, reason in found.left_out.items()
+        ),
     )
 
 
 def _check_size(found: CameraCalibration, which: Which) -> None:
     size, sizes = (found.camera.width, found.camera.height), _SIZES[which]
     if size not in sizes:
-        allowed = " or ".join(f"{w}×{h}" for w, h in sizes)
+        allowed = joined((f"{w}×{h}" for w, h in sizes), " or ")
         raise CalibrationError(
-            f"The {_WORDS[which]} pictures are {size[0]}×{size[1]}, but the sensor gives "
-            f"{allowed}; use its pictures as they are, neither cut nor scaled."
+            "The {kind} pictures are {width}×{height}, but the sensor gives {allowed}; use its "
+            "pictures as they are, neither cut nor scaled.",
+            kind=_WORDS[which],
+            width=size[0],
+            height=size[1],
+            allowed=allowed,
         )

@@ -12,6 +12,7 @@ from insole_core.calibration.walls.captures import capture_from_frames
 from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.markers.blobs import find_blobs
 from insole_core.reconstruct.markers.detections import Detections, locate_blobs
@@ -55,11 +56,13 @@ def read_marker_views(
     left_out: list[str] = []
     views = list(_views(sessions))
     for done, (session, name, view) in enumerate(views):
-        progress.step(done / len(views), f"Finding the markers of {name}")
+        progress.step(done / len(views), "Finding the markers of {view}", view=name)
         try:
             pixels = _marker_pixels(view, system)
         except ReconstructionError as error:
-            left_out.append(f"{name} is left out: {error}.")
+            left_out.append(
+                Message("{view} is left out: {reason}.", view=name, reason=error.message)
+            )
         else:
             capture = (view.sensor.serial, session) if rigid else ("", "")
             found.append(MarkerView(name, pixels, view.sensor.color_camera, *capture))

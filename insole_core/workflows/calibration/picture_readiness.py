@@ -14,8 +14,10 @@ from insole_core.calibration.boards.board import Board, BoardDetection, read_gre
 from insole_core.calibration.boards.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
+    SIDE_WORDS,
     missing_turns,
     turn_of,
+    turns_text,
 )
 from insole_core.calibration.boards.picture_coverage import count_corners, missing_regions
 from insole_core.calibration.walls.captures import WallCapture, read_captures
@@ -23,10 +25,10 @@ from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_ro
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.memo import Memo
+from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.steps import COLOR, board_pictures, has_infrared
-from insole_studio.texts import tr
 
 GOOD_PICTURES = 10
 WALL_DISTANCES_MM = (500, 600, 700, 800, 900, 1000)
@@ -128,7 +130,7 @@ def _look_at_boards(
     paths = board_pictures(folder, kind)
     found: list[tuple[PictureInspection, BoardDetection | None]] = []
     for done, path in enumerate(paths):
-        progress.step(done / len(paths), f"Looking at {path.name}")
+        progress.step(done / len(paths), "Looking at {picture}", picture=path.name)
         key = path, path.stat().st_mtime_ns, board
         found.append(memo.get("board", key, partial(_look_at_file, path, board)))
     sightings = [sighting for _, sighting in found if sighting is not None]
@@ -163,9 +165,12 @@ def look_at_board(
 def _told(sighting: BoardDetection) -> str:
     count, (turn_deg, side) = len(sighting.pixels), turn_of(sighting)
     if turn_deg < _FRONT_DEG:
-        return tr("{count} corners, seen from the front").format(count=count)
-    return tr("{count} corners, turned {turn:.0f}° {side}").format(
-        count=count, turn=turn_deg, side=_side_texts()[side]
+        return Message("{count} corners, seen from the front", count=count)
+    return Message(
+        "{count} corners, turned {turn_deg:.0f}° {side}",
+        count=count,
+        turn_deg=turn_deg,
+        side=SIDE_WORDS[side],
     )
 
 
@@ -180,7 +185,9 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
     captures = read_captures(folder, progress.part(0, 0.5))
     found: list[tuple[PictureInspection, WallFit | None]] = []
     for done, capture in enumerate(captures):
-        progress.step(0.5 + 0.5 * done / len(captures), f"Finding the wall in {capture.name}")
+        progress.step(
+            0.5 + 0.5 * done / len(captures), "Finding the wall in {capture}", capture=capture.name
+        )
         found.append(look_at_wall(capture, sensor))
     walls = [wall for _, wall in found if wall is not None]
     distances = tuple(wall_distance_mm(wall) for wall in walls)
@@ -194,8 +201,10 @@ def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspectio
         wall = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
     except CalibrationError as error:
         return PictureInspection(capture.name, False, str(error), _depth_picture(capture)), None
-    sentence = tr("a wall at {distance:.0f} mm that fills {share:.0%}").format(
-        distance=wall_distance_mm(wall), share=wall.wall.mean()
+    sentence = Message(
+        "a wall at {distance_mm:.0f} mm that fills {share:.0%}",
+        distance_mm=wall_distance_mm(wall),
+        share=float(wall.wall.mean()),
     )
     return PictureInspection(capture.name, True, sentence, _depth_picture(capture, wall.wall)), wall
 
@@ -214,10 +223,11 @@ def _missing_boards(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
     missing = []
     if len(sightings) < GOOD_PICTURES:
         missing.append(
-            tr(
+            Message(
                 "Take {count} more pictures, the board tilted by 20 to 40° to another side each "
-                "time."
-            ).format(count=GOOD_PICTURES - len(sightings))
+                "time.",
+                count=GOOD_PICTURES - len(sightings),
+            )
         )
     return (*missing, *_missing_parts(sightings))
 
@@ -225,9 +235,8 @@ def _missing_boards(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
 def _missing_pairs(sightings: Sequence[BoardDetection], each: int) -> tuple[str, ...]:
     missing = []
     if turns := missing_turns(sightings, each):
-        sides = [f"{count}\u00a0×\u00a0{_side_texts()[side]}" for side, count in turns.items()]
         missing.append(
-            tr("Turn the board strongly, by 40 to 55°: {sides}.").format(sides=", ".join(sides))
+            Message("Turn the board strongly, by 40 to 55°: {sides}.", sides=turns_text(turns))
         )
     return (*missing, *_missing_parts(sightings))
 
@@ -237,8 +246,8 @@ def _missing_parts(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
     if not regions:
         return ()
     return (
-        tr("Hold the board in these parts of the picture: {regions}.").format(
-            regions=_listed(regions)
+        Message(
+            "Hold the board in these parts of the picture: {regions}.", regions=joined(regions)
         ),
     )
 
@@ -249,44 +258,18 @@ def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
     missing = []
     if far:
         missing.append(
-            tr("Capture the wall at about these distances: {distances} mm.").format(
-                distances=", ".join(far)
+            Message(
+                "Capture the wall at about these distances: {distances} mm.",
+                distances=", ".join(far),
             )
         )
     if regions := missing_regions(wall_cells(walls)):
         missing.append(
-            tr("Fill these parts of the picture with the wall: {regions}.").format(
-                regions=_listed(regions)
+            Message(
+                "Fill these parts of the picture with the wall: {regions}.", regions=joined(regions)
             )
         )
     return tuple(missing)
-
-
-def _side_texts() -> dict[str, str]:
-    return {
-        "left": tr("to the left"),
-        "right": tr("to the right"),
-        "up": tr("upwards"),
-        "down": tr("downwards"),
-    }
-
-
-def _listed(regions: Sequence[str]) -> str:
-    return ", ".join(_region_texts()[region] for region in regions)
-
-
-def _region_texts() -> dict[str, str]:
-    return {
-        "upper left": tr("upper left"),
-        "upper centre": tr("upper centre"),
-        "upper right": tr("upper right"),
-        "middle left": tr("middle left"),
-        "middle centre": tr("middle centre"),
-        "middle right": tr("middle right"),
-        "lower left": tr("lower left"),
-        "lower centre": tr("lower centre"),
-        "lower right": tr("lower right"),
-    }
 
 
 def wall_cells(walls: Sequence[WallFit]) -> IntArray:

@@ -12,6 +12,7 @@ from insole_core.errors import UsageError
 from insole_core.evaluation.report import Report, ReportSection
 from insole_core.evaluation.report_files import WRITERS
 from insole_core.export.atomic import replacing_file
+from insole_core.messages import joined
 
 
 def make_report(title: str, serial: str, sections: Sequence[ReportSection]) -> Report:
@@ -28,7 +29,11 @@ def check_report_paths(paths: Sequence[Path]) -> None:
     """
     for path in paths:
         if path.suffix.lower() not in WRITERS:
-            raise UsageError(f"{path} is no name of a report; let it end in {', '.join(WRITERS)}.")
+            raise UsageError(
+                "{path} is no name of a report; let it end in {suffixes}.",
+                path=path,
+                suffixes=joined(WRITERS),
+            )
 
 
 def write_reports(report: Report, paths: Sequence[Path]) -> None:

@@ -49,8 +49,9 @@ class SensorStore:
         """
         if not _SERIAL.fullmatch(serial):
             raise UsageError(
-                f'"{serial}" is no serial number of a sensor; give its letters and digits as '
-                "they stand on its label."
+                '"{serial}" is no serial number of a sensor; give its letters and digits as they '
+                "stand on its label.",
+                serial=serial,
             )
         return self._folder / serial
 
@@ -72,8 +73,11 @@ class SensorStore:
         sensor = read_sensor(folder)
         if sensor.serial != serial:
             raise InputError(
-                f"{folder} holds the calibration of sensor {sensor.serial}; calibrate sensor "
-                f"{serial} again."
+                "{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} "
+                "again.",
+                folder=folder,
+                owner=sensor.serial,
+                serial=serial,
             )
         return sensor
 

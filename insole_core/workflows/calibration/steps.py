@@ -66,7 +66,10 @@ def board_pictures(folder: Path, kind: str) -> list[Path]:
     kinds = any(path.name.startswith((COLOR, INFRARED, DEPTH)) for path in paths)
     if kinds and not named:
         raise InputError(
-            f"{folder} holds no pictures named {kind}…; name the folder with the {_WORDS[kind]}."
+            "{folder} holds no pictures named {kind}…; name the folder with the {words}.",
+            folder=folder,
+            kind=kind,
+            words=_WORDS[kind],
         )
     return named or paths
 
@@ -112,8 +115,9 @@ def find_infrared_pairs(
     ]
     if not pairs:
         raise CalibrationError(
-            f"No board of {folder} is seen by both cameras; give ir_003 and color_003 the same "
-            "number when they show the same position."
+            "No board of {folder} is seen by both cameras; give ir_003 and color_003 the same "
+            "number when they show the same position.",
+            folder=folder,
         )
     return pairs
 
@@ -134,8 +138,12 @@ def check_color_camera(sensor: Sensor, color: Sequence[BoardDetection]) -> None:
     width, height = color[0].size
     if (width, height) != (camera.width, camera.height):
         raise CalibrationError(
-            f"The pictures are {width}×{height}, but the colour camera was calibrated at "
-            f"{camera.width}×{camera.height}; calibrate it with pictures of this size first."
+            "The pictures are {width}×{height}, but the colour camera was calibrated at "
+            "{known_width}×{known_height}; calibrate it with pictures of this size first.",
+            width=width,
+            height=height,
+            known_width=camera.width,
+            known_height=camera.height,
         )
 
 

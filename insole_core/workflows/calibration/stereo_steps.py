@@ -14,6 +14,7 @@ from insole_core.calibration.boards.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
     missing_turns,
+    turns_text,
 )
 from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
 from insole_core.calibration.boards.intrinsics import find_boards
@@ -23,6 +24,7 @@ from insole_core.calibration.plausibility import find_misfit
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.calibration_sections import stereo_section
 from insole_core.evaluation.evaluation_sections import alignment_section
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.sensor import Sensor
@@ -60,7 +62,7 @@ def calibrate_stereo_step(
 def _from_infrared(folder: Path, board: Board, sensor: Sensor, progress: Progress) -> StepResult:
     pairs = find_infrared_pairs(folder, board, progress.part(0, 0.8))
     check_color_camera(sensor, [in_color for _, in_color in pairs])
-    progress.step(0.8, f"Fitting both cameras to {len(pairs)} boards")
+    progress.step(0.8, "Fitting both cameras to {count} boards", count=len(pairs))
     found = calibrate_stereo(
         [in_depth for in_depth, _ in pairs],
         [in_color for _, in_color in pairs],
@@ -84,7 +86,7 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
     check_color_camera(sensor, color)
     progress.step(0.5, "Reading the depth of the boards")
     boards = read_boards_in_depth(folder, color, sensor.correction)
-    progress.step(0.6, f"Fitting the depth camera to {len(boards)} boards")
+    progress.step(0.6, "Fitting the depth camera to {count} boards", count=len(boards))
     # Without a correction there is no map that a tilt of all raw numbers could be added to.
     found = calibrate_board_depth(
         boards,
@@ -120,10 +122,15 @@ def _advice(
     missing = missing_turns(color, each)
     if known_mm <= _GOOD_MM or not missing:
         return ()
-    sides = ", ".join(f"{count} × {side}" for side, count in missing.items())
+    sides = turns_text(missing)
     return (
-        f"The place of the depth camera is known within {known_mm:.1f} mm only; for {_GOOD_MM} mm "
-        f"take more positions with the board turned by 40 to 55° ({sides}).",
+        Message(
+            "The place of the depth camera is known within {known_mm:.1f} mm only; for "
+            "{good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).",
+            known_mm=known_mm,
+            good_mm=_GOOD_MM,
+            sides=sides,
+        ),
     )
 
 
@@ -145,8 +152,13 @@ def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepRe
         sensor=better,
         section=replace(section, key="shift", title="Colour on depth, after a constant shift"),
         sentences=(
-            f"Colour was shifted by {x:+.1f} px in x and {y:+.1f} px in y; up to {worst:.1f} px "
-            "are left.",
+            Message(
+                "Colour was shifted by {x:+.1f} px in x and {y:+.1f} px in y; up to "
+                "{worst:.1f} px are left.",
+                x=x,
+                y=y,
+                worst=worst,
+            ),
         ),
         advice=("A shift fits one distance; calibrate depth to colour to be right at all.",),
     )
@@ -163,8 +175,20 @@ def _stereo_result(
         sensor=replace(sensor, depth2color=stereo.depth2color),
         section=stereo_section(stereo, fitted),
         sentences=(
-            f"The cameras are {stereo.baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and "
-            f"turned by {stereo.rotation_deg:.2f}°, from {len(stereo.pairs)} {source}.",
-            f"The distance is known within {max(stereo.translation_deviation_mm):.1f} mm.",
+            Message(
+                "The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and "
+                "turned by {turn_deg:.2f}°, from {count} {source}.",
+                baseline_mm=stereo.baseline_mm,
+                x=x,
+                y=y,
+                z=z,
+                turn_deg=stereo.rotation_deg,
+                count=len(stereo.pairs),
+                source=source,
+            ),
+            Message(
+                "The distance is known within {error_mm:.1f} mm.",
+                error_mm=max(stereo.translation_deviation_mm),
+            ),
         ),
     )

@@ -19,6 +19,7 @@ from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
 from insole_core.evaluation.wall import Correction, NoCorrection
 from insole_core.evaluation.wall_pictures import wall_pictures
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
@@ -54,10 +55,18 @@ def calibrate_distortion_step(
         sensor=replace(sensor, correction=found.correction),
         section=replace(section, plots=section.plots + pictures),
         sentences=(
-            f"{len(found.walls)} of {len(captures)} walls were used; they cover "
-            f"{found.covered_share:.0%} of the image.",
-            f"The walls were off by {figures['rms_before_raw']:.1f} raw units and are now off by "
-            f"{figures['rms_after_raw']:.1f} (noise included).",
+            Message(
+                "{used} of {taken} walls were used; they cover {share:.0%} of the image.",
+                used=len(found.walls),
+                taken=len(captures),
+                share=found.covered_share,
+            ),
+            Message(
+                "The walls were off by {before_raw:.1f} raw units and are now off by "
+                "{after_raw:.1f} (noise included).",
+                before_raw=figures["rms_before_raw"],
+                after_raw=figures["rms_after_raw"],
+            ),
             "A bulge that all walls share is taken for distortion; if they were one wall, check it "
             "with a straightedge.",
         ),
@@ -92,8 +101,13 @@ def calibrate_disparity_step(
         sensor=replace(sensor, disparity=found.model),
         section=disparity_section(found),
         sentences=(
-            f"Between {low:.0f} and {high:.0f} mm the distances are met within "
-            f"{found.rms_mm:.1f} mm.",
+            Message(
+                "Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within "
+                "{error_mm:.1f} mm.",
+                low_mm=low,
+                high_mm=high,
+                error_mm=found.rms_mm,
+            ),
         ),
     )
 
@@ -115,8 +129,11 @@ def read_walls(
         return captures
     if len(distances_mm) != len(captures):
         raise UsageError(
-            f"{len(distances_mm)} distances are given, but {folder} holds {len(captures)} "
-            "captures; give one distance for each, in the order of their names."
+            "{given} distances are given, but {folder} holds {count} captures; give one "
+            "distance for each, in the order of their names.",
+            given=len(distances_mm),
+            folder=folder,
+            count=len(captures),
         )
     return [
         replace(capture, distance_mm=distance)
@@ -155,7 +172,10 @@ def check_recorded_with(serial: str, captures: Sequence[WallCapture]) -> None:
     other = next((c for c in captures if serial and c.serial not in ("", serial)), None)
     if other is not None:
         raise CalibrationError(
-            f"{other.name} was recorded with sensor {other.serial}, not with {serial}; use the "
-            "captures of one sensor."
+            "{capture} was recorded with sensor {owner}, not with {serial}; use the captures of "
+            "one sensor.",
+            capture=other.name,
+            owner=other.serial,
+            serial=serial,
         )
     check_same_device(captures)

@@ -12,10 +12,6 @@
             <translation>Kalibrera sensorer</translation>
         </message>
         <message>
-            <source>Capture the wall at about these distances: {distances} mm.</source>
-            <translation>Ta väggen på ungefär dessa avstånd: {distances} mm.</translation>
-        </message>
-        <message>
             <source>Choose folder…</source>
             <translation>Välj mapp…</translation>
         </message>
@@ -44,20 +40,12 @@
             <translation>Spara inte</translation>
         </message>
         <message>
-            <source>Fill these parts of the picture with the wall: {regions}.</source>
-            <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
-        </message>
-        <message>
             <source>Folder with the images</source>
             <translation>Mapp med bilderna</translation>
         </message>
         <message>
             <source>Give the serial number of the sensor, as it stands on its label.</source>
             <translation>Ange sensorns serienummer, som det står på dess etikett.</translation>
-        </message>
-        <message>
-            <source>Hold the board in these parts of the picture: {regions}.</source>
-            <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
         </message>
         <message>
             <source>Inner corners</source>
@@ -132,10 +120,6 @@
             <translation>Ta bild</translation>
         </message>
         <message>
-            <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
-            <translation>Ta {count} bilder till, med brädet lutat 20 till 40° åt ett nytt håll varje gång.</translation>
-        </message>
-        <message>
             <source>Taking the picture: hold still.</source>
             <translation>Bilden tas: håll stilla.</translation>
         </message>
@@ -152,10 +136,6 @@
             <translation>Vrid brädet kraftigt, 40 till 55°, i tur och ordning åt vänster, åt höger, uppåt och nedåt, 600 till 900 mm bort och i alla delar av bilden: 12 lägen åt varje håll i färg och djup, eller 4 åt varje håll i färg och infrarött (täckt projektor).</translation>
         </message>
         <message>
-            <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
-            <translation>Vrid brädet kraftigt, 40 till 55°: {sides}.</translation>
-        </message>
-        <message>
             <source>Waiting for the first picture.</source>
             <translation>Väntar på den första bilden.</translation>
         </message>
@@ -168,40 +148,8 @@
             <translation>Skriver kalibreringen och dess rapporter</translation>
         </message>
         <message>
-            <source>a wall at {distance:.0f} mm that fills {share:.0%}</source>
-            <translation>en vägg på {distance:.0f} mm som fyller {share:.0%}</translation>
-        </message>
-        <message>
             <source>done on {day}</source>
             <translation>gjort {day}</translation>
-        </message>
-        <message>
-            <source>downwards</source>
-            <translation>nedåt</translation>
-        </message>
-        <message>
-            <source>lower centre</source>
-            <translation>nere i mitten</translation>
-        </message>
-        <message>
-            <source>lower left</source>
-            <translation>nere till vänster</translation>
-        </message>
-        <message>
-            <source>lower right</source>
-            <translation>nere till höger</translation>
-        </message>
-        <message>
-            <source>middle centre</source>
-            <translation>mitten</translation>
-        </message>
-        <message>
-            <source>middle left</source>
-            <translation>mitten till vänster</translation>
-        </message>
-        <message>
-            <source>middle right</source>
-            <translation>mitten till höger</translation>
         </message>
         <message>
             <source>optional</source>
@@ -210,38 +158,6 @@
         <message>
             <source>to do</source>
             <translation>att göra</translation>
-        </message>
-        <message>
-            <source>to the left</source>
-            <translation>åt vänster</translation>
-        </message>
-        <message>
-            <source>to the right</source>
-            <translation>åt höger</translation>
-        </message>
-        <message>
-            <source>upper centre</source>
-            <translation>uppe i mitten</translation>
-        </message>
-        <message>
-            <source>upper left</source>
-            <translation>uppe till vänster</translation>
-        </message>
-        <message>
-            <source>upper right</source>
-            <translation>uppe till höger</translation>
-        </message>
-        <message>
-            <source>upwards</source>
-            <translation>uppåt</translation>
-        </message>
-        <message>
-            <source>{count} corners, seen from the front</source>
-            <translation>{count} hörn, sedda framifrån</translation>
-        </message>
-        <message>
-            <source>{count} corners, turned {turn:.0f}° {side}</source>
-            <translation>{count} hörn, vridet {turn:.0f}° {side}</translation>
         </message>
         <message>
             <source>{step} is saved for sensor {serial}.</source>

@@ -4,10 +4,6 @@
     <context>
         <name>studio</name>
         <message>
-            <source>A skive of {depth} mm with {angle}° of inversion needs a heel cup of {needed} mm, and the cup is {cup} mm deep.</source>
-            <translation>En skive på {depth} mm med {angle}° inversion kräver en hälkopp på {needed} mm, och koppen är {cup} mm djup.</translation>
-        </message>
-        <message>
             <source>Achilles axis {angle}° {kind} to the sole</source>
             <translation>Akillesaxeln {angle}° {kind} mot fotsulan</translation>
         </message>
@@ -84,10 +80,6 @@
             <translation>Flytta en punkt på konturen</translation>
         </message>
         <message>
-            <source>Only {share} of the {pad} lie below the foot; move it inwards.</source>
-            <translation>Bara {share} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
-        </message>
-        <message>
             <source>Outline</source>
             <translation>Kontur</translation>
         </message>
@@ -138,38 +130,6 @@
         <message>
             <source>Take the proposed posting</source>
             <translation>Ta den föreslagna kilningen</translation>
-        </message>
-        <message>
-            <source>The forefoot is posted by {angle}°; more than {usual}° is unusual.</source>
-            <translation>Framfoten är kilad {angle}°; mer än {usual}° är ovanligt.</translation>
-        </message>
-        <message>
-            <source>The front edge of the {pad} lies {distance} mm before the line of the heads 2 to 4; {least} to {most} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance} mm framför linjen genom metatarsalhuvud 2 till 4; {least} till {most} mm bakom den är vanligt.</translation>
-        </message>
-        <message>
-            <source>The front edge of the {pad} lies {distance} mm behind the line of the heads 2 to 4; {least} to {most} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance} mm bakom linjen genom metatarsalhuvud 2 till 4; {least} till {most} mm bakom den är vanligt.</translation>
-        </message>
-        <message>
-            <source>The heel is lifted by {height} mm; on the device up to {usual} mm are usual.</source>
-            <translation>Hälen är höjd {height} mm; på inlägget är upp till {usual} mm vanligt.</translation>
-        </message>
-        <message>
-            <source>The insole is {height} mm high and may not fit a shoe; up to {usual} mm are usual.</source>
-            <translation>Inlägget är {height} mm högt och får kanske inte plats i en sko; upp till {usual} mm är vanligt.</translation>
-        </message>
-        <message>
-            <source>The landmarks {landmark} and {other_landmark} stand in an order that no foot has; drag them to where they belong.</source>
-            <translation>Landmärkena {landmark} och {other_landmark} står i en ordning som ingen fot har; dra dem dit de hör.</translation>
-        </message>
-        <message>
-            <source>The rearfoot is posted by {angle}°; more than {usual}° is unusual.</source>
-            <translation>Bakfoten är kilad {angle}°; mer än {usual}° är ovanligt.</translation>
-        </message>
-        <message>
-            <source>The {pad} lies with {share} on the {other_pad}, and their heights add up.</source>
-            <translation>Elementet ({pad}) ligger till {share} på ett annat ({other_pad}), och höjderna läggs ihop.</translation>
         </message>
         <message>
             <source>There the outline would cross itself; the last good place is kept</source>

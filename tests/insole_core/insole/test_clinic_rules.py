@@ -45,7 +45,7 @@ EGG = Pelott(centre_mm=(0.0, 140.0))
 
 def warnings(foot, *corrections, **keys) -> list[str]:
     insole = build_insole(foot, InsoleDesign(foot.side, corrections, **keys))
-    return [w.text for w in design_warnings(insole, find_landmarks(foot), RULES)]
+    return [w.sentence for w in design_warnings(insole, find_landmarks(foot), RULES)]
 
 
 def snapped(foot, pad: Pelott, behind: float) -> Pelott:
@@ -72,7 +72,7 @@ def test_usual_prescription_has_no_warning(left_foot):
             "needs a heel cup of 20 mm, and the cup is 16 mm",
         ),
         ((Pelott(centre_mm=(200.0, 140.0), shape="drop"),), "Only 0% of the drop lie below"),
-        ((EGG, replace(EGG, id="b", centre_mm=(3.0, 141.0))), "lies with .* on the egg"),
+        ((EGG, replace(EGG, id="b", centre_mm=(3.0, 141.0))), "lies with .* on the pelott"),
     ],
 )
 def test_unusual_values_are_warned_of(left_foot, corrections, text):
@@ -91,7 +91,7 @@ def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):
 def test_high_insole_is_warned_of_with_the_place(left_foot):
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=20))
     (found,) = design_warnings(insole, find_landmarks(left_foot), RULES)
-    assert "may not fit a shoe" in found.text
+    assert "may not fit a shoe" in found.sentence
     assert found.place_mm is not None
 
 
@@ -112,7 +112,7 @@ def test_landmarks_in_impossible_order_are_warned_of_once(request, side, moved, 
     share, other = like
     x, y, z = found[other].point if share > 0 else found[other].point * [1.15, 1.0, 1.0]
     (warning,) = design_warnings(insole, with_places(foot, found, {moved: (x, y, z)}), RULES)
-    assert warning.text.startswith(f"The landmarks {named} stand in an order that no foot has")
+    assert warning.sentence.startswith(f"The landmarks {named} stand in an order that no foot has")
     assert warning.place_mm == pytest.approx((x, y))
 
 

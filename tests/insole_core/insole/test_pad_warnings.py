@@ -11,8 +11,6 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.clinic_rules import (
-    BESIDE_FOOT,
-    OVERLAP,
     ClinicRules,
     DesignWarning,
     design_warnings,
@@ -21,6 +19,8 @@ from insole_core.insole.prescription.clinic_rules import (
 from insole_core.insole.prescription.design import InsoleDesign, Pelott
 
 RULES = load_rules()
+BESIDE_FOOT = "Only {share:.0%} of the {pad} lie below the foot; move it inwards."
+OVERLAP = "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up."
 ROUND = tuple(
     (float(20 * np.cos(a)), float(20 * np.sin(a)))
     for a in np.linspace(0, 2 * np.pi, 24, endpoint=False)
@@ -35,15 +35,15 @@ def foot(request: pytest.FixtureRequest) -> Foot:
 
 
 def warned(
-    foot: Foot, sentence: str, *pads: Pelott, rules: ClinicRules = RULES
+    foot: Foot, template: str, *pads: Pelott, rules: ClinicRules = RULES
 ) -> list[DesignWarning]:
     insole = build_insole(foot, InsoleDesign(foot.side, pads, grid_mm=2.0))
     found = design_warnings(insole, find_landmarks(foot), rules)
-    return [warning for warning in found if warning.sentence == sentence]
+    return [warning for warning in found if warning.sentence.template == template]
 
 
 def percent(warning: DesignWarning) -> int:
-    return int(warning.values["share"].removesuffix("%"))
+    return round(100 * float(warning.sentence.values["share"]))
 
 
 def beside(pad: Pelott, x_mm: float, name: str = "other") -> Pelott:
@@ -73,7 +73,8 @@ def test_the_smaller_of_two_pads_is_named_whatever_their_order(foot: Foot) -> No
         (found,) = warned(foot, OVERLAP, *pads)
         assert (found.correction_id, found.place_mm) == ("small", (0.0, 100.0))
         assert (
-            found.text == "The drop lies with 100% on the free-hand pad, and their heights add up."
+            found.sentence
+            == "The drop lies with 100% on the free-hand pad, and their heights add up."
         )
 
 
@@ -97,7 +98,7 @@ def test_a_pad_off_the_foot_is_warned_of(
     (found,) = warned(foot, BESIDE_FOOT, replace(DISC, centre_mm=centre_mm))
     assert percent(found) == share
     assert (found.correction_id, found.place_mm) == ("disc", centre_mm)
-    assert found.text == "Only 0% of the free-hand pad lie below the foot; move it inwards."
+    assert found.sentence == "Only 0% of the free-hand pad lie below the foot; move it inwards."
 
 
 def test_a_pad_on_the_border_counts_by_its_part_below_the_foot(foot: Foot) -> None:

@@ -10,6 +10,7 @@ import pytest
 from capture_samples import NothingStored
 
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
@@ -19,7 +20,6 @@ from insole_studio.acquisition.messages import (
     Command,
     Event,
     Identify,
-    Message,
     Placed,
     Sensors,
     Start,
@@ -59,9 +59,11 @@ class Window:
         assert isinstance(event, Sensors)
         return event
 
-    def answer(self, command: Command) -> Event:
+    def answer(self, command: Command) -> Message:
         self.service.send(command)
-        return self.wait_for(lambda e: isinstance(e, Message))
+        event = self.wait_for(lambda e: isinstance(e, Message))
+        assert isinstance(event, Message)
+        return event
 
 
 @pytest.fixture
@@ -131,8 +133,9 @@ def test_tilt_and_light(window: Window, small_session: Path) -> None:
     for command in (Tilt(serial, 2.0), Tilt(serial, None), Identify(serial, True)):
         window.service.send(command)
     told = window.answer(Tilt("Z9", 1.0))
-    assert told == Message("Sensor Z9 is not in use; look for sensors again.")
-    assert not [e for e in window.events[:-1] if isinstance(e, Message) and "Z9" not in e.sentence]
+    assert told == "Sensor Z9 is not in use; look for sensors again."
+    assert told.template == "Sensor {serial} is not in use; look for sensors again."
+    assert not [e for e in window.events[:-1] if isinstance(e, Message) and "Z9" not in e]
 
 
 def test_closing_in_mid_capture_keeps_what_is_there(

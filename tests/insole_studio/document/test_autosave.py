@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import shutil
 import signal
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import Patient, ScanSource
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.document.autosave import Autosave, find_recovered
 from insole_studio.document.case import Case
@@ -118,3 +120,18 @@ def test_the_next_start_opens_the_recovered_case(
     assert not left.exists()
     second.autosave.forget()
     second.close()
+
+
+def test_a_copy_that_cannot_be_written_is_told_in_a_message(
+    jobs: Jobs, qtbot: QtBot, tmp_path: Path
+) -> None:
+    folder = tmp_path / "autosave"
+    case = Case()
+    autosave = Autosave(case, jobs, folder)
+    shutil.rmtree(folder)
+    with qtbot.waitSignal(autosave.failed) as failed:
+        case.apply(Patient(name="Anna"), "Edit")
+    assert failed.args is not None
+    (sentence,) = failed.args
+    assert isinstance(sentence, Message)
+    assert sentence.template == "{path} cannot be written: {reason}."

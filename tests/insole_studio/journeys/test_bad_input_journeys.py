@@ -69,7 +69,7 @@ def move_landmark(app: Application, name: str, onto: tuple[float, float]) -> Non
     ("name", "beyond", "step_mm", "named"),
     [
         ("metatarsal_head_5", "metatarsal_head_1", (9.0, -6.0), "1st head and 5th head"),
-        ("heel_centre", "metatarsal_head_2", (0.0, 10.0), "Heel centre and 1st head"),
+        ("heel_centre", "metatarsal_head_2", (0.0, 10.0), "heel centre and 1st head"),
     ],
 )
 def test_landmarks_in_an_impossible_order_are_warned_of_until_they_are_back(

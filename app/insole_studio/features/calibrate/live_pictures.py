@@ -18,6 +18,7 @@ from insole_core.calibration.walls.captures import capture_from_frames
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.side import Side
+from insole_core.messages import Message
 from insole_core.progress import Progress
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest, ReferenceSystem
@@ -36,7 +37,6 @@ from insole_studio.acquisition.capture_status import CaptureStatus, Phase
 from insole_studio.acquisition.guidance import depth_colors
 from insole_studio.acquisition.messages import (
     Infrared,
-    Message,
     Sensors,
     SensorState,
     Start,
@@ -138,7 +138,7 @@ class LivePictures:
                 self.states = event.states
                 self.problem = event.problem or ""
             elif isinstance(event, Message):
-                self.problem = event.sentence
+                self.problem = event
             elif isinstance(event, CaptureStatus) and event.phase.is_end and self._draft:
                 if event.phase is Phase.DONE:
                     done = Path(self._draft.name) / "session"

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from insole_core.errors import InsoleError, UsageError
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import Side
+from insole_core.messages import Message, joined
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan
@@ -23,7 +24,6 @@ from insole_studio.acquisition.messages import (
     Event,
     Find,
     Identify,
-    Message,
     Placed,
     Sensors,
     SensorState,
@@ -259,7 +259,7 @@ class CapturePresenter:
             if event.phase is Phase.FAILED:
                 self._panel.show_sentence(event.sentence)
         elif isinstance(event, Message):
-            self._panel.show_sentence(event.sentence)
+            self._panel.show_sentence(event)
 
     def _welcome(self) -> None:
         """Give sensors that are new a view, and watch each for the one it is to give now."""
@@ -446,7 +446,7 @@ def _offer(left: UnfinishedCapture) -> str:
 def _describe(status: CaptureStatus) -> str:
     if status.phase is Phase.DONE:
         warned = [text for view in status.views for text in view.warnings]
-        return " ".join(dict.fromkeys(warned)) or tr("All views are captured.")
+        return joined(dict.fromkeys(warned), " ") or tr("All views are captured.")
     sentences = {
         Phase.MOVING: tr("Put the sensor in its place for view {view}, then say that it stands."),
         Phase.TILTING: tr("Tilting the sensor for view {view}"),

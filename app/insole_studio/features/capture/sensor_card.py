@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.features.capture.rows import SensorRow
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.picture_view import PictureView
@@ -67,7 +67,7 @@ class SensorCard(QFrame):
         """Show everything but the pictures."""
         self._title.setText(f"{row.title}   {row.progress}".rstrip())
         self._facts.setText(row.facts)
-        told = row.problem or " · ".join(row.hints)
+        told = translate_core_message(row.problem or "") or " · ".join(row.hints)
         self._hints.setText(told)
         self._hints.setObjectName("warning" if told else "")
         self._hints.setStyle(self._hints.style())

@@ -29,7 +29,7 @@ from insole_studio.features.capture.rows import (
     depth_coloring,
 )
 from insole_studio.features.capture.sensor_card import SensorCard
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
@@ -118,7 +118,7 @@ class CaptureView(QWidget):
         self._other.setEnabled(row.can_use)
         self._progress.setValue(round(100 * row.fraction))
         self._progress.setVisible(row.running)
-        self._sentence.setText(row.sentence)
+        self._sentence.setText(translate_core_message(row.sentence))
         self._offered.setText(row.offer)
         self._offer.setVisible(bool(row.offer))
         for field in self._fields:
@@ -145,13 +145,13 @@ class CaptureView(QWidget):
     def show_empty(self, sentence: str) -> None:
         """Say why no sensor is there."""
         self.show_sensors([])
-        self._empty.show_offers(sentence, {_FIND: tr("Look again")})
+        self._empty.show_offers(translate_core_message(sentence), {_FIND: tr("Look again")})
         self._pages.setCurrentIndex(0)
         self._legend.hide()
 
     def show_sentence(self, sentence: str) -> None:
         """Show a sentence that has to be read."""
-        self._warning.setText(sentence)
+        self._warning.setText(translate_core_message(sentence))
         self._warning.setVisible(bool(sentence))
 
     def _new_card(self, serial: str) -> SensorCard:

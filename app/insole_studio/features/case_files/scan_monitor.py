@@ -6,9 +6,11 @@ from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import unlike_sizes
+from insole_core.messages import joined
 from insole_core.progress import Progress
 from insole_core.workflows.scanned_foot import change_of_source
 from insole_studio.services.app_services import AppServices
+from insole_studio.texts import translate_core_message
 
 CHANNEL = "sources"
 SOURCES, SIZES = "sources", "sizes"
@@ -39,7 +41,7 @@ class ScanMonitor(QObject):
 
         def tell(sentences: str) -> None:
             if sentences:
-                self._notices.put(SOURCES, sentences)
+                self._notices.put(SOURCES, translate_core_message(sentences))
 
         self._services.run(CHANNEL, look, tell)
 
@@ -50,7 +52,7 @@ class ScanMonitor(QObject):
             return
         self._sizes = sentence
         if sentence:
-            self._notices.put(SIZES, sentence)
+            self._notices.put(SIZES, translate_core_message(sentence))
         else:
             self._notices.drop(SIZES)
 
@@ -58,4 +60,4 @@ class ScanMonitor(QObject):
 def changes_of(record: CaseRecord) -> str:
     """Say in a sentence a foot what has become of its scan; empty where nothing has."""
     sentences = (change_of_source(foot.source) for foot in record.feet)
-    return " ".join(sentence for sentence in sentences if sentence)
+    return joined(filter(None, sentences), " ")

@@ -37,7 +37,7 @@ from insole_studio.features.foot.rows import (
 )
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 
 READING, MAKING = "read-session", "reconstruct"
@@ -388,7 +388,9 @@ class FootStagePresenter:
         if self._work is None or not self._is_stale:
             return []
         return [
-            tr("View {name}: {reason}.").format(name=view_text(name), reason=result.reason)
+            tr("View {name}: {reason}.").format(
+                name=view_text(name), reason=translate_core_message(result.reason)
+            )
             for name, result in self._work.results.items()
             if not result.used and not self.edits.of(name).off
         ]

@@ -32,7 +32,7 @@ from insole_studio.features.foot.view_table import ViewTable
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
@@ -161,7 +161,7 @@ class FootStageView(QWidget):
         """Show how far the work is; nothing when there is none."""
         self._progress.show_work(fraction, text)
         self._work.setVisible(bool(text))
-        self._work.setText(f"{text}…")
+        self._work.setText(f"{translate_core_message(text)}…")
 
     def show_buttons(self, buttons: Buttons) -> None:
         """Enable what can be pressed."""

@@ -140,7 +140,9 @@ def design_of_case(case: Case, path: Path) -> InsoleDesign:
     earlier, foot = read_case(path), _foot_of(case)
     source = earlier.of_side(foot.side) or earlier.current
     if source is None:
-        raise InputError(f"{path} holds no prescription yet; choose a case with a design.")
+        raise InputError(
+            "{path} holds no prescription yet; choose a case with a design.", path=path
+        )
     return fitted(template_of(source), foot, case.stamped)
 
 

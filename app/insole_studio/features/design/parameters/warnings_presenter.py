@@ -10,11 +10,9 @@ from insole_core.insole.prescription.clinic_rules import ClinicRules, DesignWarn
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
-from insole_studio.features.design.correction_names import PAD_NAMES
 from insole_studio.features.design.rows import WarningRow
-from insole_studio.features.design.tools.key_point_tool import point_text
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.texts import translated
+from insole_studio.texts import translate_core_message
 
 
 class WarningsPanel(Protocol):
@@ -56,7 +54,10 @@ class WarningsPresenter:
             return
         self._warnings = self._found()
         self._panel.show_warnings(
-            [WarningRow(_text(w), bool(w.correction_id or w.place_mm)) for w in self._warnings]
+            [
+                WarningRow(translate_core_message(w.sentence), bool(w.correction_id or w.place_mm))
+                for w in self._warnings
+            ]
         )
 
     def lead_to(self, number: int) -> None:
@@ -75,15 +76,3 @@ class WarningsPresenter:
             return self._warnings
         insole = Insole(record.design, record.foot, contact, base.measured)
         return design_warnings(insole, landmarks_of(record), self._rules)
-
-
-def _text(warning: DesignWarning) -> str:
-    """Say a warning in the language of the window."""
-    values = dict(warning.values)
-    for name in ("pad", "other_pad"):
-        if name in values:
-            values[name] = PAD_NAMES[values[name]]().lower()
-    for name in ("landmark", "other_landmark"):
-        if name in values:
-            values[name] = point_text(values[name])
-    return translated(warning.sentence).format(**values)

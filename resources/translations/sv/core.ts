@@ -1,0 +1,2419 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv_SE" sourcelanguage="en">
+    <context>
+        <name>core</name>
+        <message>
+            <source> of corrections[{number}] ({type})</source>
+            <translation> i corrections[{number}] ({type})</translation>
+        </message>
+        <message>
+            <source> of layers</source>
+            <translation> i layers</translation>
+        </message>
+        <message>
+            <source> of outline</source>
+            <translation> i outline</translation>
+        </message>
+        <message>
+            <source>"{serial}" is no serial number of a sensor; give its letters and digits as they stand on its label.</source>
+            <translation>”{serial}” är inget serienummer för en sensor; ange dess bokstäver och siffror som de står på etiketten.</translation>
+        </message>
+        <message>
+            <source>"{text}" names no view and sensor; write for example left=A00362A.</source>
+            <translation>”{text}” anger ingen vy och sensor; skriv till exempel left=A00362A.</translation>
+        </message>
+        <message>
+            <source>"{view}" cannot name a view; use 1 to 32 of the letters a-z, 0-9 and _.</source>
+            <translation>”{view}” kan inte vara namnet på en vy; använd 1 till 32 av tecknen a-z, 0-9 och _.</translation>
+        </message>
+        <message>
+            <source>1st head</source>
+            <translation>1:a huvudet</translation>
+        </message>
+        <message>
+            <source>1st toe</source>
+            <translation>stortån</translation>
+        </message>
+        <message>
+            <source>2nd head</source>
+            <translation>2:a huvudet</translation>
+        </message>
+        <message>
+            <source>2nd toe</source>
+            <translation>2:a tån</translation>
+        </message>
+        <message>
+            <source>5th head</source>
+            <translation>5:e huvudet</translation>
+        </message>
+        <message>
+            <source>A ChArUco marker of {marker_mm:g} mm does not fit a square of {square_mm:g} mm; give the marker's own size in mm.</source>
+            <translation>En ChArUco-markör på {marker_mm:g} mm ryms inte i en ruta på {square_mm:g} mm; ange markörens egen storlek i mm.</translation>
+        </message>
+        <message>
+            <source>A board of {columns}×{rows} is too small; it must have at least {least}×{least}.</source>
+            <translation>Ett bräde med {columns}×{rows} är för litet; det måste ha minst {least}×{least}.</translation>
+        </message>
+        <message>
+            <source>A bulge that all walls share is taken for distortion; if they were one wall, check it with a straightedge.</source>
+            <translation>En buktning som alla väggar delar tas för förvrängning; om de var en och samma vägg, kontrollera den med en riktskiva.</translation>
+        </message>
+        <message>
+            <source>A colour image of {width} x {height} px cannot be simulated; choose 1280 x 1024, 1280 x 960 or 640 x 480.</source>
+            <translation>En färgbild på {width} x {height} px kan inte simuleras; välj 1280 x 1024, 1280 x 960 eller 640 x 480.</translation>
+        </message>
+        <message>
+            <source>A cutter of {diameter_mm:g} mm is asked for, and must be {least_mm:g} to {most_mm:g} mm; give another diameter.</source>
+            <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
+        </message>
+        <message>
+            <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
+            <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
+        </message>
+        <message>
+            <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
+            <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
+        </message>
+        <message>
+            <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
+            <translation>En skive på {depth_mm:g} mm med {angle:g}° inversion kräver en hälkopp på {needed_mm:g} mm, och koppen är {cup_mm:g} mm djup.</translation>
+        </message>
+        <message>
+            <source>A square of {square_mm:g} mm cannot be; measure its side and give it in millimetres ({low_mm:g} to {high_mm:g}).</source>
+            <translation>En ruta på {square_mm:g} mm är inte möjlig; mät dess sida och ange den i millimeter ({low_mm:g} till {high_mm:g}).</translation>
+        </message>
+        <message>
+            <source>A variant needs a name; type one.</source>
+            <translation>En variant behöver ett namn; skriv ett.</translation>
+        </message>
+        <message>
+            <source>A {part} has only {count} usable points, but {least} are needed; move the sensor nearer and measure again.</source>
+            <translation>En {part} har bara {count} användbara punkter, men {least} behövs; flytta sensorn närmare och mät igen.</translation>
+        </message>
+        <message>
+            <source>A {side} foot by its shape: {reason} (margin {ratio:.1f} to 1).</source>
+            <translation>En {side} fot enligt formen: {reason} (marginal {ratio:.1f} till 1).</translation>
+        </message>
+        <message>
+            <source>Achilles axis against the normal of the sole; &gt; 0 leans medially</source>
+            <translation>akillesaxeln mot fotsulans normal; &gt; 0 lutar medialt</translation>
+        </message>
+        <message>
+            <source>Achilles axis against the upright of the scan; &gt; 0 leans medially</source>
+            <translation>akillesaxeln mot skanningens lodlinje; &gt; 0 lutar medialt</translation>
+        </message>
+        <message>
+            <source>Adding pads</source>
+            <translation>Lägger till pelotter</translation>
+        </message>
+        <message>
+            <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
+            <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
+        </message>
+        <message>
+            <source>At least three points are needed to place one frame in another, but only {count} were given.</source>
+            <translation>Minst tre punkter behövs för att lägga ett koordinatsystem i ett annat, men bara {count} gavs.</translation>
+        </message>
+        <message>
+            <source>Averaging the frames</source>
+            <translation>Tar medel av bilderna</translation>
+        </message>
+        <message>
+            <source>Averaging the frames of the view {view}</source>
+            <translation>Tar medel av bilderna i vyn {view}</translation>
+        </message>
+        <message>
+            <source>Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within {error_mm:.1f} mm.</source>
+            <translation>Mellan {low_mm:.0f} och {high_mm:.0f} mm träffas avstånden inom {error_mm:.1f} mm.</translation>
+        </message>
+        <message>
+            <source>Calibrating without {capture}</source>
+            <translation>Kalibrerar utan {capture}</translation>
+        </message>
+        <message>
+            <source>Capture the wall at about these distances: {distances} mm.</source>
+            <translation>Ta väggen på ungefär dessa avstånd: {distances} mm.</translation>
+        </message>
+        <message>
+            <source>Capturing view {views}</source>
+            <translation>Avbildar vy {views}</translation>
+        </message>
+        <message>
+            <source>Checking view {views}</source>
+            <translation>Kontrollerar vy {views}</translation>
+        </message>
+        <message>
+            <source>Checking: {check}</source>
+            <translation>Kontrollerar: {check}</translation>
+        </message>
+        <message>
+            <source>Closing the {kind}</source>
+            <translation>Sluter {kind}</translation>
+        </message>
+        <message>
+            <source>Colour on depth, after a constant shift</source>
+            <translation>Färg på djup, efter en fast förskjutning</translation>
+        </message>
+        <message>
+            <source>Colour was shifted by {x:+.1f} px in x and {y:+.1f} px in y; up to {worst:.1f} px are left.</source>
+            <translation>Färgen försköts {x:+.1f} px i x och {y:+.1f} px i y; upp till {worst:.1f} px är kvar.</translation>
+        </message>
+        <message>
+            <source>Colouring the surface</source>
+            <translation>Färglägger ytan</translation>
+        </message>
+        <message>
+            <source>Continuing the surface to the edges</source>
+            <translation>Fortsätter ytan till kanterna</translation>
+        </message>
+        <message>
+            <source>Cutting the views where they overlap</source>
+            <translation>Skär vyerna där de överlappar</translation>
+        </message>
+        <message>
+            <source>Drawing the difference</source>
+            <translation>Ritar skillnaden</translation>
+        </message>
+        <message>
+            <source>Drawing the walls before and after</source>
+            <translation>Ritar väggarna före och efter</translation>
+        </message>
+        <message>
+            <source>English sizes of 8.47 mm, with 15 mm before the toes</source>
+            <translation>engelska storlekar om 8,47 mm, med 15 mm framför tårna</translation>
+        </message>
+        <message>
+            <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
+            <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
+        </message>
+        <message>
+            <source>Fewer than two points of the object were measured; mark them again.</source>
+            <translation>Färre än två punkter på föremålet mättes; märk dem igen.</translation>
+        </message>
+        <message>
+            <source>Fill these parts of the picture with the wall: {regions}.</source>
+            <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
+        </message>
+        <message>
+            <source>Finding heel and toes</source>
+            <translation>Söker häl och tår</translation>
+        </message>
+        <message>
+            <source>Finding the markers of the view {view}</source>
+            <translation>Söker markörerna i vyn {view}</translation>
+        </message>
+        <message>
+            <source>Finding the markers of {view}</source>
+            <translation>Söker markörerna i {view}</translation>
+        </message>
+        <message>
+            <source>Finding the pose of the foot</source>
+            <translation>Söker fotens läge</translation>
+        </message>
+        <message>
+            <source>Finding the wall in {capture}</source>
+            <translation>Söker väggen i {capture}</translation>
+        </message>
+        <message>
+            <source>Fitting both cameras to {count} boards</source>
+            <translation>Passar båda kamerorna mot {count} bräden</translation>
+        </message>
+        <message>
+            <source>Fitting one surface to the other</source>
+            <translation>Passar den ena ytan mot den andra</translation>
+        </message>
+        <message>
+            <source>Fitting the camera to {count} pictures</source>
+            <translation>Passar kameran mot {count} bilder</translation>
+        </message>
+        <message>
+            <source>Fitting the depth camera to {count} boards</source>
+            <translation>Passar djupkameran mot {count} bräden</translation>
+        </message>
+        <message>
+            <source>Fitting the disparity model</source>
+            <translation>Passar disparitetsmodellen</translation>
+        </message>
+        <message>
+            <source>Fitting the skew</source>
+            <translation>Passar skevheten</translation>
+        </message>
+        <message>
+            <source>Foot ready</source>
+            <translation>Foten är klar</translation>
+        </message>
+        <message>
+            <source>Give the known length in mm, between two different markers.</source>
+            <translation>Ange den kända längden i mm, mellan två olika markörer.</translation>
+        </message>
+        <message>
+            <source>Heel, 1st and 5th head lie on one line; put them in place.</source>
+            <translation>Häl, 1:a och 5:e huvudet ligger på en linje; sätt dem på plats.</translation>
+        </message>
+        <message>
+            <source>Hold the board in these parts of the picture: {regions}.</source>
+            <translation>Håll brädet i dessa delar av bilden: {regions}.</translation>
+        </message>
+        <message>
+            <source>In the view {view} nothing of {least_mm:g} to {most_mm:g} mm stands out from its background; lay the mould or insole alone on a flat table under the sensor, and record it again.</source>
+            <translation>I vyn {view} avtecknar sig inget på {least_mm:g} till {most_mm:g} mm mot bakgrunden; lägg formen eller inlägget ensamt på ett plant bord under sensorn, och spela in igen.</translation>
+        </message>
+        <message>
+            <source>In the view {view} {reason}.</source>
+            <translation>I vyn {view}: {reason}.</translation>
+        </message>
+        <message>
+            <source>Insole built</source>
+            <translation>Inlägget är byggt</translation>
+        </message>
+        <message>
+            <source>Joining the views</source>
+            <translation>Fogar ihop vyerna</translation>
+        </message>
+        <message>
+            <source>Judging the map</source>
+            <translation>Bedömer kartan</translation>
+        </message>
+        <message>
+            <source>Laying the grid over the sole</source>
+            <translation>Lägger rutnätet över fotsulan</translation>
+        </message>
+        <message>
+            <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
+            <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
+        </message>
+        <message>
+            <source>Looking at both surfaces</source>
+            <translation>Betraktar båda ytorna</translation>
+        </message>
+        <message>
+            <source>Looking at {picture}</source>
+            <translation>Tittar på {picture}</translation>
+        </message>
+        <message>
+            <source>Looking for earlier designs</source>
+            <translation>Söker tidigare designer</translation>
+        </message>
+        <message>
+            <source>Looking for the board in {picture}</source>
+            <translation>Söker brädet i {picture}</translation>
+        </message>
+        <message>
+            <source>Looking for the board on {capture}</source>
+            <translation>Söker brädet på {capture}</translation>
+        </message>
+        <message>
+            <source>Measure the bar and the plate at one position at least.</source>
+            <translation>Mät staven och plattan i minst ett läge.</translation>
+        </message>
+        <message>
+            <source>Measuring the difference</source>
+            <translation>Mäter skillnaden</translation>
+        </message>
+        <message>
+            <source>Morton's extension</source>
+            <translation>Mortons förlängning</translation>
+        </message>
+        <message>
+            <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
+            <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
+        </message>
+        <message>
+            <source>No board has depth at its corners; hold it 600 to 1500 mm from the sensor.</source>
+            <translation>Inget bräde har djup vid sina hörn; håll det 600 till 1500 mm från sensorn.</translation>
+        </message>
+        <message>
+            <source>No board of {folder} is seen by both cameras; give ir_003 and color_003 the same number when they show the same position.</source>
+            <translation>Inget bräde i {folder} syns för båda kamerorna; ge ir_003 och color_003 samma nummer när de visar samma läge.</translation>
+        </message>
+        <message>
+            <source>No distance of the object was measured; mark its points again.</source>
+            <translation>Inget avstånd på föremålet mättes; märk dess punkter igen.</translation>
+        </message>
+        <message>
+            <source>No foot can be made from {session}, because none of its views can be used ({reasons}).</source>
+            <translation>Ingen fot kan göras av {session}, eftersom ingen av dess vyer kan användas ({reasons}).</translation>
+        </message>
+        <message>
+            <source>No part of this foot faces the ground, so no contact surface can be made; check the pose of the scan.</source>
+            <translation>Ingen del av foten vetter mot underlaget, så ingen kontaktyta kan göras; kontrollera skanningens läge.</translation>
+        </message>
+        <message>
+            <source>No point is marked in both images; mark the targets in colour and depth.</source>
+            <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
+        </message>
+        <message>
+            <source>No view shows the side of the markers "{face}", so the foot is not measured there.</source>
+            <translation>Ingen vy visar sidan med markörerna ”{face}”, så foten är inte mätt där.</translation>
+        </message>
+        <message>
+            <source>No view was named; say which sensor gives which view: left=SERIAL …</source>
+            <translation>Ingen vy angavs; ange vilken sensor som ger vilken vy: left=SERIENUMMER …</translation>
+        </message>
+        <message>
+            <source>None of the {count} pictures can be used: {reason}</source>
+            <translation>Ingen av de {count} bilderna kan användas: {reason}</translation>
+        </message>
+        <message>
+            <source>Not measured: {regions}; no view that is used shows it.</source>
+            <translation>Inte mätt: {regions}; ingen vy som används visar det.</translation>
+        </message>
+        <message>
+            <source>Nothing links {groups}: each was measured on its own, and their place to each other stays as planned.</source>
+            <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
+        </message>
+        <message>
+            <source>One view without a reference system: taken as a thing on a table.</source>
+            <translation>En vy utan referenssystem: tas som ett föremål på ett bord.</translation>
+        </message>
+        <message>
+            <source>Only partly measured: {regions}; see the holes there before designing.</source>
+            <translation>Bara delvis mätt: {regions}; se hålen där före design.</translation>
+        </message>
+        <message>
+            <source>Only {count} pictures of the board can be used, but at least {least} are needed and {good} are good; take more, with the board tilted differently.</source>
+            <translation>Bara {count} bilder av brädet kan användas, men minst {least} behövs och {good} är bra; ta fler, med brädet lutat på olika sätt.</translation>
+        </message>
+        <message>
+            <source>Only {count} pictures were used; {good} or more are better.</source>
+            <translation>Bara {count} bilder användes; {good} eller fler är bättre.</translation>
+        </message>
+        <message>
+            <source>Only {count} walls were used; six distances or more are better.</source>
+            <translation>Bara {count} väggar användes; sex avstånd eller fler är bättre.</translation>
+        </message>
+        <message>
+            <source>Only {share:.0%} of the {pad} lie below the foot; move it inwards.</source>
+            <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
+        </message>
+        <message>
+            <source>Paris points of 6.67 mm, with 15 mm before the toes</source>
+            <translation>parispunkter om 6,67 mm, med 15 mm framför tårna</translation>
+        </message>
+        <message>
+            <source>Placing the view {view}</source>
+            <translation>Placerar vyn {view}</translation>
+        </message>
+        <message>
+            <source>Put the sensor in its place for view {views}</source>
+            <translation>Ställ sensorn på sin plats för vy {views}</translation>
+        </message>
+        <message>
+            <source>Read in {unit}: the surface is {length_mm:.0f} mm long.</source>
+            <translation>Läst i {unit}: ytan är {length_mm:.0f} mm lång.</translation>
+        </message>
+        <message>
+            <source>Reading the depth of the boards</source>
+            <translation>Läser brädenas djup</translation>
+        </message>
+        <message>
+            <source>Reading the scan</source>
+            <translation>Läser skanningen</translation>
+        </message>
+        <message>
+            <source>Reading the session</source>
+            <translation>Läser sessionen</translation>
+        </message>
+        <message>
+            <source>Reading {file}</source>
+            <translation>Läser {file}</translation>
+        </message>
+        <message>
+            <source>Reducing the triangles</source>
+            <translation>Minskar trianglarna</translation>
+        </message>
+        <message>
+            <source>Refining the surface</source>
+            <translation>Förfinar ytan</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
+            <translation>Sensor {serial} är inte kalibrerad; fabrikens värden används, vilka är flera millimeter mindre noggranna.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} is not in use; look for sensors again.</source>
+            <translation>Sensor {serial} används inte; sök efter sensorer igen.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} is not in use; plug it in.</source>
+            <translation>Sensor {serial} används inte; anslut den.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot mend; straighten it by hand and level it again.</source>
+            <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
+        </message>
+        <message>
+            <source>Shaping the foot</source>
+            <translation>Formar foten</translation>
+        </message>
+        <message>
+            <source>Simulating view {name}</source>
+            <translation>Simulerar vyn {name}</translation>
+        </message>
+        <message>
+            <source>Solving again without uneven walls</source>
+            <translation>Löser igen utan ojämna väggar</translation>
+        </message>
+        <message>
+            <source>Solving the distortion map</source>
+            <translation>Löser distorsionskartan</translation>
+        </message>
+        <message>
+            <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
+            <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
+            <translation>Ta {count} bilder till, med brädet lutat 20 till 40° åt ett nytt håll varje gång.</translation>
+        </message>
+        <message>
+            <source>Taking the background away</source>
+            <translation>Tar bort bakgrunden</translation>
+        </message>
+        <message>
+            <source>The 1st metatarsal head lies lateral of the 5th on this {side} foot; exchange the two, or check the side.</source>
+            <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
+        </message>
+        <message>
+            <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
+            <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
+        </message>
+        <message>
+            <source>The board is seen in colour and depth at {count} positions, but {least} are needed; hold it 600 to 1500 mm from the sensor and take more.</source>
+            <translation>Brädet syns i färg och djup i {count} lägen, men {least} behövs; håll det 600 till 1500 mm från sensorn och ta fler.</translation>
+        </message>
+        <message>
+            <source>The board was hardly seen in these parts: {parts}.</source>
+            <translation>Brädet syntes knappt i dessa delar: {parts}.</translation>
+        </message>
+        <message>
+            <source>The board was held the same way in all pictures; tilt it by 20 to 40 degrees to all sides and take more.</source>
+            <translation>Brädet hölls likadant i alla bilder; luta det 20 till 40 grader åt alla håll och ta fler.</translation>
+        </message>
+        <message>
+            <source>The board would have stood {distance_mm:.0f} mm from the camera; check the size of its square, which must be given in millimetres.</source>
+            <translation>Brädet skulle ha stått {distance_mm:.0f} mm från kameran; kontrollera storleken på dess ruta, som måste anges i millimeter.</translation>
+        </message>
+        <message>
+            <source>The boards are tilted too little to tell where the depth camera stands; tilt the board by 20 to 40 degrees about both of its sides and take more.</source>
+            <translation>Brädena är för lite lutade för att visa var djupkameran sitter; luta brädet 20 till 40 grader kring båda sidorna och ta fler.</translation>
+        </message>
+        <message>
+            <source>The cameras are {baseline_mm:.1f} mm apart ({x:.1f}, {y:.1f}, {z:.1f}) and turned by {turn_deg:.2f}°, from {count} {source}.</source>
+            <translation>Kamerorna är {baseline_mm:.1f} mm från varandra ({x:.1f}, {y:.1f}, {z:.1f}) och vridna {turn_deg:.2f}°, enligt {count} {source}.</translation>
+        </message>
+        <message>
+            <source>The capture was stopped.</source>
+            <translation>Avbildningen avbröts.</translation>
+        </message>
+        <message>
+            <source>The captures come from different sensors: {sensors}; calibrate one sensor at a time.</source>
+            <translation>Tagningarna kommer från olika sensorer: {sensors}; kalibrera en sensor i taget.</translation>
+        </message>
+        <message>
+            <source>The case has no such foot; open or capture one first.</source>
+            <translation>Fallet har ingen sådan fot; öppna eller avbilda en först.</translation>
+        </message>
+        <message>
+            <source>The colour camera of this sensor was not calibrated yet, so the board on the walls cannot tell where they are; calibrate it, and depth to colour, first.</source>
+            <translation>Sensorns färgkamera är inte kalibrerad ännu, så brädet på väggarna kan inte visa var de är; kalibrera den, och djup mot färg, först.</translation>
+        </message>
+        <message>
+            <source>The colour camera of this sensor was not calibrated yet; calibrate it first, the same pictures will do.</source>
+            <translation>Sensorns färgkamera är inte kalibrerad ännu; kalibrera den först, samma bilder duger.</translation>
+        </message>
+        <message>
+            <source>The colour picture of view {view} is too bright; turn strong lights away and capture this view again.</source>
+            <translation>Färgbilden av vyn {view} är för ljus; vänd bort starka lampor och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
+            <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The correction is {age}; calibrate the sensor again soon.</source>
+            <translation>Korrektionen är {age}; kalibrera om sensorn snart.</translation>
+        </message>
+        <message>
+            <source>The correction needs captures of the wall at {least} distances or more, but only {count} can be used; capture more.</source>
+            <translation>Korrektionen behöver tagningar av väggen på {least} avstånd eller fler, men bara {count} kan användas; ta fler.</translation>
+        </message>
+        <message>
+            <source>The correction was measured on sensor {owner}, not on {serial}</source>
+            <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
+        </message>
+        <message>
+            <source>The correction {path} cannot be read ({reason}); calibrate the sensor again.</source>
+            <translation>Korrektionen {path} kan inte läsas ({reason}); kalibrera sensorn igen.</translation>
+        </message>
+        <message>
+            <source>The depth image has no readings; capture it again.</source>
+            <translation>Djupbilden har inga mätvärden; ta om den.</translation>
+        </message>
+        <message>
+            <source>The depth of view {view} was still changing when it was captured; hold the foot still and capture this view again.</source>
+            <translation>Djupet i vyn {view} ändrades ännu när den togs; håll foten stilla och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The distance is known within {error_mm:.1f} mm.</source>
+            <translation>Avståndet är känt inom {error_mm:.1f} mm.</translation>
+        </message>
+        <message>
+            <source>The distances reach from {nearest_mm:g} to {farthest_mm:g} mm; give them in millimetres, between {low_mm:g} and {high_mm:g}.</source>
+            <translation>Avstånden går från {nearest_mm:g} till {farthest_mm:g} mm; ange dem i millimeter, mellan {low_mm:g} och {high_mm:g}.</translation>
+        </message>
+        <message>
+            <source>The distortion of the depth was not corrected yet, which turns the cameras by a degree or two; calibrate the distortion first.</source>
+            <translation>Djupets förvrängning är inte korrigerad ännu, vilket vrider kamerorna en grad eller två; kalibrera förvrängningen först.</translation>
+        </message>
+        <message>
+            <source>The drawn outline of the insole crosses itself; move its points apart.</source>
+            <translation>Inläggets ritade kontur korsar sig själv; flytta isär punkterna.</translation>
+        </message>
+        <message>
+            <source>The face {face} was not measured and stays as planned: {reason}</source>
+            <translation>Sidan {face} mättes inte och förblir som planerad: {reason}</translation>
+        </message>
+        <message>
+            <source>The faces {faces} were measured together.</source>
+            <translation>Sidorna {faces} mättes tillsammans.</translation>
+        </message>
+        <message>
+            <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
+            <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
+        </message>
+        <message>
+            <source>The font has no letters {missing}; the identification shows a likeness or “?” instead.</source>
+            <translation>Typsnittet saknar tecknen {missing}; märkningen visar något liknande eller ”?” i stället.</translation>
+        </message>
+        <message>
+            <source>The font has none of the letters of “{text}”; write the identification in other letters, such as a number.</source>
+            <translation>Typsnittet har inga av bokstäverna i ”{text}”; skriv märkningen med andra tecken, till exempel ett nummer.</translation>
+        </message>
+        <message>
+            <source>The foot is ready</source>
+            <translation>Foten är klar</translation>
+        </message>
+        <message>
+            <source>The foot's shape is a {shape_side} one, but a {side} foot is to be simulated; give both the same side.</source>
+            <translation>Fotens form är en {shape_side} fots, men en {side} fot ska simuleras; ge båda samma sida.</translation>
+        </message>
+        <message>
+            <source>The forefoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
+            <translation>Framfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+        </message>
+        <message>
+            <source>The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+        </message>
+        <message>
+            <source>The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
+            <translation>Hälen är höjd {height_mm:g} mm; på inlägget är upp till {usual_mm:g} mm vanligt.</translation>
+        </message>
+        <message>
+            <source>The heel is missing, or cut off behind; lengths and everything placed from the heel are guesses. Scan the foot again with its heel.</source>
+            <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
+        </message>
+        <message>
+            <source>The identification does not lie wholly on a flat bottom; write it elsewhere, smaller, or make the bottom flat.</source>
+            <translation>Märkningen ligger inte helt på en plan undersida; skriv den på annan plats, mindre, eller gör undersidan plan.</translation>
+        </message>
+        <message>
+            <source>The identification is empty; write a pseudonym, side or date.</source>
+            <translation>Märkningen är tom; skriv en pseudonym, sida eller ett datum.</translation>
+        </message>
+        <message>
+            <source>The identification is too long for its place; shorten it, so that its letters can be at least {least_mm:g} mm high.</source>
+            <translation>Märkningen är för lång för sin plats; korta den, så att bokstäverna kan vara minst {least_mm:g} mm höga.</translation>
+        </message>
+        <message>
+            <source>The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm are usual.</source>
+            <translation>Inlägget är {height_mm:.0f} mm högt och får kanske inte plats i en sko; upp till {usual_mm:g} mm är vanligt.</translation>
+        </message>
+        <message>
+            <source>The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; raise the thickness or make the recess shallower.</source>
+            <translation>Inlägget skulle bara bli {thickness_mm:.1f} mm tjockt vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; öka tjockleken eller gör fördjupningen grundare.</translation>
+        </message>
+        <message>
+            <source>The known length ends at {markers}, which the pictures do not show twice; take more pictures or measure between other markers.</source>
+            <translation>Den kända längden slutar vid {markers}, som bilderna inte visar två gånger; ta fler bilder eller mät mellan andra markörer.</translation>
+        </message>
+        <message>
+            <source>The known length goes from {first} on face {first_face} to {second} on face {second_face}, but nothing links these faces; measure between two markers of one face, or take pictures that show four markers of both.</source>
+            <translation>Den kända längden går från {first} på sidan {first_face} till {second} på sidan {second_face}, men inget förbinder dessa sidor; mät mellan två markörer på en sida, eller ta bilder som visar fyra markörer på båda.</translation>
+        </message>
+        <message>
+            <source>The landmarks stand in an order that no foot has: heel centre, 1st and 5th head and the tip of the 2nd toe must lie around the sole; drag them to their places, or find the landmarks anew.</source>
+            <translation>Landmärkena står i en ordning som ingen fot har: hälens mitt, 1:a och 5:e huvudet och spetsen av 2:a tån måste ligga runt fotsulan; dra dem till sina platser, eller sök landmärkena på nytt.</translation>
+        </message>
+        <message>
+            <source>The landmarks {landmark} and {other_landmark} stand in an order that no foot has; drag them to where they belong.</source>
+            <translation>Landmärkena {landmark} och {other_landmark} står i en ordning som ingen fot har; dra dem dit de hör.</translation>
+        </message>
+        <message>
+            <source>The left foot is {left_mm:.0f} mm long and the right one {right_mm:.0f} mm; check that both scans are of this patient, and in the same unit.</source>
+            <translation>Vänster fot är {left_mm:.0f} mm lång och höger {right_mm:.0f} mm; kontrollera att båda skanningarna är av denna patient, och i samma enhet.</translation>
+        </message>
+        <message>
+            <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
+            <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The marker {marker} is seen {distances} from its place by {views} and does not count; see whether it was moved.</source>
+            <translation>Markören {marker} ses {distances} från sin plats av {views} och räknas inte; se om den flyttats.</translation>
+        </message>
+        <message>
+            <source>The markers of the view {view} leave its place uncertain by {uncertainty_mm:.1f} mm at the foot; see that more of them are in view.</source>
+            <translation>Markörerna i vyn {view} lämnar dess plats osäker med {uncertainty_mm:.1f} mm vid foten; se till att fler av dem syns.</translation>
+        </message>
+        <message>
+            <source>The markers of the view {view} were corrected by hand: {corrections}.</source>
+            <translation>Markörerna i vyn {view} korrigerades för hand: {corrections}.</translation>
+        </message>
+        <message>
+            <source>The mesh is open or crosses itself; only a closed solid can be worked.</source>
+            <translation>Nätet är öppet eller korsar sig själv; bara en sluten kropp kan bearbetas.</translation>
+        </message>
+        <message>
+            <source>The model needs walls at {count} clearly different distances; capture more, for example at 600, 800 and 1000 mm.</source>
+            <translation>Modellen behöver väggar på {count} tydligt olika avstånd; ta fler, till exempel på 600, 800 och 1000 mm.</translation>
+        </message>
+        <message>
+            <source>The noise needs at least two frames with readings; record more.</source>
+            <translation>Bruset behöver minst två bilder med mätvärden; spela in fler.</translation>
+        </message>
+        <message>
+            <source>The only variant of a foot cannot be deleted; empty it instead.</source>
+            <translation>En fots enda variant kan inte tas bort; töm den i stället.</translation>
+        </message>
+        <message>
+            <source>The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round the foot.</source>
+            <translation>Konturen omsluter bara {area_mm2:.0f} mm², vilket inte ger något inlägg; rita den runt foten.</translation>
+        </message>
+        <message>
+            <source>The outline lies beside the foot, which leaves no insole; draw it round the foot.</source>
+            <translation>Konturen ligger bredvid foten, vilket inte ger något inlägg; rita den runt foten.</translation>
+        </message>
+        <message>
+            <source>The pair needs a block of {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, and this one has {length_mm:g} × {width_mm:g} × {height_mm:g} mm; take a larger block, or one for each side.</source>
+            <translation>Paret behöver ett block på {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, och detta har {length_mm:g} × {width_mm:g} × {height_mm:g} mm; ta ett större block, eller ett per sida.</translation>
+        </message>
+        <message>
+            <source>The picked points cannot place one surface on the other: {reason}</source>
+            <translation>De valda punkterna kan inte lägga den ena ytan på den andra: {reason}</translation>
+        </message>
+        <message>
+            <source>The pictures are {width}×{height}, but the colour camera was calibrated at {known_width}×{known_height}; calibrate it with pictures of this size first.</source>
+            <translation>Bilderna är {width}×{height}, men färgkameran kalibrerades vid {known_width}×{known_height}; kalibrera den först med bilder av denna storlek.</translation>
+        </message>
+        <message>
+            <source>The pictures differ in size: {sizes}; use pictures of one camera in one mode.</source>
+            <translation>Bilderna är olika stora: {sizes}; använd bilder från en kamera i ett läge.</translation>
+        </message>
+        <message>
+            <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>
+            <translation>Djupkamerans plats är bara känd inom {known_mm:.1f} mm; för {good_mm} mm, ta fler lägen med brädet vridet 40 till 55° ({sides}).</translation>
+        </message>
+        <message>
+            <source>The points of a sphere lie on no sphere; select the sphere alone.</source>
+            <translation>Punkterna på en kula ligger inte på någon kula; välj bara kulan.</translation>
+        </message>
+        <message>
+            <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
+            <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
+        </message>
+        <message>
+            <source>The program that reads the sensors has ended; start it again.</source>
+            <translation>Programmet som läser sensorerna har avslutats; starta det igen.</translation>
+        </message>
+        <message>
+            <source>The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
+            <translation>Bakfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
+        </message>
+        <message>
+            <source>The result does not fit a Kinect v1: {findings}; {reason}.</source>
+            <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
+        </message>
+        <message>
+            <source>The scan {path} has changed since this case was made; the case keeps the foot as it was, open the scan again if the new one is wanted.</source>
+            <translation>Skanningen {path} har ändrats sedan fallet gjordes; fallet behåller foten som den var, öppna skanningen igen om den nya önskas.</translation>
+        </message>
+        <message>
+            <source>The scan {path} is not there any more, or cannot be read; the case holds its own copy of the foot, so the work can go on.</source>
+            <translation>Skanningen {path} finns inte längre, eller kan inte läsas; fallet har en egen kopia av foten, så arbetet kan fortsätta.</translation>
+        </message>
+        <message>
+            <source>The sensors of the views {first} and {second} stood in the same place ({apart_mm:.0f} mm apart); see that no view was recorded under two names.</source>
+            <translation>Sensorerna för vyerna {first} och {second} stod på samma plats ({apart_mm:.0f} mm isär); se till att ingen vy spelades in under två namn.</translation>
+        </message>
+        <message>
+            <source>The session is read</source>
+            <translation>Sessionen är läst</translation>
+        </message>
+        <message>
+            <source>The session says that it is a {side} foot, but the shape looks like a {shape_side} one; ask which foot it is, and correct "side" in manifest.json if need be.</source>
+            <translation>Sessionen säger att det är en {side} fot, men formen ser ut som en {shape_side}; fråga vilken fot det är, och rätta ”side” i manifest.json vid behov.</translation>
+        </message>
+        <message>
+            <source>The shape does not tell left from right; taken as a {side} foot as asked.</source>
+            <translation>Formen skiljer inte vänster från höger; tas som en {side} fot som angivet.</translation>
+        </message>
+        <message>
+            <source>The shape looks like a {shape_side} foot ({reason}); give --side {shape_side}, or --force to go on with {side}.</source>
+            <translation>Formen ser ut som en {shape_side} fot ({reason}); ange --side {shape_side}, eller --force för att gå vidare med {side}.</translation>
+        </message>
+        <message>
+            <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
+            <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
+        </message>
+        <message>
+            <source>The sole faces {sole} and the toes point along {toes} of the file: of all ways the surface could stand, this one looks most like a foot.</source>
+            <translation>Sulan vetter mot {sole} och tårna pekar längs {toes} i filen: av alla sätt ytan kan stå på liknar detta mest en fot.</translation>
+        </message>
+        <message>
+            <source>The solid is closed.</source>
+            <translation>Kroppen är sluten.</translation>
+        </message>
+        <message>
+            <source>The solid is open or inside out.</source>
+            <translation>Kroppen är öppen eller ut och in.</translation>
+        </message>
+        <message>
+            <source>The solid needs {needed} mm, and the block has {there} mm.</source>
+            <translation>Kroppen behöver {needed} mm, och blocket har {there} mm.</translation>
+        </message>
+        <message>
+            <source>The surface could not be fitted to the views; see whether a view is spoilt, and leave it out.</source>
+            <translation>Ytan kunde inte passas in i vyerna; kontrollera om någon vy är förstörd och uteslut den.</translation>
+        </message>
+        <message>
+            <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
+            <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
+        </message>
+        <message>
+            <source>The surface is flat, which is no foot; export the scan again.</source>
+            <translation>Ytan är plan, vilket ingen fot är; exportera skanningen igen.</translation>
+        </message>
+        <message>
+            <source>The surface is open; where nothing was measured it is continued smoothly.</source>
+            <translation>Ytan är öppen; där inget mättes fortsätts den mjukt.</translation>
+        </message>
+        <message>
+            <source>The surface is ready</source>
+            <translation>Ytan är klar</translation>
+        </message>
+        <message>
+            <source>The surface looks like no foot, whichever way it is turned; check that the file holds a foot or its sole, and nothing else.</source>
+            <translation>Ytan liknar ingen fot, hur den än vrids; kontrollera att filen innehåller en fot eller dess sula, och inget annat.</translation>
+        </message>
+        <message>
+            <source>The surface was inside out and has been turned.</source>
+            <translation>Ytan var ut och in och har vänts.</translation>
+        </message>
+        <message>
+            <source>The tip of the 2nd toe does not stand out; the foot axis runs to its usual place.</source>
+            <translation>2:a tåns spets framträder inte; fotaxeln går till dess vanliga plats.</translation>
+        </message>
+        <message>
+            <source>The toes are missing; the foot's length was estimated as {length_mm:.0f} mm from the rest.</source>
+            <translation>Tårna saknas; fotens längd uppskattades till {length_mm:.0f} mm av resten.</translation>
+        </message>
+        <message>
+            <source>The two surfaces do not overlap in any pose, so they cannot be compared; check that both show the same side of the same foot.</source>
+            <translation>De två ytorna överlappar inte i något läge, så de kan inte jämföras; kontrollera att båda visar samma sida av samma fot.</translation>
+        </message>
+        <message>
+            <source>The two surfaces lie over each other on {area_mm2:.0f} mm² only, which is too little to compare; let them be fitted, or pick points on both.</source>
+            <translation>De två ytorna ligger över varandra på bara {area_mm2:.0f} mm², vilket är för lite för att jämföra; låt dem passas, eller välj punkter på båda.</translation>
+        </message>
+        <message>
+            <source>The view {view} cannot be used: {reason}; record it again.</source>
+            <translation>Vyn {view} kan inte användas: {reason}; spela in den igen.</translation>
+        </message>
+        <message>
+            <source>The view {view} is left out: {reason}.</source>
+            <translation>Vyn {view} utelämnas: {reason}.</translation>
+        </message>
+        <message>
+            <source>The view {view} is named twice; name every view once.</source>
+            <translation>Vyn {view} anges två gånger; ange varje vy en gång.</translation>
+        </message>
+        <message>
+            <source>The views {first} and {second} do not fit each other by {apart_mm:.0f} mm; see whether the foot or the reference system was moved between them.</source>
+            <translation>Vyerna {first} och {second} skiljer sig {apart_mm:.0f} mm; se om foten eller referenssystemet flyttades mellan dem.</translation>
+        </message>
+        <message>
+            <source>The views {views} are both given to sensor {serial}, which cannot take them at the same time; give each view its own sensor, or capture one after the other.</source>
+            <translation>Vyerna {views} är båda tilldelade sensor {serial}, som inte kan ta dem samtidigt; ge varje vy sin egen sensor, eller ta dem efter varandra.</translation>
+        </message>
+        <message>
+            <source>The volume of interest was set by hand.</source>
+            <translation>Volymen av intresse sattes för hand.</translation>
+        </message>
+        <message>
+            <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise; take care that they are flat and empty, and that the sensor stands still.</source>
+            <translation>Väggarna avviker ännu {rms_raw:.1f} råenheter, vilket är mer än brus; se till att de är plana och tomma, och att sensorn står stilla.</translation>
+        </message>
+        <message>
+            <source>The walls contradict each other ({walls}); capture a flat, empty wall at several distances.</source>
+            <translation>Väggarna motsäger varandra ({walls}); ta en plan, tom vägg på flera avstånd.</translation>
+        </message>
+        <message>
+            <source>The walls were off by {before_raw:.1f} raw units and are now off by {after_raw:.1f} (noise included).</source>
+            <translation>Väggarna avvek {before_raw:.1f} råenheter och avviker nu {after_raw:.1f} (inklusive brus).</translation>
+        </message>
+        <message>
+            <source>The warm-up needs three moments with readings; record for 15 minutes.</source>
+            <translation>Uppvärmningen behöver tre tidpunkter med mätvärden; spela in i 15 minuter.</translation>
+        </message>
+        <message>
+            <source>The {count} frames show different scenes (they differ by {difference_raw:.0f} raw units); record one still wall without moving the sensor.</source>
+            <translation>De {count} bilderna visar olika motiv (de skiljer {difference_raw:.0f} råenheter); spela in en stilla vägg utan att röra sensorn.</translation>
+        </message>
+        <message>
+            <source>The {head} metatarsal head lies behind the heel; put it in place.</source>
+            <translation>Metatarsalhuvudet {head} ligger bakom hälen; sätt det på plats.</translation>
+        </message>
+        <message>
+            <source>The {kind} pictures are {width}×{height}, but the sensor gives {allowed}; use its pictures as they are, neither cut nor scaled.</source>
+            <translation>Bilderna ({kind}) är {width}×{height}, men sensorn ger {allowed}; använd dess bilder som de är, varken beskurna eller skalade.</translation>
+        </message>
+        <message>
+            <source>The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.</source>
+            <translation>Elementet ({pad}) ligger till {share:.0%} på ett annat ({other_pad}), och höjderna läggs ihop.</translation>
+        </message>
+        <message>
+            <source>The {side} foot is asked for, by --side, --other or the prescription, but {path} was recorded as the {recorded} foot; correct the call.</source>
+            <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
+        </message>
+        <message>
+            <source>The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.</source>
+            <translation>{what} kan inte vara {value:g}; välj ett värde från {least:g} till {most:g}.</translation>
+        </message>
+        <message>
+            <source>There are no captures; capture a flat wall.</source>
+            <translation>Det finns inga tagningar; ta en plan vägg.</translation>
+        </message>
+        <message>
+            <source>There is a variant {name} already; give this one another name.</source>
+            <translation>Det finns redan en variant {name}; ge denna ett annat namn.</translation>
+        </message>
+        <message>
+            <source>There is no folder {folder}; name the folder with the pictures.</source>
+            <translation>Mappen {folder} finns inte; ange mappen med bilderna.</translation>
+        </message>
+        <message>
+            <source>There is no folder {folder}; name the folder with the wall captures.</source>
+            <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
+        </message>
+        <message>
+            <source>There is no marker dictionary {dictionary}; the printed board of this program uses DICT_5X5_250.</source>
+            <translation>Markörförteckningen {dictionary} finns inte; programmets utskrivna bräde använder DICT_5X5_250.</translation>
+        </message>
+        <message>
+            <source>This design is for a {side} foot and the scan is of a {foot_side} one; open the matching scan or mirror the design.</source>
+            <translation>Designen är för en {side} fot och skanningen är av en {foot_side}; öppna rätt skanning eller spegla designen.</translation>
+        </message>
+        <message>
+            <source>Tilting the sensor for view {view}</source>
+            <translation>Lutar sensorn för vy {view}</translation>
+        </message>
+        <message>
+            <source>Too little of the solid is seen from above to check its {what}.</source>
+            <translation>För lite av kroppen syns uppifrån för att kontrollera: {what}.</translation>
+        </message>
+        <message>
+            <source>Trimming the insole</source>
+            <translation>Beskär inlägget</translation>
+        </message>
+        <message>
+            <source>Trying poses</source>
+            <translation>Prövar lägen</translation>
+        </message>
+        <message>
+            <source>Turn the board strongly, by 40 to 55°: {sides}.</source>
+            <translation>Vrid brädet kraftigt, 40 till 55°: {sides}.</translation>
+        </message>
+        <message>
+            <source>Turning the foot and shaping the heel</source>
+            <translation>Vrider foten och formar hälen</translation>
+        </message>
+        <message>
+            <source>Two points of the object have the same true position; correct the list.</source>
+            <translation>Två punkter på föremålet har samma sanna läge; rätta listan.</translation>
+        </message>
+        <message>
+            <source>View {views} is on the disk</source>
+            <translation>Vy {views} finns på disken</translation>
+        </message>
+        <message>
+            <source>View {view} has colour images of {width}×{height}, but the sensor was calibrated at {known_width}×{known_height}; calibrate its colour camera with pictures of that size.</source>
+            <translation>Vyn {view} har färgbilder på {width}×{height}, men sensorn kalibrerades vid {known_width}×{known_height}; kalibrera dess färgkamera med bilder av den storleken.</translation>
+        </message>
+        <message>
+            <source>View {view} measured depth in only {share:.1%} of its picture; check that it is far enough from the foot and not covered, and capture this view again.</source>
+            <translation>Vyn {view} mätte djup i bara {share:.1%} av sin bild; kontrollera att sensorn är tillräckligt långt från foten och inte täckt, och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>View {view} was recorded with sensor {serial}, which was never calibrated here; calibrate it first.</source>
+            <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
+        </message>
+        <message>
+            <source>View {view}: {warning}</source>
+            <translation>Vyn {view}: {warning}</translation>
+        </message>
+        <message>
+            <source>Waiting for steady depth of view {views}</source>
+            <translation>Väntar på stadigt djup i vy {views}</translation>
+        </message>
+        <message>
+            <source>What was measured in the volume of interest does not look like a foot; see that a foot was in place, and that the volume holds nothing else.</source>
+            <translation>Det som mättes i volymen av intresse liknar ingen fot; se till att en fot var på plats, och att volymen inte innehåller något annat.</translation>
+        </message>
+        <message>
+            <source>Writing the file</source>
+            <translation>Skriver filen</translation>
+        </message>
+        <message>
+            <source>Writing the identification</source>
+            <translation>Skriver märkningen</translation>
+        </message>
+        <message>
+            <source>Writing the job sheet</source>
+            <translation>Skriver arbetsordern</translation>
+        </message>
+        <message>
+            <source>Writing the prescription</source>
+            <translation>Skriver ordinationen</translation>
+        </message>
+        <message>
+            <source>Writing view {view}</source>
+            <translation>Skriver vyn {view}</translation>
+        </message>
+        <message>
+            <source>a file is there where a folder is needed; choose another name</source>
+            <translation>en fil ligger där en mapp behövs; välj ett annat namn</translation>
+        </message>
+        <message>
+            <source>a folder of that name is there; choose another name</source>
+            <translation>en mapp med det namnet finns där; välj ett annat namn</translation>
+        </message>
+        <message>
+            <source>a of the depth</source>
+            <translation>djupets a</translation>
+        </message>
+        <message>
+            <source>a wall at {distance_mm:.0f} mm that fills {share:.0%}</source>
+            <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
+        </message>
+        <message>
+            <source>and height are {width}×{height}, but must be {allowed}</source>
+            <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
+        </message>
+        <message>
+            <source>angle of the sole sensors (degrees)</source>
+            <translation>fotsulesensorernas vinkel (grader)</translation>
+        </message>
+        <message>
+            <source>another program has it open; close it there, or choose another name</source>
+            <translation>ett annat program har den öppen; stäng den där, eller välj ett annat namn</translation>
+        </message>
+        <message>
+            <source>arch</source>
+            <translation>valv</translation>
+        </message>
+        <message>
+            <source>arch apex over the plane of heel, 1st and 5th head</source>
+            <translation>valvets topp över planet genom häl, 1:a och 5:e huvudet</translation>
+        </message>
+        <message>
+            <source>arch height of the simulated foot (mm)</source>
+            <translation>den simulerade fotens valvhöjd (mm)</translation>
+        </message>
+        <message>
+            <source>arch support</source>
+            <translation>valvstöd</translation>
+        </message>
+        <message>
+            <source>b of the depth</source>
+            <translation>djupets b</translation>
+        </message>
+        <message>
+            <source>ball width of the simulated foot (mm)</source>
+            <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
+        </message>
+        <message>
+            <source>bisection of the calcaneus against the Achilles axis; &gt; 0 is valgus</source>
+            <translation>calcaneus mittlinje mot akillesaxeln; &gt; 0 är valgus</translation>
+        </message>
+        <message>
+            <source>block</source>
+            <translation>block</translation>
+        </message>
+        <message>
+            <source>colour</source>
+            <translation>färg</translation>
+        </message>
+        <message>
+            <source>colour pictures and depth</source>
+            <translation>färgbilder med djup</translation>
+        </message>
+        <message>
+            <source>colour pictures of the board</source>
+            <translation>färgbilder av brädet</translation>
+        </message>
+        <message>
+            <source>corrections must be a list; put the corrections in [ ].</source>
+            <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
+        </message>
+        <message>
+            <source>cut-out</source>
+            <translation>urtag</translation>
+        </message>
+        <message>
+            <source>cutter</source>
+            <translation>fräs</translation>
+        </message>
+        <message>
+            <source>dark</source>
+            <translation>mörk</translation>
+        </message>
+        <message>
+            <source>degrees</source>
+            <translation>grader</translation>
+        </message>
+        <message>
+            <source>degrees uncertain in direction</source>
+            <translation>grader osäkert i riktning</translation>
+        </message>
+        <message>
+            <source>distance of the sensors (mm)</source>
+            <translation>sensorernas avstånd (mm)</translation>
+        </message>
+        <message>
+            <source>downwards</source>
+            <translation>nedåt</translation>
+        </message>
+        <message>
+            <source>drop</source>
+            <translation>droppe</translation>
+        </message>
+        <message>
+            <source>foot length, rounded up to 5 mm</source>
+            <translation>fotlängden, avrundad uppåt till 5 mm</translation>
+        </message>
+        <message>
+            <source>forefoot</source>
+            <translation>framfot</translation>
+        </message>
+        <message>
+            <source>format must be "{format}"; this is no design of an insole.</source>
+            <translation>format måste vara ”{format}”; detta är ingen design av ett inlägg.</translation>
+        </message>
+        <message>
+            <source>free-hand pad</source>
+            <translation>frihandspelott</translation>
+        </message>
+        <message>
+            <source>greatest width of the heel at 10 to 22 % of the length</source>
+            <translation>hälens största bredd vid 10 till 22 % av längden</translation>
+        </message>
+        <message>
+            <source>has two feet of the same side</source>
+            <translation>har två fötter av samma sida</translation>
+        </message>
+        <message>
+            <source>has {count} markers, but at least 4 are needed</source>
+            <translation>har {count} markörer, men minst 4 behövs</translation>
+        </message>
+        <message>
+            <source>has {found} numbers, but must have {count}</source>
+            <translation>har {found} tal, men måste ha {count}</translation>
+        </message>
+        <message>
+            <source>have the same name twice</source>
+            <translation>har samma namn två gånger</translation>
+        </message>
+        <message>
+            <source>heel</source>
+            <translation>häl</translation>
+        </message>
+        <message>
+            <source>heel centre</source>
+            <translation>hälcentrum</translation>
+        </message>
+        <message>
+            <source>heel width of the simulated foot (mm)</source>
+            <translation>den simulerade fotens hälbredd (mm)</translation>
+        </message>
+        <message>
+            <source>highest dorsal point at half of the foot length</source>
+            <translation>högsta dorsala punkten vid halva fotlängden</translation>
+        </message>
+        <message>
+            <source>horseshoe</source>
+            <translation>hästsko</translation>
+        </message>
+        <message>
+            <source>inches</source>
+            <translation>tum</translation>
+        </message>
+        <message>
+            <source>infrared</source>
+            <translation>infrarött</translation>
+        </message>
+        <message>
+            <source>infrared and colour pictures</source>
+            <translation>infraröda bilder och färgbilder</translation>
+        </message>
+        <message>
+            <source>infrared pictures of the board, taken with the emitter covered</source>
+            <translation>infraröda bilder av brädet, tagna med täckt projektor</translation>
+        </message>
+        <message>
+            <source>insole</source>
+            <translation>inlägget</translation>
+        </message>
+        <message>
+            <source>instep height / length from heel to 1st head</source>
+            <translation>vristhöjd / längd från häl till 1:a huvudet</translation>
+        </message>
+        <message>
+            <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
+            <translation>är ”{text}”, men måste vara ett datum som 2026-11-20T10:00:00Z</translation>
+        </message>
+        <message>
+            <source>is empty, but a reference system has at least 4 markers</source>
+            <translation>är tomt, men ett referenssystem har minst 4 markörer</translation>
+        </message>
+        <message>
+            <source>is empty; mark the points in the image</source>
+            <translation>är tom; märk punkterna i bilden</translation>
+        </message>
+        <message>
+            <source>is missing</source>
+            <translation>saknas</translation>
+        </message>
+        <message>
+            <source>is no check; those are {check_names}</source>
+            <translation>är ingen kontroll; kontrollerna är {check_names}</translation>
+        </message>
+        <message>
+            <source>is no rigid transform</source>
+            <translation>är ingen stel transformation</translation>
+        </message>
+        <message>
+            <source>is no view of this session</source>
+            <translation>är ingen vy i denna session</translation>
+        </message>
+        <message>
+            <source>is {value!r}, but must be "{wanted}"</source>
+            <translation>är {value!r}, men måste vara ”{wanted}”</translation>
+        </message>
+        <message>
+            <source>is {value}, but must be a finite number</source>
+            <translation>är {value}, men måste vara ett ändligt tal</translation>
+        </message>
+        <message>
+            <source>is {value}, but must be a number</source>
+            <translation>är {value}, men måste vara ett tal</translation>
+        </message>
+        <message>
+            <source>is {value}, but must be a whole number</source>
+            <translation>är {value}, men måste vara ett heltal</translation>
+        </message>
+        <message>
+            <source>is {value}, but must be true or false</source>
+            <translation>är {value}, men måste vara true eller false</translation>
+        </message>
+        <message>
+            <source>is {value}, but must be {allowed}</source>
+            <translation>är {value}, men måste vara {allowed}</translation>
+        </message>
+        <message>
+            <source>is {value}, but must lie between {least:g} and {most:g}</source>
+            <translation>är {value}, men måste ligga mellan {least:g} och {most:g}</translation>
+        </message>
+        <message>
+            <source>is {what}; its rows must be right-handed unit vectors</source>
+            <translation>är {what}; raderna måste vara högerorienterade enhetsvektorer</translation>
+        </message>
+        <message>
+            <source>it is not flat, or something stood before it</source>
+            <translation>den är inte plan, eller något stod framför den</translation>
+        </message>
+        <message>
+            <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
+            <translation>den mätte ingen yta i volymen av intresse; kontrollera att foten var på plats och ”volume_of_interest_mm” i manifest.json</translation>
+        </message>
+        <message>
+            <source>it was switched off by hand</source>
+            <translation>den stängdes av för hand</translation>
+        </message>
+        <message>
+            <source>its colour picture is almost dark; give more light or a longer exposure</source>
+            <translation>dess färgbild är nästan mörk; ge mer ljus eller längre exponering</translation>
+        </message>
+        <message>
+            <source>its colour picture is out of focus; clean the lens and see that the camera is still</source>
+            <translation>dess färgbild är oskarp; rengör linsen och se till att kameran är stilla</translation>
+        </message>
+        <message>
+            <source>its colour picture is overexposed; take away light or shorten the exposure</source>
+            <translation>dess färgbild är överexponerad; ta bort ljus eller korta exponeringen</translation>
+        </message>
+        <message>
+            <source>its depth frames hold no reading; check the sensor's distance and that no sunlight falls on the foot</source>
+            <translation>dess djupbilder saknar mätvärden; kontrollera sensorns avstånd och att inget solljus faller på foten</translation>
+        </message>
+        <message>
+            <source>its error of {error_px:.2f} px is far above that of the others</source>
+            <translation>dess fel på {error_px:.2f} px är långt större än de andras</translation>
+        </message>
+        <message>
+            <source>its folder does not exist; create the folder or choose another place</source>
+            <translation>mappen finns inte; skapa mappen eller välj en annan plats</translation>
+        </message>
+        <message>
+            <source>its markers leave the pose {value:.2f} {what}, more than {limit:g} ({worst}); see that more markers are in view and that the reference system was not moved</source>
+            <translation>dess markörer lämnar läget {value:.2f} {what}, mer än {limit:g} ({worst}); se till att fler markörer syns och att referenssystemet inte flyttats</translation>
+        </message>
+        <message>
+            <source>its markers lie within {relief_mm:.1f} mm of one plane; raise some of them by a brick</source>
+            <translation>dess markörer ligger inom {relief_mm:.1f} mm från ett plan; höj några av dem med en kloss</translation>
+        </message>
+        <message>
+            <source>its markers lie {mean_mm:.1f} mm from the reference system on average, more than {limit_mm:g} mm (worst: {worst}); check that the reference system was not changed or moved</source>
+            <translation>dess markörer ligger i medel {mean_mm:.1f} mm från referenssystemet, mer än {limit_mm:g} mm (sämst: {worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
+        </message>
+        <message>
+            <source>its sensor.json lists the faces {faces}, but the reference system "{system}" has the faces {system_faces}</source>
+            <translation>dess sensor.json anger ytorna {faces}, men referenssystemet ”{system}” har ytorna {system_faces}</translation>
+        </message>
+        <message>
+            <source>its sensor.json says that it sees the markers {faces}, but it sees "{face}"; exchange the views, or correct "faces" there</source>
+            <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
+        </message>
+        <message>
+            <source>known to about {deviation_mm:.1f} mm only</source>
+            <translation>känt på bara omkring {deviation_mm:.1f} mm</translation>
+        </message>
+        <message>
+            <source>least</source>
+            <translation>minsta</translation>
+        </message>
+        <message>
+            <source>left</source>
+            <translation>vänster</translation>
+        </message>
+        <message>
+            <source>length of the simulated foot (mm)</source>
+            <translation>den simulerade fotens längd (mm)</translation>
+        </message>
+        <message>
+            <source>line of the 1st to 5th head against the heel's ground; &gt; 0 is varus</source>
+            <translation>linjen från 1:a till 5:e huvudet mot hälens underlag; &gt; 0 är varus</translation>
+        </message>
+        <message>
+            <source>lower centre</source>
+            <translation>nere i mitten</translation>
+        </message>
+        <message>
+            <source>lower left</source>
+            <translation>nere till vänster</translation>
+        </message>
+        <message>
+            <source>lower right</source>
+            <translation>nere till höger</translation>
+        </message>
+        <message>
+            <source>men's: the English size and one</source>
+            <translation>herr: den engelska storleken plus ett</translation>
+        </message>
+        <message>
+            <source>metatarsal bar</source>
+            <translation>tvärbalk</translation>
+        </message>
+        <message>
+            <source>metatarsale tibiale to metatarsale fibulare, seen from below</source>
+            <translation>metatarsale tibiale till metatarsale fibulare, sett underifrån</translation>
+        </message>
+        <message>
+            <source>metres</source>
+            <translation>meter</translation>
+        </message>
+        <message>
+            <source>middle centre</source>
+            <translation>mitten</translation>
+        </message>
+        <message>
+            <source>middle left</source>
+            <translation>mitten till vänster</translation>
+        </message>
+        <message>
+            <source>middle right</source>
+            <translation>mitten till höger</translation>
+        </message>
+        <message>
+            <source>middle third of the toeless footprint / all of it</source>
+            <translation>mittersta tredjedelen av fotavtrycket utan tår / hela avtrycket</translation>
+        </message>
+        <message>
+            <source>millimetres</source>
+            <translation>millimeter</translation>
+        </message>
+        <message>
+            <source>mm high</source>
+            <translation>mm högt</translation>
+        </message>
+        <message>
+            <source>mm of material left by the {diameter_mm:g} mm cutter in a hollow</source>
+            <translation>mm material som fräsen på {diameter_mm:g} mm lämnar i en fördjupning</translation>
+        </message>
+        <message>
+            <source>mm of rise over 1 mm</source>
+            <translation>mm stigning på 1 mm</translation>
+        </message>
+        <message>
+            <source>mm thick</source>
+            <translation>mm tjockt</translation>
+        </message>
+        <message>
+            <source>mm uncertain at the foot</source>
+            <translation>mm osäkert vid foten</translation>
+        </message>
+        <message>
+            <source>most</source>
+            <translation>största</translation>
+        </message>
+        <message>
+            <source>must be a list […]</source>
+            <translation>måste vara en lista […]</translation>
+        </message>
+        <message>
+            <source>must be a list of three corners or more</source>
+            <translation>måste vara en lista med tre hörn eller fler</translation>
+        </message>
+        <message>
+            <source>must be a text</source>
+            <translation>måste vara en text</translation>
+        </message>
+        <message>
+            <source>must be a text that is not empty</source>
+            <translation>måste vara en text som inte är tom</translation>
+        </message>
+        <message>
+            <source>must be a {size}×{size} matrix</source>
+            <translation>måste vara en {size}×{size}-matris</translation>
+        </message>
+        <message>
+            <source>must be above 0 and at most 100</source>
+            <translation>måste vara över 0 och högst 100</translation>
+        </message>
+        <message>
+            <source>must be an object {…}</source>
+            <translation>måste vara ett objekt {…}</translation>
+        </message>
+        <message>
+            <source>must be three lengths above 0</source>
+            <translation>måste vara tre längder över 0</translation>
+        </message>
+        <message>
+            <source>must be three numbers of 0 to 255</source>
+            <translation>måste vara tre tal från 0 till 255</translation>
+        </message>
+        <message>
+            <source>must have min below max in x, y and z</source>
+            <translation>måste ha min under max i x, y och z</translation>
+        </message>
+        <message>
+            <source>must hold at least one prescription</source>
+            <translation>måste innehålla minst en ordination</translation>
+        </message>
+        <message>
+            <source>must name a file beside sensor.json</source>
+            <translation>måste ange en fil bredvid sensor.json</translation>
+        </message>
+        <message>
+            <source>must name at least one marker group</source>
+            <translation>måste ange minst en markörgrupp</translation>
+        </message>
+        <message>
+            <source>must name at least one view, and none twice</source>
+            <translation>måste ange minst en vy, och ingen två gånger</translation>
+        </message>
+        <message>
+            <source>name the same point twice</source>
+            <translation>namnger samma punkt två gånger</translation>
+        </message>
+        <message>
+            <source>names "{unknown}", which no marker in manifest.json has</source>
+            <translation>anger ”{unknown}”, som ingen markör i manifest.json har</translation>
+        </message>
+        <message>
+            <source>names a marker twice</source>
+            <translation>anger en markör två gånger</translation>
+        </message>
+        <message>
+            <source>names the same marker id twice</source>
+            <translation>anger samma markör-id två gånger</translation>
+        </message>
+        <message>
+            <source>names {marker!r}, which no marker of this session is</source>
+            <translation>anger {marker!r}, som ingen markör i denna session är</translation>
+        </message>
+        <message>
+            <source>names {name!r}, but a view has 1 to 32 of the letters a-z, 0-9 and _</source>
+            <translation>anger {name!r}, men en vy har 1 till 32 av tecknen a-z, 0-9 och _</translation>
+        </message>
+        <message>
+            <source>navicular, where it is marked, over the ground</source>
+            <translation>naviculare, där det är märkt, över underlaget</translation>
+        </message>
+        <message>
+            <source>no blue marker with a depth reading is seen; check the light and that the reference system is in the picture</source>
+            <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
+        </message>
+        <message>
+            <source>no length between two of its markers was given; measure one by hand.</source>
+            <translation>ingen längd mellan två av dess markörer angavs; mät en för hand.</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>inga</translation>
+        </message>
+        <message>
+            <source>number of colour frames</source>
+            <translation>antalet färgbilder</translation>
+        </message>
+        <message>
+            <source>number of depth frames</source>
+            <translation>antalet djupbilder</translation>
+        </message>
+        <message>
+            <source>number of places each sensor stands in</source>
+            <translation>antalet platser som varje sensor står på</translation>
+        </message>
+        <message>
+            <source>of unknown age</source>
+            <translation>av okänd ålder</translation>
+        </message>
+        <message>
+            <source>only {count:.0f} of its markers have a depth reading; see that more markers are in view</source>
+            <translation>bara {count:.0f} av dess markörer har ett djupvärde; se till att fler markörer syns</translation>
+        </message>
+        <message>
+            <source>only {left} of the {count} markers are left after the corrections by hand ({corrections}), and {least} are needed; include or add markers</source>
+            <translation>bara {left} av de {count} markörerna är kvar efter handkorrigeringarna ({corrections}), och {least} behövs; ta med eller lägg till markörer</translation>
+        </message>
+        <message>
+            <source>only {most} of the {spots} blue spots fit the {markers} markers, and {needed} are needed; check that it is the right reference system and that most markers are seen</source>
+            <translation>bara {most} av de {spots} blå fläckarna passar de {markers} markörerna, och {needed} behövs; kontrollera att det är rätt referenssystem och att de flesta markörer syns</translation>
+        </message>
+        <message>
+            <source>only {most} of the {spots} blue spots fit the {markers} markers, and {needed} are needed; check that it is the right reference system, that its pictures are not mirrored and that most markers are seen</source>
+            <translation>bara {most} av de {spots} blå fläckarna passar de {markers} markörerna, och {needed} behövs; kontrollera att det är rätt referenssystem, att bilderna inte är spegelvända och att de flesta markörer syns</translation>
+        </message>
+        <message>
+            <source>only {used} of the {count} markers agree with each other in the colour image ({worst}); check that the reference system was not changed or moved</source>
+            <translation>bara {used} av de {count} markörerna stämmer med varandra i färgbilden ({worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
+        </message>
+        <message>
+            <source>outline_mm{where} belongs to the shape "outline" and to no other; draw an outline, or choose another shape and leave it out.</source>
+            <translation>outline_mm{where} hör till formen ”outline” och ingen annan; rita en kontur, eller välj en annan form och utelämna den.</translation>
+        </message>
+        <message>
+            <source>outline_mm{where} crosses itself; draw the outline again in one round.</source>
+            <translation>outline_mm{where} korsar sig själv; rita konturen igen i ett varv.</translation>
+        </message>
+        <message>
+            <source>outline_mm{where} does not go round the pad's centre; put the apex into the outline.</source>
+            <translation>outline_mm{where} går inte runt pelottens mitt; lägg toppen innanför konturen.</translation>
+        </message>
+        <message>
+            <source>pelott</source>
+            <translation>pelott</translation>
+        </message>
+        <message>
+            <source>pictures</source>
+            <translation>bilder</translation>
+        </message>
+        <message>
+            <source>pictures named {prefix}…</source>
+            <translation>bilder med namnet {prefix}…</translation>
+        </message>
+        <message>
+            <source>pictures of different positions may have been put together, or the board was hardly turned, so take them again</source>
+            <translation>bilder av olika lägen kan ha hamnat ihop, eller så vreds brädet knappt, så ta dem igen</translation>
+        </message>
+        <message>
+            <source>piece that floats</source>
+            <translation>svävande bit</translation>
+        </message>
+        <message>
+            <source>pieces that float</source>
+            <translation>svävande bitar</translation>
+        </message>
+        <message>
+            <source>plane</source>
+            <translation>plan yta</translation>
+        </message>
+        <message>
+            <source>points_mm of outline has {count} places, and a drawn outline needs at least {least}; draw it again.</source>
+            <translation>points_mm i outline har {count} platser, och en ritad kontur behöver minst {least}; rita den igen.</translation>
+        </message>
+        <message>
+            <source>positive</source>
+            <translation>formen</translation>
+        </message>
+        <message>
+            <source>pternion to metatarsale tibiale, along the foot axis</source>
+            <translation>pternion till metatarsale tibiale, längs fotaxeln</translation>
+        </message>
+        <message>
+            <source>pternion to the tip of the longest toe, along the foot axis</source>
+            <translation>pternion till den längsta tåns spets, längs fotaxeln</translation>
+        </message>
+        <message>
+            <source>px apart in the colour image</source>
+            <translation>px isär i färgbilden</translation>
+        </message>
+        <message>
+            <source>rearfoot eversion of the simulated foot (degrees)</source>
+            <translation>den simulerade fotens bakfotseversion (grader)</translation>
+        </message>
+        <message>
+            <source>rearmost point</source>
+            <translation>bakersta punkten</translation>
+        </message>
+        <message>
+            <source>resolution of the foot's surface (mm)</source>
+            <translation>upplösningen på fotens yta (mm)</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>höger</translation>
+        </message>
+        <message>
+            <source>seed of the simulation</source>
+            <translation>simuleringens frö</translation>
+        </message>
+        <message>
+            <source>seen from above with the toes ahead, the big toe and the high side of the arch lie on the {direction}</source>
+            <translation>sett uppifrån med tårna framåt ligger stortån och valvets höga sida åt {direction}</translation>
+        </message>
+        <message>
+            <source>seen in part only, and continued by the usual shape: {places}</source>
+            <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
+        </message>
+        <message>
+            <source>shoe height</source>
+            <translation>skohöjd</translation>
+        </message>
+        <message>
+            <source>shoe_size_eu of outline is missing; put in the size of the shoe.</source>
+            <translation>shoe_size_eu i outline saknas; ange skons storlek.</translation>
+        </message>
+        <message>
+            <source>side must be "left" or "right", and is {value}.</source>
+            <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
+        </message>
+        <message>
+            <source>smooth map that varies with disparity</source>
+            <translation>jämn karta som ändras med disparitet</translation>
+        </message>
+        <message>
+            <source>something moved by {distance_mm:.1f} mm; {moved} of its {frames} depth frames are left out</source>
+            <translation>något rörde sig {distance_mm:.1f} mm; {moved} av dess {frames} djupbilder utelämnas</translation>
+        </message>
+        <message>
+            <source>something moved in {moved} of its {frames} depth frames; capture it again with the foot kept still</source>
+            <translation>något rörde sig i {moved} av dess {frames} djupbilder; ta om den med foten stilla</translation>
+        </message>
+        <message>
+            <source>something moved; {moved} of its {frames} depth frames are left out</source>
+            <translation>något rörde sig; {moved} av dess {frames} djupbilder utelämnas</translation>
+        </message>
+        <message>
+            <source>sphere</source>
+            <translation>kula</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <translation>steg</translation>
+        </message>
+        <message>
+            <source>strength{where} is {strength:g}, and for smoothing must be 0 to 1; 1 evens out all it can.</source>
+            <translation>strength{where} är {strength:g}, och måste för utjämning vara 0 till 1; 1 jämnar ut allt den kan.</translation>
+        </message>
+        <message>
+            <source>tape round the foot through the two points of the ball</source>
+            <translation>måttband runt foten genom trampans två punkter</translation>
+        </message>
+        <message>
+            <source>the angle between the cameras</source>
+            <translation>vinkeln mellan kamerorna</translation>
+        </message>
+        <message>
+            <source>the back of the foot was not scanned</source>
+            <translation>fotens baksida skannades inte</translation>
+        </message>
+        <message>
+            <source>the back of the heel or the leg was not scanned</source>
+            <translation>hälens baksida eller benet skannades inte</translation>
+        </message>
+        <message>
+            <source>the blue spots are the mirror image of the markers; check whether the pictures of this view were flipped; as they stand they fit no pose</source>
+            <translation>de blå fläckarna är spegelbilden av markörerna; kontrollera om vyns bilder är spegelvända; som de är passar de inget läge</translation>
+        </message>
+        <message>
+            <source>the blue spots fit the markers in two ways, {most} and {rivals} of them; see that more markers are in view</source>
+            <translation>de blå fläckarna passar markörerna på två sätt, {most} och {rivals} av dem; se till att fler markörer syns</translation>
+        </message>
+        <message>
+            <source>the blue spots lie {rms_px:.1f} px from where the markers should be seen; check that it is the right reference system and the right calibration</source>
+            <translation>de blå fläckarna ligger {rms_px:.1f} px från där markörerna borde synas; kontrollera att referenssystemet och kalibreringen är de rätta</translation>
+        </message>
+        <message>
+            <source>the distance between the cameras</source>
+            <translation>avståndet mellan kamerorna</translation>
+        </message>
+        <message>
+            <source>the distortion of the depth was not corrected yet, so calibrate it first</source>
+            <translation>djupets förvrängning är inte korrigerad ännu, så kalibrera den först</translation>
+        </message>
+        <message>
+            <source>the face has {count} markers, but at least {least} are needed</source>
+            <translation>sidan har {count} markörer, men minst {least} behövs</translation>
+        </message>
+        <message>
+            <source>the focal length of the colour camera</source>
+            <translation>färgkamerans brännvidd</translation>
+        </message>
+        <message>
+            <source>the focal length of the depth camera</source>
+            <translation>djupkamerans brännvidd</translation>
+        </message>
+        <message>
+            <source>the foot is cut off at the {edges} edge of the depth picture; turn the sensor or move it back</source>
+            <translation>foten är avskuren vid djupbildens kant ({edges}); vrid sensorn eller flytta den bakåt</translation>
+        </message>
+        <message>
+            <source>the key "{twice}" stands twice in one object; keep one.</source>
+            <translation>nyckeln ”{twice}” står två gånger i ett objekt; behåll en.</translation>
+        </message>
+        <message>
+            <source>the leg was not scanned</source>
+            <translation>benet skannades inte</translation>
+        </message>
+        <message>
+            <source>the leg was not scanned, or the scan does not stand upright</source>
+            <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
+        </message>
+        <message>
+            <source>the marker {marker} was pointed at where the colour image shows nothing ({u:.0f}, {v:.0f}); point at it again</source>
+            <translation>markören {marker} pekades ut där färgbilden inte visar något ({u:.0f}, {v:.0f}); peka ut den igen</translation>
+        </message>
+        <message>
+            <source>the markers of the reference system "{system}" are not recognised: {reason}</source>
+            <translation>markörerna i referenssystemet ”{system}” känns inte igen: {reason}</translation>
+        </message>
+        <message>
+            <source>the markers that are seen lie almost on one line, so the sensor's place is uncertain</source>
+            <translation>markörerna som syns ligger nästan på en linje, så sensorns plats är osäker</translation>
+        </message>
+        <message>
+            <source>the navicular is not marked</source>
+            <translation>naviculare är inte märkt</translation>
+        </message>
+        <message>
+            <source>the same two points, perpendicular to the foot axis</source>
+            <translation>samma två punkter, vinkelrätt mot fotaxeln</translation>
+        </message>
+        <message>
+            <source>the search limited to a region</source>
+            <translation>sökningen begränsad till ett område</translation>
+        </message>
+        <message>
+            <source>the simulation with seed {seed}</source>
+            <translation>simuleringen med frö {seed}</translation>
+        </message>
+        <message>
+            <source>the square of the board is more likely {likely_mm} mm than {square_mm:g} mm, so measure it and give its true side</source>
+            <translation>brädets ruta är troligare {likely_mm} mm än {square_mm:g} mm, så mät den och ange dess verkliga sida</translation>
+        </message>
+        <message>
+            <source>the {count} markers that were pointed at cannot be seen at these places from anywhere; check which marker is which</source>
+            <translation>de {count} markörerna som pekades ut kan inte ses på dessa platser från någonstans; kontrollera vilken markör som är vilken</translation>
+        </message>
+        <message>
+            <source>the {paint} spots of the object are not found ({reason}); show it whole and well lit, and check its list of points</source>
+            <translation>föremålets {paint} fläckar hittas inte ({reason}); visa det helt och väl belyst, och kontrollera dess punktlista</translation>
+        </message>
+        <message>
+            <source>thickness</source>
+            <translation>tjocklek</translation>
+        </message>
+        <message>
+            <source>this design is of version {version}, and this program reads up to version {known}; install a newer Insole Studio.</source>
+            <translation>designen är av version {version}, och detta program läser upp till version {known}; installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>to the left</source>
+            <translation>åt vänster</translation>
+        </message>
+        <message>
+            <source>to the right</source>
+            <translation>åt höger</translation>
+        </message>
+        <message>
+            <source>toes</source>
+            <translation>tår</translation>
+        </message>
+        <message>
+            <source>top</source>
+            <translation>uppifrån</translation>
+        </message>
+        <message>
+            <source>turned by {turn_deg:.0f}°, it looks like itself within {apart_mm:.1f} mm; move some markers by a few studs so that it is less regular</source>
+            <translation>vriden {turn_deg:.0f}° liknar den sig själv inom {apart_mm:.1f} mm; flytta några markörer ett par knoppar så att den blir mindre regelbunden</translation>
+        </message>
+        <message>
+            <source>two corrections have the id "{twice}"; give each its own.</source>
+            <translation>två korrigeringar har id ”{twice}”; ge varje sitt eget.</translation>
+        </message>
+        <message>
+            <source>two of its markers are only {apart_mm:.0f} mm apart; move them apart</source>
+            <translation>två av dess markörer är bara {apart_mm:.0f} mm isär; flytta isär dem</translation>
+        </message>
+        <message>
+            <source>two of its markers hide each other when it is seen from {turn_deg:.0f}° aside; move them apart across the face</source>
+            <translation>två av dess markörer skymmer varandra när den ses {turn_deg:.0f}° från sidan; flytta isär dem över sidan</translation>
+        </message>
+        <message>
+            <source>undercut</source>
+            <translation>underskärning</translation>
+        </message>
+        <message>
+            <source>upper centre</source>
+            <translation>uppe i mitten</translation>
+        </message>
+        <message>
+            <source>upper left</source>
+            <translation>uppe till vänster</translation>
+        </message>
+        <message>
+            <source>upper right</source>
+            <translation>uppe till höger</translation>
+        </message>
+        <message>
+            <source>upwards</source>
+            <translation>uppåt</translation>
+        </message>
+        <message>
+            <source>version must be {known}, and is {version}.</source>
+            <translation>version måste vara {known}, och är {version}.</translation>
+        </message>
+        <message>
+            <source>view {view}: {reason}</source>
+            <translation>vyn {view}: {reason}</translation>
+        </message>
+        <message>
+            <source>watertight</source>
+            <translation>vattentät</translation>
+        </message>
+        <message>
+            <source>worst: {markers}</source>
+            <translation>sämst: {markers}</translation>
+        </message>
+        <message>
+            <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
+            <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>you may not write there; choose another place or ask for permission</source>
+            <translation>du får inte skriva där; välj en annan plats eller be om behörighet</translation>
+        </message>
+        <message>
+            <source>{archive} holds the path "{file}", which leads out of the archive; do not use this file.</source>
+            <translation>{archive} innehåller sökvägen ”{file}”, som leder ut ur arkivet; använd inte denna fil.</translation>
+        </message>
+        <message>
+            <source>{archive} is not a readable zip archive; copy it again from its source.</source>
+            <translation>{archive} är inget läsbart zip-arkiv; kopiera det igen från källan.</translation>
+        </message>
+        <message>
+            <source>{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session has; do not use this file.</source>
+            <translation>{archive} skulle packas upp till {size_gb:.1f} GB i {files} filer, mycket mer än en session har; använd inte denna fil.</translation>
+        </message>
+        <message>
+            <source>{area_mm2:.0f} mm² cannot be reached from above at {place}; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² kan inte nås uppifrån vid {place}; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.</source>
+            <translation>{area_mm2:.0f} mm² kan inte nås uppifrån; {limit:g} är tillåtna.</translation>
+        </message>
+        <message>
+            <source>{capture} has no reading in the middle; put a flat surface there.</source>
+            <translation>{capture} har inget mätvärde i mitten; ställ en plan yta där.</translation>
+        </message>
+        <message>
+            <source>{capture} is {width}×{height}, but a depth frame must be 640×480.</source>
+            <translation>{capture} är {width}×{height}, men en djupbild måste vara 640×480.</translation>
+        </message>
+        <message>
+            <source>{capture} needs a reading at the image centre and its measured distance; measure it, or take the capture out.</source>
+            <translation>{capture} behöver ett mätvärde i bildens mitt och sitt uppmätta avstånd; mät det, eller ta bort tagningen.</translation>
+        </message>
+        <message>
+            <source>{capture} shows no flat wall that fills at least {share:.0%} of the view; point the sensor at an empty flat wall and capture it again.</source>
+            <translation>{capture} visar ingen plan vägg som fyller minst {share:.0%} av synfältet; rikta sensorn mot en tom plan vägg och ta om den.</translation>
+        </message>
+        <message>
+            <source>{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep the space around them free and check the diameter.</source>
+            <translation>{capture} visar {count} kulor på ungefär {diameter_mm:g} mm, men staven har 2; håll utrymmet kring dem fritt och kontrollera diametern.</translation>
+        </message>
+        <message>
+            <source>{capture} was recorded with sensor {owner}, not with {serial}; use the captures of one sensor.</source>
+            <translation>{capture} spelades in med sensor {owner}, inte med {serial}; använd tagningar från en sensor.</translation>
+        </message>
+        <message>
+            <source>{columns}×{rows} inner corners</source>
+            <translation>{columns}×{rows} inre hörn</translation>
+        </message>
+        <message>
+            <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
+            <translation>{count} svarta prickar hittades på {name} och fyra behövs; välj punkterna i stället.</translation>
+        </message>
+        <message>
+            <source>{count} corners, seen from the front</source>
+            <translation>{count} hörn, sedda framifrån</translation>
+        </message>
+        <message>
+            <source>{count} corners, turned {turn_deg:.0f}° {side}</source>
+            <translation>{count} hörn, vridet {turn_deg:.0f}° {side}</translation>
+        </message>
+        <message>
+            <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
+            <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
+        </message>
+        <message>
+            <source>{count} sensors were named, but at most {most} work.</source>
+            <translation>{count} sensorer angavs, men högst {most} fungerar.</translation>
+        </message>
+        <message>
+            <source>{count} small {scraps} beside the foot left out.</source>
+            <translation>{count} små {scraps} bredvid foten utelämnades.</translation>
+        </message>
+        <message>
+            <source>{count} {things} were asked for, but 1 to {most} are possible.</source>
+            <translation>{count} {things} begärdes, men 1 till {most} är möjliga.</translation>
+        </message>
+        <message>
+            <source>{count} × {side}</source>
+            <translation>{count} × {side}</translation>
+        </message>
+        <message>
+            <source>{days:.0f} days old</source>
+            <translation>{days:.0f} dagar gammal</translation>
+        </message>
+        <message>
+            <source>{fault} ({reason})</source>
+            <translation>{fault} ({reason})</translation>
+        </message>
+        <message>
+            <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
+            <translation>{file} i {archive} är skadad; kopiera arkivet igen från källan.</translation>
+        </message>
+        <message>
+            <source>{file} is larger than {limit_mb} MB, which no file of a session is; check what was put there.</source>
+            <translation>{file} är större än {limit_mb} MB, vilket ingen fil i en session är; kontrollera vad som lades där.</translation>
+        </message>
+        <message>
+            <source>{file} is missing, but manifest.json names the view {view}.</source>
+            <translation>{file} saknas, men manifest.json anger vyn {view}.</translation>
+        </message>
+        <message>
+            <source>{file} is not valid JSON ({reason}); restore the file.</source>
+            <translation>{file} är ingen giltig JSON ({reason}); återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file} must hold one JSON object {{…}}; restore the file.</source>
+            <translation>{file} måste innehålla ett JSON-objekt {{…}}; återställ filen.</translation>
+        </message>
+        <message>
+            <source>{file}: the design is for a {side} foot and the foot is a {foot_side} one; restore the file from a backup.</source>
+            <translation>{file}: designen är för en {side} fot och foten är en {foot_side}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{file}: {key} {problem}.</source>
+            <translation>{file}: {key} {problem}.</translation>
+        </message>
+        <message>
+            <source>{file}: {place}design: {reason}</source>
+            <translation>{file}: {place}design: {reason}</translation>
+        </message>
+        <message>
+            <source>{file}: {reason}</source>
+            <translation>{file}: {reason}</translation>
+        </message>
+        <message>
+            <source>{finding} Change the design, or override the rule with a reason.</source>
+            <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
+        </message>
+        <message>
+            <source>{folder} holds colour of {width}×{height}, which no Kinect v1 sends.</source>
+            <translation>{folder} innehåller färg på {width}×{height}, vilket ingen Kinect v1 sänder.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no PNG images; name the folder with the wall captures.</source>
+            <translation>{folder} innehåller inga PNG-bilder; ange mappen med tagningarna av väggen.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no pictures named {kind}…; name the folder with the {words}.</source>
+            <translation>{folder} innehåller inga bilder med namnet {kind}…; ange mappen med {words}.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no {kind}_000.png, but a view has at least one.</source>
+            <translation>{folder} innehåller ingen {kind}_000.png, men en vy har minst en.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no {missing} pictures, but a view needs at least one; record again with {missing}.</source>
+            <translation>{folder} innehåller inga bilder av typen {missing}, men en vy behöver minst en; spela in igen med {missing}.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no {what}; name the folder with the pictures of the board.</source>
+            <translation>{folder} innehåller inga {what}; ange mappen med bilderna av brädet.</translation>
+        </message>
+        <message>
+            <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
+            <translation>{folder} innehåller kalibreringen av sensor {owner}; kalibrera om sensor {serial}.</translation>
+        </message>
+        <message>
+            <source>{folder} was not left by a capture; choose the folder it named.</source>
+            <translation>{folder} lämnades inte av en avbildning; välj mappen som den angav.</translation>
+        </message>
+        <message>
+            <source>{frame} is missing, but later frames are there; restore it or renumber.</source>
+            <translation>{frame} saknas, men senare bilder finns; återställ den eller numrera om.</translation>
+        </message>
+        <message>
+            <source>{given} distances are given, but {folder} holds {count} captures; give one distance for each, in the order of their names.</source>
+            <translation>{given} avstånd är angivna, men {folder} innehåller {count} tagningar; ange ett avstånd för var och en, i namnens ordning.</translation>
+        </message>
+        <message>
+            <source>{key}{where} has {count} places, and must have {least} to {most}; draw it again.</source>
+            <translation>{key}{where} har {count} platser, och måste ha {least} till {most}; rita den igen.</translation>
+        </message>
+        <message>
+            <source>{key}{where} is "{value}", and must be {allowed}.</source>
+            <translation>{key}{where} är ”{value}”, och måste vara {allowed}.</translation>
+        </message>
+        <message>
+            <source>{key}{where} is {value:g}, and must be {range}; put in a value of that range.</source>
+            <translation>{key}{where} är {value:g}, och måste vara {range}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{least:g} to {most:g}</source>
+            <translation>{least:g} till {most:g}</translation>
+        </message>
+        <message>
+            <source>{least:g} to {most:g} {unit}</source>
+            <translation>{least:g} till {most:g} {unit}</translation>
+        </message>
+        <message>
+            <source>{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} mm, and {allowed_mm:g} mm are allowed; allow more triangles or more deviation.</source>
+            <translation>{limit} trianglar är för få för denna kropp: {count} avviker {deviation_mm:.3f} mm, och {allowed_mm:g} mm är tillåtet; tillåt fler trianglar eller större avvikelse.</translation>
+        </message>
+        <message>
+            <source>{markers} excluded</source>
+            <translation>{markers} uteslutna</translation>
+        </message>
+        <message>
+            <source>{markers} pointed at</source>
+            <translation>{markers} utpekade</translation>
+        </message>
+        <message>
+            <source>{names} points are named, but {true_points} true and {measured_points} measured positions are given; give each point's both positions.</source>
+            <translation>{names} punkter har namn, men {true_points} sanna och {measured_points} uppmätta lägen är angivna; ange båda lägena för varje punkt.</translation>
+        </message>
+        <message>
+            <source>{name} cannot be decoded; restore it from the recording.</source>
+            <translation>{name} kan inte avkodas; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} cannot be read ({reason}); check the disk and the permissions.</source>
+            <translation>{name} kan inte läsas ({reason}); kontrollera disken och behörigheterna.</translation>
+        </message>
+        <message>
+            <source>{name} has no colours, so no dots can be found; pick the points instead.</source>
+            <translation>{name} har inga färger, så inga prickar kan hittas; välj punkterna i stället.</translation>
+        </message>
+        <message>
+            <source>{name} has no flat surface left to evaluate; capture a flat wall.</source>
+            <translation>{name} har ingen plan yta kvar att utvärdera; ta en plan vägg.</translation>
+        </message>
+        <message>
+            <source>{name} holds no depth frames; capture it again.</source>
+            <translation>{name} innehåller inga djupbilder; ta om den.</translation>
+        </message>
+        <message>
+            <source>{name} holds no readable array "offset"; calibrate the sensor again.</source>
+            <translation>{name} innehåller inget läsbart fält ”offset”; kalibrera sensorn igen.</translation>
+        </message>
+        <message>
+            <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
+            <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
+        </message>
+        <message>
+            <source>{name} is missing, but sensor.json names it as disparity_correction.</source>
+            <translation>{name} saknas, men sensor.json anger den som disparity_correction.</translation>
+        </message>
+        <message>
+            <source>{name} is no number a design can hold; put in a usual one.</source>
+            <translation>{name} är inget tal som en design kan ha; ange ett vanligt.</translation>
+        </message>
+        <message>
+            <source>{name} is not a PNG image; restore it from the recording.</source>
+            <translation>{name} är ingen PNG-bild; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} is of version {version}, which is newer than this program (it reads up to {version}); install a newer Insole Studio.</source>
+            <translation>{name} är av version {version}, som är nyare än detta program (det läser upp till {version}); installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>{name} is truncated or damaged; restore it from the recording.</source>
+            <translation>{name} är avkortad eller skadad; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} is {found}, but must be {expected}.</source>
+            <translation>{name} är {found}, men måste vara {expected}.</translation>
+        </message>
+        <message>
+            <source>{name} is {value} (usual: {low} to {high})</source>
+            <translation>{name} är {value} (vanligt: {low} till {high})</translation>
+        </message>
+        <message>
+            <source>{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.</source>
+            <translation>{name}: ”raw_range” måste innehålla två råvärden; kalibrera sensorn igen.</translation>
+        </message>
+        <message>
+            <source>{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor again.</source>
+            <translation>{name}: fältet ”{key}” måste innehålla 480×640 ändliga tal; kalibrera sensorn igen.</translation>
+        </message>
+        <message>
+            <source>{paper} is a paper, which is written as .pdf; change its suffix.</source>
+            <translation>{paper} är ett papper, som skrivs som .pdf; ändra filändelsen.</translation>
+        </message>
+        <message>
+            <source>{part_0} and {part_1}</source>
+            <translation>{part_0} och {part_1}</translation>
+        </message>
+        <message>
+            <source>{part_0} and {part_1} and {part_2}</source>
+            <translation>{part_0} och {part_1} och {part_2}</translation>
+        </message>
+        <message>
+            <source>{part_0} and {part_1} and {part_2} and {part_3}</source>
+            <translation>{part_0} och {part_1} och {part_2} och {part_3}</translation>
+        </message>
+        <message>
+            <source>{part_0} or {part_1}</source>
+            <translation>{part_0} eller {part_1}</translation>
+        </message>
+        <message>
+            <source>{part_0} or {part_1} or {part_2}</source>
+            <translation>{part_0} eller {part_1} eller {part_2}</translation>
+        </message>
+        <message>
+            <source>{part_0} with {part_1}</source>
+            <translation>{part_0} med {part_1}</translation>
+        </message>
+        <message>
+            <source>{part_0} with {part_1} with {part_2}</source>
+            <translation>{part_0} med {part_1} med {part_2}</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read ({reason}); name a folder that holds a sensor.json.</source>
+            <translation>{path} kan inte läsas ({reason}); ange en mapp som innehåller en sensor.json.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
+            <translation>{path} kan inte läsas som ett {format}-nät ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read: {reason}; check the name of the file.</source>
+            <translation>{path} kan inte läsas: {reason}; kontrollera filens namn.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be read: {reason}; export it again.</source>
+            <translation>{path} kan inte läsas: {reason}; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: the disk is full; free some space and try again.</source>
+            <translation>{path} kan inte skrivas: disken är full; frigör utrymme och försök igen.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: this place takes no files; choose another place.</source>
+            <translation>{path} kan inte skrivas: platsen tar inte emot filer; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: {reason}.</source>
+            <translation>{path} kan inte skrivas: {reason}.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: {reason}; choose another place.</source>
+            <translation>{path} kan inte skrivas: {reason}; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written; choose another place.</source>
+            <translation>{path} kan inte skrivas; välj en annan plats.</translation>
+        </message>
+        <message>
+            <source>{path} does not exist; check the name of the file.</source>
+            <translation>{path} finns inte; kontrollera filens namn.</translation>
+        </message>
+        <message>
+            <source>{path} does not exist; check the name.</source>
+            <translation>{path} finns inte; kontrollera namnet.</translation>
+        </message>
+        <message>
+            <source>{path} has lost its {file}; restore the file from a backup.</source>
+            <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} holds coordinates that are not numbers; it is damaged, so export it again.</source>
+            <translation>{path} innehåller koordinater som inte är tal; den är skadad, så exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds no manifest.json, so it is not a recorded session; choose the folder or zip archive of a session.</source>
+            <translation>{path} innehåller ingen manifest.json, så det är ingen inspelad session; välj en sessions mapp eller zip-arkiv.</translation>
+        </message>
+        <message>
+            <source>{path} holds no prescription yet; choose a case with a design.</source>
+            <translation>{path} innehåller ingen ordination än; välj ett fall med en design.</translation>
+        </message>
+        <message>
+            <source>{path} holds no raw 11-bit depth of 640×480; record it with depth format 11 bit.</source>
+            <translation>{path} innehåller inget rått 11-bitars djup på 640×480; spela in med djupformatet 11 bitar.</translation>
+        </message>
+        <message>
+            <source>{path} holds no surface that can be read, as if it were cut off or held points only; export it again as a triangle mesh.</source>
+            <translation>{path} innehåller ingen yta som kan läsas, som om den vore avskuren eller bara höll punkter; exportera den igen som triangelnät.</translation>
+        </message>
+        <message>
+            <source>{path} holds no {file}, so it is no case; choose an .insole file.</source>
+            <translation>{path} innehåller ingen {file}, så det är inget fall; välj en .insole-fil.</translation>
+        </message>
+        <message>
+            <source>{path} holds only triangles without area; export it again.</source>
+            <translation>{path} innehåller bara trianglar utan area; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} holds {count_a} points of a and {count_b} of b; pick each point on both.</source>
+            <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
+        </message>
+        <message>
+            <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
+            <translation>{path} är ett nät, som inte säger vilken fot det är; ange --side.</translation>
+        </message>
+        <message>
+            <source>{path} is flat, which is no surface of a foot; export it again.</source>
+            <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or zip archive of a session, or a {mesh_suffixes} file.</source>
+            <translation>{path} är varken ett fall, en session eller ett nät; öppna en {case_suffix}-fil, en sessions mapp eller zip-arkiv, eller en fil av typen {mesh_suffixes}.</translation>
+        </message>
+        <message>
+            <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
+            <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
+        </message>
+        <message>
+            <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>
+            <translation>{path} är ingen nätfil som kan läsas; ange en .ply-, .stl- eller .obj-fil.</translation>
+        </message>
+        <message>
+            <source>{path} is no name of a report; let it end in {suffixes}.</source>
+            <translation>{path} är inget namn på en rapport; låt det sluta på {suffixes}.</translation>
+        </message>
+        <message>
+            <source>{path} is no raw depth image (16-bit grey, numbers up to 2047); record the raw numbers of the sensor.</source>
+            <translation>{path} är ingen rå djupbild (16 bitar grått, tal till 2047); spela in sensorns råa tal.</translation>
+        </message>
+        <message>
+            <source>{path} is no readable case file; it may be damaged or cut off, so restore it from a backup.</source>
+            <translation>{path} är ingen läsbar fallfil; den kan vara skadad eller avskuren, så återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} is no readable image; restore it or take it out of the folder.</source>
+            <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
+        </message>
+        <message>
+            <source>{path} is no readable picture; restore it or take it out of the folder.</source>
+            <translation>{path} är ingen läsbar bild; återställ den eller ta bort den ur mappen.</translation>
+        </message>
+        <message>
+            <source>{path} is no valid JSON: {reason}; export the design again.</source>
+            <translation>{path} är ingen giltig JSON: {reason}; exportera designen igen.</translation>
+        </message>
+        <message>
+            <source>{path} is no valid JSON; correct the texts.</source>
+            <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
+        </message>
+        <message>
+            <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
+            <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
+        </message>
+        <message>
+            <source>{path} may not be read; ask for permission.</source>
+            <translation>{path} får inte läsas; be om behörighet.</translation>
+        </message>
+        <message>
+            <source>{path} measures {length:g} in its longest direction, which is no foot in millimetres, metres or inches; check the unit of the export.</source>
+            <translation>{path} mäter {length:g} i sin längsta riktning, vilket ingen fot gör i millimeter, meter eller tum; kontrollera exportens enhet.</translation>
+        </message>
+        <message>
+            <source>{path} names corners that it does not hold; it is damaged, so export it again.</source>
+            <translation>{path} anger hörn som den inte innehåller; den är skadad, så exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} names no form of a report; let it end in {suffixes}.</source>
+            <translation>{path} anger ingen form av rapport; låt namnet sluta på {suffixes}.</translation>
+        </message>
+        <message>
+            <source>{path} names no format that {what} is written as; choose {formats}.</source>
+            <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
+        </message>
+        <message>
+            <source>{path}: {file} is damaged; restore the file from a backup.</source>
+            <translation>{path}: {file} är skadad; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path}: {file} is far larger than a case has; do not use this file.</source>
+            <translation>{path}: {file} är mycket större än i ett fall; använd inte denna fil.</translation>
+        </message>
+        <message>
+            <source>{path}: {reason}</source>
+            <translation>{path}: {reason}</translation>
+        </message>
+        <message>
+            <source>{pictures} pictures show enough markers and {markers} markers are seen twice; take at least {least} pictures (better 15) from all sides.</source>
+            <translation>{pictures} bilder visar tillräckligt många markörer och {markers} markörer syns två gånger; ta minst {least} bilder (helst 15) från alla håll.</translation>
+        </message>
+        <message>
+            <source>{picture} holds the number {number}, but the sensor's raw numbers end at {greatest}; it is no raw depth frame.</source>
+            <translation>{picture} innehåller talet {number}, men sensorns råvärden slutar vid {greatest}; det är ingen rå djupbild.</translation>
+        </message>
+        <message>
+            <source>{picture} is blurred (an edge takes {edge_px:.1f} px); hold the board still and take the picture again.</source>
+            <translation>{picture} är oskarp (en kant tar {edge_px:.1f} px); håll brädet stilla och ta bilden igen.</translation>
+        </message>
+        <message>
+            <source>{picture} was left out: {reason}</source>
+            <translation>{picture} utelämnades: {reason}</translation>
+        </message>
+        <message>
+            <source>{picture}: a chequerboard is seen, but not one of {board}; show all of it, or count its inner corners (a row has one less than squares).</source>
+            <translation>{picture}: ett schackbräde syns, men inte ett med {board}; visa hela, eller räkna dess inre hörn (en rad har ett hörn mindre än rutor).</translation>
+        </message>
+        <message>
+            <source>{picture}: no chequerboard of {board} is seen; show the whole board, flat and well lit.</source>
+            <translation>{picture}: inget schackbräde med {board} syns; visa hela brädet, plant och väl belyst.</translation>
+        </message>
+        <message>
+            <source>{picture}: {corners} corners of the ChArUco board of {columns}×{rows} squares are seen, but {least} are needed; show more of the board, and check its size and dictionary.</source>
+            <translation>{picture}: {corners} hörn av ChArUco-brädet med {columns}×{rows} rutor syns, men {least} behövs; visa mer av brädet, och kontrollera dess storlek och förteckning.</translation>
+        </message>
+        <message>
+            <source>{problem} Kept so far: {views}.</source>
+            <translation>{problem} Sparat hittills: {views}.</translation>
+        </message>
+        <message>
+            <source>{problem}; calibrate this sensor, or insist on using it with a warning.</source>
+            <translation>{problem}; kalibrera den här sensorn, eller använd den ändå med en varning.</translation>
+        </message>
+        <message>
+            <source>{problem}; the depth may be wrong by several millimetres.</source>
+            <translation>{problem}; djupet kan vara fel med flera millimeter.</translation>
+        </message>
+        <message>
+            <source>{region} {percent:.0f} %</source>
+            <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
+            <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
+        </message>
+        <message>
+            <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>
+            <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
+        </message>
+        <message>
+            <source>{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
+            <translation>{value:.2f} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
+        </message>
+        <message>
+            <source>{view} is left out: {reason}.</source>
+            <translation>{view} utelämnas: {reason}.</translation>
+        </message>
+        <message>
+            <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
+            <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{where} has the key "{key}", which this version does not know; check its spelling or leave it out.</source>
+            <translation>{where} har nyckeln ”{key}”, som denna version inte känner; kontrollera stavningen eller utelämna den.</translation>
+        </message>
+        <message>
+            <source>{where} is of the type {type}, which this version does not know; it knows {known}.</source>
+            <translation>{where} är av typen {type}, som denna version inte känner; den känner {known}.</translation>
+        </message>
+        <message>
+            <source>{where} is of version {version}, which is newer than this program (it reads up to {newest}); install a newer Insole Studio.</source>
+            <translation>{where} har version {version}, som är nyare än detta program (det läser upp till {newest}); installera en nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>{where} is too large a number; put in a usual one.</source>
+            <translation>{where} är ett för stort tal; ange ett vanligt.</translation>
+        </message>
+        <message>
+            <source>{where} lacks the key "{key}"; add it.</source>
+            <translation>{where} saknar nyckeln ”{key}”; lägg till den.</translation>
+        </message>
+        <message>
+            <source>{where} must be a JSON object, with keys and values in {{ }}.</source>
+            <translation>{where} måste vara ett JSON-objekt, med nycklar och värden i {{ }}.</translation>
+        </message>
+        <message>
+            <source>{where} must be a list of places, each two numbers in [ ].</source>
+            <translation>{where} måste vara en lista med platser, var och en två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{where} must be a number, and is {value}.</source>
+            <translation>{where} måste vara ett tal, och är {value}.</translation>
+        </message>
+        <message>
+            <source>{where} must be a text; write it in quotation marks.</source>
+            <translation>{where} måste vara en text; skriv den inom citattecken.</translation>
+        </message>
+        <message>
+            <source>{where} must be true or false.</source>
+            <translation>{where} måste vara true eller false.</translation>
+        </message>
+        <message>
+            <source>{where} must be two numbers in [ ].</source>
+            <translation>{where} måste vara två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{zone}_end{where} is {end:g}, and must lie at least {least:g} beyond {zone}_start ({start:g}), or the surface gets a step.</source>
+            <translation>{zone}_end{where} är {end:g}, och måste ligga minst {least:g} bortom {zone}_start ({start:g}), annars får ytan ett steg.</translation>
+        </message>
+    </context>
+</TS>
