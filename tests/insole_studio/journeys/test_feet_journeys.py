@@ -345,11 +345,11 @@ def test_the_feet_are_compared_mirrored(two_feet: Application, settle: Settle) -
     press(two_feet, Qt.Key.Key_J)
     settle()
     counterpart = two_feet.features.design.side_by_side.counterpart
-    over = insole_difference(two_feet.surface, counterpart)
+    over = insole_difference(two_feet.stage.preview, counterpart)
     assert over is not None
-    assert two_feet.surface.mesh is not None
+    assert two_feet.stage.preview.mesh is not None
     assert np.nanmax(over) == pytest.approx(6.0, abs=0.05)
-    highest = two_feet.surface.mesh.vertices[np.nanargmax(over), :2]
+    highest = two_feet.stage.preview.mesh.vertices[np.nanargmax(over), :2]
     assert highest == pytest.approx([-8.0, 150.0], abs=1.5)
     assert np.nanquantile(np.abs(over), 0.5) < 0.05
     sole = foot_difference(two_feet.case.record.feet[1].foot, counterpart)
@@ -408,14 +408,14 @@ def test_the_other_foot_is_there_at_once_the_second_time(
 ) -> None:
     click_side(two_feet, Side.LEFT)
     settle()
-    left = two_feet.surface.mesh
+    left = two_feet.stage.preview.mesh
     assert left is not None
     click_side(two_feet, Side.RIGHT)
-    assert two_feet.surface.is_current  # without waiting
+    assert two_feet.stage.preview.is_current  # without waiting
     assert not two_feet.jobs.is_running("insole")
     click_side(two_feet, Side.LEFT)
-    assert two_feet.surface.mesh is not None
-    assert two_feet.surface.mesh.vertices == pytest.approx(left.vertices)
+    assert two_feet.stage.preview.mesh is not None
+    assert two_feet.stage.preview.mesh.vertices == pytest.approx(left.vertices)
 
 
 def test_a_foot_without_design_is_offered_that_of_the_other(two_feet: Application) -> None:
@@ -451,7 +451,7 @@ def test_a_scan_that_is_gone_is_noticed_when_the_case_is_opened(
     settle()
     (notice,) = opened_notices(two_feet, "sources")
     assert notice.count("not there any more") == 2
-    assert two_feet.surface.mesh is not None
+    assert two_feet.stage.preview.mesh is not None
     dismiss = two_feet.stage.notices.findChildren(QToolButton)[-1]
     QTest.mouseClick(dismiss, LEFT_BUTTON)
     assert opened_notices(two_feet, "sources") == []

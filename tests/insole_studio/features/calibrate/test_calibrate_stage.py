@@ -209,7 +209,7 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     after = store.load("SIM1")
     assert after is not None
     assert after.disparity != BURRUS
-    assert "Depth to colour is saved for sensor SIM1." in stage.view.next_text()
+    assert "Depth to colour is saved for sensor SIM1." in stage.view.next_steps.text()
     assert stage.view.error.text() == ""
 
 

@@ -10,6 +10,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.features.capture.capture_window import CaptureWindow
 from insole_studio.features.capture.stage import CaptureStage
@@ -76,10 +78,13 @@ class KeptStage(QWidget):
     closed = Signal()
 
 
-def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(qtbot: QtBot) -> None:
+def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(
+    qtbot: QtBot, emulating: Application, monkeypatch: pytest.MonkeyPatch
+) -> None:
     stage = KeptStage()
     qtbot.addWidget(stage)
-    window = CaptureWindow(lambda: stage)  # type: ignore[arg-type, return-value]
+    window = CaptureWindow(emulating.services, SensorSource(SensorStore(Path()), None))
+    monkeypatch.setattr(window, "make_stage", lambda: stage)
     opened: list[Path] = []
     window.captured.connect(opened.append)
     window.open()

@@ -23,7 +23,6 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
 from insole_core.workflows.pad_library import load_pads
-from insole_studio.app.bootstrap import make_tools
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, SectionPlane
@@ -34,6 +33,7 @@ from insole_studio.features.design.parameters.parameters_presenter import Parame
 from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
 from insole_studio.features.design.patient.patient_presenter import PatientPresenter
 from insole_studio.features.design.rows import FieldGroup
+from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.jobs import Jobs

@@ -12,9 +12,9 @@ from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane,
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
-from insole_studio.app.bootstrap import make_tools
 from insole_studio.document.case import Case
 from insole_studio.document.section_plane import SectionModel, SectionPlane
+from insole_studio.features.design.tools.all_tools import make_tools
 from insole_studio.features.design.tools.key_point_tool import confidence, distances, shown_points
 from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.features.design.tools.tool_controller import ToolController
