@@ -110,9 +110,9 @@ def capture_s(
                 if status.phase is not Phase.VERIFYING:
                     taken.append(time.monotonic())
 
-            workplace = CaptureSetup(system, NothingStored())
+            setup = CaptureSetup(system, NothingStored())
             start = time.monotonic()
-            CaptureRunner(sensors, plan, workplace, draft, CaptureCallbacks(note)).run()
+            CaptureRunner(sensors, plan, setup, draft, CaptureCallbacks(note)).run()
             return taken[-1] - start, time.monotonic() - start
         finally:
             close_sensors(sensors.values())

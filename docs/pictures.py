@@ -41,19 +41,19 @@ def main() -> None:
     """Take them all."""
     with tempfile.TemporaryDirectory() as folder:
         here = Path(folder)
-        places = UserPaths(here / "settings.json", here / "autosave")
+        paths = UserPaths(here / "settings.json", here / "autosave")
         session = here / "left_foot.zip"
         simulated = simulate_session(SimulationOptions(seed=SEED, side=Side.LEFT, distance_mm=700))
         write_session(simulated.session, session)
-        take_windows(places)
-        take_feet(places, session)
-        take_foot_stage(places, session)
+        take_windows(paths)
+        take_feet(paths, session)
+        take_foot_stage(paths, session)
 
 
-def take_windows(places: UserPaths) -> None:
+def take_windows(paths: UserPaths) -> None:
     """The window in both themes, a pelott in the hand."""
     for name, size, dark in (("light", SMALL, False), ("dark-height-map", LARGE, True)):
-        with ScriptedWindow(places, size, dark) as studio:
+        with ScriptedWindow(paths, size, dark) as studio:
             studio.open(EXAMPLE)
             act(studio, "tool_pelott")
             studio.app.case.select("pelott")
@@ -62,9 +62,9 @@ def take_windows(places: UserPaths) -> None:
             studio.screenshot(DOCS / f"images/window-{name}.png")
 
 
-def take_feet(places: UserPaths, session: Path) -> None:
+def take_feet(paths: UserPaths, session: Path) -> None:
     """Both feet side by side, then two variants of one."""
-    with ScriptedWindow(places, SMALL) as studio:
+    with ScriptedWindow(paths, SMALL) as studio:
         studio.open(EXAMPLE)
         studio.open(session)
         features, case = studio.app.features, studio.app.case
@@ -91,15 +91,15 @@ def take_feet(places: UserPaths, session: Path) -> None:
         studio.screenshot(DOCS / "manual/images/variants-compared.png")
 
 
-def take_foot_stage(places: UserPaths, session: Path) -> None:
+def take_foot_stage(paths: UserPaths, session: Path) -> None:
     """The views in their colours, their distance, and what is corrected by hand."""
-    with ScriptedWindow(places, SMALL) as studio:
+    with ScriptedWindow(paths, SMALL) as studio:
         studio.open(session)
         take_stage(studio, "views")
         stage_of(studio).presenter.choose_map(FootMap.AGREEMENT)
         take_stage(studio, "agreement")
     write_edits(EDITS, session)
-    with ScriptedWindow(places, SMALL) as studio:
+    with ScriptedWindow(paths, SMALL) as studio:
         studio.open(session)
         stage_of(studio).view.table.selectRow(0)
         take_stage(studio, "corrected")

@@ -74,15 +74,15 @@ def _scripted() -> int:
     from insole_studio.app.scripted_answers import ScriptedAnswers
     from insole_studio.user_paths import UserPaths
 
-    places = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
+    paths = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
     answers = ScriptedAnswers(replace=True)  # what an earlier demonstration wrote
     written = [OUTPUT / "session.png", OUTPUT / "case.png"]
-    with ScriptedWindow(places, answers=answers) as studio:
+    with ScriptedWindow(paths, answers=answers) as studio:
         studio.open(SESSION)
         studio.place_pelott(0.0, 140.0)
         studio.screenshot(OUTPUT / "session.png")
         written += studio.export(OUTPUT / "session-insole.stl")
-    with ScriptedWindow(places, answers=answers) as studio:
+    with ScriptedWindow(paths, answers=answers) as studio:
         studio.open(resource_path("example/example.insole"))
         studio.screenshot(OUTPUT / "case.png")
         written += studio.export(OUTPUT / "case-insole.stl")

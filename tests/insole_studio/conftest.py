@@ -138,7 +138,7 @@ def aim_only(canvas: ImageCanvas) -> None:
 
 
 @pytest.fixture
-def places(tmp_path: Path) -> UserPaths:
+def paths(tmp_path: Path) -> UserPaths:
     return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
 
@@ -159,10 +159,10 @@ def questions() -> CannedQuestions:
 
 @pytest.fixture
 def app(
-    qapp: QApplication, qtbot: QtBot, places: UserPaths, questions: CannedQuestions
+    qapp: QApplication, qtbot: QtBot, paths: UserPaths, questions: CannedQuestions
 ) -> Iterator[Application]:
     """The whole application on an empty case, shown."""
-    built = build_application(qapp, places)
+    built = build_application(qapp, paths)
     built.services.messages.questions = questions  # type: ignore[assignment]
     built.window.resize(960, 640)  # fewer pixels for the software renderer
     built.window.show()
@@ -175,9 +175,9 @@ def app(
 
 
 @pytest.fixture
-def hands(qapp: QApplication, places: UserPaths) -> Iterator[Hands]:
+def hands(qapp: QApplication, paths: UserPaths) -> Iterator[Hands]:
     """A user before the empty window."""
-    with ScriptedWindow(places, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
+    with ScriptedWindow(paths, MANUAL_SIZE if MANUAL else SMALL_SIZE) as studio:
         yield Hands(studio)
 
 

@@ -55,9 +55,9 @@ def test_a_case_is_freed_when_another_one_is_opened(
 
 
 def test_an_application_is_freed_when_it_is_closed(
-    qapp: QApplication, places: UserPaths, make_foot: MakeFoot
+    qapp: QApplication, paths: UserPaths, make_foot: MakeFoot
 ) -> None:
-    app = build_application(qapp, places)
+    app = build_application(qapp, paths)
     app.window.show()
     app.case.open_foot(own_foot(make_foot), NOWHERE)
     while app.jobs.is_running():

@@ -97,27 +97,27 @@ class CaptureRunner:
     sensors
         The open ones by serial number; those that the plan does not name are kept dark.
     plan
-    workplace
+    setup
     draft
-    watcher
+    callbacks
     """
 
     def __init__(
         self,
         sensors: Mapping[str, OpenSensor],
         plan: CapturePlan,
-        workplace: CaptureSetup,
+        setup: CaptureSetup,
         draft: Draft,
-        watcher: CaptureCallbacks,
+        callbacks: CaptureCallbacks,
     ) -> None:
         self._sensors = sensors
         self._plan = plan
         self._draft = draft
-        self._watcher = watcher
+        self._callbacks = callbacks
         self._told: CaptureStatus | None = None
         self._under_way: tuple[str, ...] = ()
         self._calibrated = {
-            shot.view: workplace.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
+            shot.view: setup.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
         }
         self._views = {
             shot.view: ViewStatus(shot.view, shot.serial, 0, plan.frames, place=shot.place)
@@ -176,7 +176,7 @@ class CaptureRunner:
         self._under_way = tuple(shot.view for shot in step.shots)
         if step.by_hand:
             self._tell(Phase.MOVING, hand_sentence(step))
-            self._watcher.wait_for_hand(step)
+            self._callbacks.wait_for_hand(step)
         for shot in step.shots:
             self._move(shot, step.by_hand, tilts.get(shot.serial))
         self._tell(Phase.SETTLING, _settling(names))
@@ -228,7 +228,7 @@ class CaptureRunner:
         for series in taken:
             self._draft.begin_view(series.shot.view, self._calibrated[series.shot.view])
         while not all(series.complete for series in taken):
-            if self._watcher.is_cancelled():
+            if self._callbacks.is_cancelled():
                 raise Cancelled(names)
             came = [self._advance(series) for series in taken]
             if any(came):
@@ -245,14 +245,14 @@ class CaptureRunner:
         came = poll_depth(series.sensor)
         if came is not None:
             image, time_s = came
-            self._watcher.show(serial, image)
+            self._callbacks.show(serial, image)
             for index, used in series.take_depth(image, time_s):
                 self._draft.add_depth(view, index, used)
             self._views[view] = series.status()
         frame = series.sensor.poll_color()
         if frame is not None and series.wants_color(frame.host_time_s):
             picture = series.sensor.color_picture(frame)
-            self._watcher.show(serial, picture)
+            self._callbacks.show(serial, picture)
             series.light = judge_light(picture)
             self._draft.add_color(view, series.color_count, picture)
             series.color_count += 1
@@ -262,7 +262,7 @@ class CaptureRunner:
         view = series.shot.view
         calibrated = self._calibrated[view]
         warnings = (*calibrated.warnings, *series.check())
-        settled_after_s = series.settling.settled_after_s or 0.0
+        settled_after_s = series.stabilisation.settled_after_s or 0.0
         warm_s = time.monotonic() - series.sensor.opened_s
         facts = ViewFacts(settled_after_s, series.discarded, warm_s, warnings)
         self._draft.finish_view(view, calibrated, facts)
@@ -272,7 +272,7 @@ class CaptureRunner:
         status = CaptureStatus(phase, tuple(self._views.values()), sentence, self._under_way)
         if status != self._told:
             self._told = status
-            self._watcher.report(status)
+            self._callbacks.report(status)
 
     def _told_with_kept(self, error: SensorError) -> Message:
         kept = joined(self._draft.views)

@@ -40,15 +40,15 @@ _ROLL_DEG = 1.0
 """A smaller lean is the accelerometer's noise."""
 
 
-def serve(connection: Connection, board: SharedFrameBuffer, place: SensorSource) -> None:
+def serve(connection: Connection, board: SharedFrameBuffer, source: SensorSource) -> None:
     """Run the service until the other end says so, or is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window, which tells us
     try:
-        rig, workplace = place.rig(), place.workplace()
+        rig, setup = source.rig(), source.setup()
     except InsoleError as error:
         connection.send(Sensors((), str(error)))
         return
-    service = _Service(connection, LiveSensors(rig, board.write), workplace, place.put)
+    service = _Service(connection, LiveSensors(rig, board.write), setup, source.put)
     try:
         service.run()
     finally:
@@ -62,12 +62,12 @@ class _Service:
         self,
         connection: Connection,
         live: LiveSensors,
-        workplace: CaptureSetup,
+        setup: CaptureSetup,
         put: Callable[[CaptureStep], None],
     ) -> None:
         self._connection = connection
         self._live = live
-        self._workplace = workplace
+        self._setup = setup
         self._put = put
         self._waiting: deque[Command] = deque()
         self._quitting = False
@@ -183,12 +183,12 @@ class _Service:
             if exists
             else Draft(order.folder, order.manifest, order.order)
         )
-        watcher = CaptureCallbacks(
+        callbacks = CaptureCallbacks(
             self._report, self._is_cancelled, self._wait_for_hand, self._live.show
         )
         try:
             sensors = self._live.opened
-            return CaptureRunner(sensors, order.plan, self._workplace, draft, watcher).run()
+            return CaptureRunner(sensors, order.plan, self._setup, draft, callbacks).run()
         finally:
             draft.close()
 

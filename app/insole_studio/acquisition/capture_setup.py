@@ -116,7 +116,7 @@ def _checked(sensor: Sensor) -> Calibrated:
     return Calibrated(corrected.sensor, "settings", corrected.warnings)
 
 
-def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> CaptureSetup:
+def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSetup:
     """Give the room of this computer.
 
     Parameters
@@ -133,7 +133,7 @@ def own_workplace(stored: SensorFiles, system_file: Path | None = None) -> Captu
     return CaptureSetup(system, stored)
 
 
-def recorded_workplace(stored: SensorFiles, session: Session) -> CaptureSetup:
+def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
     """Give the room in which a session was recorded, for its emulated sensors."""
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}

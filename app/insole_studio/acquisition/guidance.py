@@ -99,7 +99,9 @@ class FrameSnapshot:
     color: ByteArray
 
 
-def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: FrameSnapshot) -> Guidance:
+def guide(
+    sensor: Sensor, system: ReferenceSystem, volume: Box, snapshot: FrameSnapshot
+) -> Guidance:
     """Judge the pictures of one sensor.
 
     Parameters
@@ -108,9 +110,9 @@ def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: FrameSn
     system
     volume
         Where the foot should be, reference frame.
-    glimpse
+    snapshot
     """
-    depth, color = glimpse.depth, glimpse.color
+    depth, color = snapshot.depth, snapshot.color
     depth_mm = sensor.depth_mm(np.where(depth == NO_READING, np.nan, depth.astype(float)))
     valid_share = float(np.isfinite(depth_mm).mean())
     seen, foot_points = _locate(_for_picture(sensor, color), system, volume, depth_mm, color)
@@ -120,7 +122,7 @@ def guide(sensor: Sensor, system: ReferenceSystem, volume: Box, glimpse: FrameSn
         *_marker_hints(seen, wanted, foot_points),
         *_light_hints(color),
     ]
-    if _is_moving(depth, glimpse.depth_before):
+    if _is_moving(depth, snapshot.depth_before):
         hints.append(Hint(HintKind.MOVING))
     return Guidance(valid_share, seen, wanted, tuple(hints))
 

@@ -12,8 +12,8 @@ from insole_studio.acquisition.capture_plan import CaptureStep
 from insole_studio.acquisition.capture_setup import (
     CaptureSetup,
     SensorFiles,
-    own_workplace,
-    recorded_workplace,
+    own_setup,
+    recorded_setup,
 )
 from insole_studio.acquisition.emulated_rig import EmulatedRig, emulated_bursts, emulated_views
 from insole_studio.acquisition.rig import Rig
@@ -64,7 +64,7 @@ class SensorSource:
         with translating():
             return Rig(system_bus())
 
-    def workplace(self) -> CaptureSetup:
+    def setup(self) -> CaptureSetup:
         """Describe the room.
 
         Raises
@@ -72,8 +72,8 @@ class SensorSource:
         InputError
         """
         if self.session is not None:
-            return recorded_workplace(self.stored, self.session)
-        return own_workplace(self.stored, self.system_file)
+            return recorded_setup(self.stored, self.session)
+        return own_setup(self.stored, self.system_file)
 
     def usual_views(self) -> tuple[tuple[str, str], ...]:
         """Give view and serial number of each emulated view; nothing for real sensors."""

@@ -18,18 +18,18 @@ class CaptureService:
 
     Parameters
     ----------
-    place
+    source
         Where the sensors are.
     """
 
-    def __init__(self, place: SensorSource) -> None:
+    def __init__(self, source: SensorSource) -> None:
         # Not forked: a copy of a program with threads and a window would not be safe.
         context = multiprocessing.get_context("spawn")
         self._connection, theirs = context.Pipe()
         self._board = SharedFrameBuffer(context)
         self._process = context.Process(
             target=serve,
-            args=(theirs, self._board, replace(place)),
+            args=(theirs, self._board, replace(source)),
             name="capture-service",
             daemon=True,
         )

@@ -62,14 +62,14 @@ class Series:
         self.color_count = 0
         self.light = Light.GOOD
         """Of the last colour picture."""
-        self.settling = Stabilisation(plan.settle, beginning.switched_s)
+        self.stabilisation = Stabilisation(plan.settle, beginning.switched_s)
         self._plan = plan
         self._beginning = beginning
 
     @property
     def settled(self) -> bool:
         """Whether frames are used by now."""
-        return self.settling.settled_after_s is not None
+        return self.stabilisation.settled_after_s is not None
 
     @property
     def complete(self) -> bool:
@@ -87,7 +87,7 @@ class Series:
         if time_s <= self._beginning.clear_s:
             return []
         missing = self._plan.frames - len(self.depth)
-        used = self.settling.add(image, time_s)[:missing]
+        used = self.stabilisation.add(image, time_s)[:missing]
         first = len(self.depth)
         self.depth += used
         return list(enumerate(used, start=first))
@@ -112,7 +112,7 @@ class Series:
     def check(self) -> tuple[str, ...]:
         """Say what is doubtful about the frames, a sentence each."""
         view, warnings = self.shot.view, []
-        if self.settling.timed_out:
+        if self.stabilisation.timed_out:
             warnings.append(
                 Message(
                     "The depth of view {view} was still changing when it was captured; hold the "

@@ -33,7 +33,7 @@ class ScriptedWindow:
 
     Parameters
     ----------
-    places
+    paths
     size
         Of the window, pixels.
     dark
@@ -43,13 +43,13 @@ class ScriptedWindow:
 
     def __init__(
         self,
-        places: UserPaths,
+        paths: UserPaths,
         size: tuple[int, int] = DEFAULT_SIZE,
         dark: bool = False,
         answers: ScriptedAnswers | None = None,
     ) -> None:
         self._qt = qt_application()
-        self.app = build_application(self._qt, places)
+        self.app = build_application(self._qt, paths)
         self.app.main.appearance.set_dark(dark)
         self.answers = answers or ScriptedAnswers()
         self.app.services.messages.questions = AnsweredQuestions(self.app.window, self.answers)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError, OutputError, UsageError
 from insole_core.progress import Progress
-from insole_studio.cli.rig_arguments import add_rig_arguments, place_of
+from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
@@ -68,12 +68,12 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         open_sensors,
     )
 
-    place = place_of(arguments, arguments.reference)
-    rig, workplace = place.rig(), place.workplace()
+    source = sensor_source_of(arguments, arguments.reference)
+    rig, setup = source.rig(), source.setup()
     found = len(rig.require())
     left = _left_draft(arguments.resume) if arguments.resume else None
-    request = _request(arguments, place, found, left)
-    draft = left or _new_draft(arguments, request, place, workplace)
+    request = _request(arguments, source, found, left)
+    draft = left or _new_draft(arguments, request, source, setup)
     with closing(draft):
         draft.expect(request.plan().views)
         plan = _missing(request.plan(), draft.views)
@@ -84,8 +84,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         try:
             sensors = open_sensors(rig, plan.serials)
             try:
-                watcher = CaptureCallbacks(report, wait_for_hand=partial(_wait_for_hand, place))
-                warnings = CaptureRunner(sensors, plan, workplace, draft, watcher).run()
+                callbacks = CaptureCallbacks(report, wait_for_hand=partial(_wait_for_hand, source))
+                warnings = CaptureRunner(sensors, plan, setup, draft, callbacks).run()
             finally:
                 close_sensors(sensors.values())
             progress.step(0.95, "Checking the session")
@@ -112,7 +112,7 @@ def _left_draft(folder: Path) -> Draft:
 
 
 def _request(
-    arguments: argparse.Namespace, place: SensorSource, found: int, left: Draft | None
+    arguments: argparse.Namespace, source: SensorSource, found: int, left: Draft | None
 ) -> PlanRequest:
     """Give what is to be captured: as the call says, else as it was begun, else as it is played."""
     from insole_studio.acquisition.capture_plan import parse_assignment
@@ -121,13 +121,13 @@ def _request(
     kept = kept_request(left.manifest.extra) if left else None
     if kept and arguments.views is None:
         return kept
-    assignment = parse_assignment(arguments.views) if arguments.views else place.usual_views()
+    assignment = parse_assignment(arguments.views) if arguments.views else source.usual_views()
     if not assignment:
         raise UsageError(
             f"Say which of the {found} sensors gives which view, for example --views left=SERIAL "
             "right=SERIAL top=SERIAL; insole-studio sensors lists the serial numbers."
         )
-    usual_bursts = 1 if arguments.views else place.usual_bursts()
+    usual_bursts = 1 if arguments.views else source.usual_bursts()
     return PlanRequest(
         tuple(assignment),
         arguments.frames,
@@ -144,45 +144,43 @@ def _missing(plan: CapturePlan, finished: Sequence[str]) -> CapturePlan:
 def _new_draft(
     arguments: argparse.Namespace,
     request: PlanRequest,
-    place: SensorSource,
-    workplace: CaptureSetup,
+    source: SensorSource,
+    setup: CaptureSetup,
 ) -> Draft:
     from insole_studio.acquisition.draft import Draft, drafts_folder_of_user
 
     views = request.plan().views
-    manifest = replace(_manifest(arguments, place, workplace), extra=request.as_extra())
+    manifest = replace(_manifest(arguments, source, setup), extra=request.as_extra())
     name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side.value}"
     return Draft(drafts_folder_of_user() / name, manifest, views)
 
 
-def _manifest(
-    arguments: argparse.Namespace, place: SensorSource, workplace: CaptureSetup
-) -> Manifest:
+def _manifest(arguments: argparse.Namespace, source: SensorSource, setup: CaptureSetup) -> Manifest:
     from insole_core.geometry.side import Side
     from insole_core.recording.session import CaptureCondition, Manifest
 
-    recorded = place.session.manifest.side.value if place.session else None
+    recorded = source.session.manifest.side.value if source.session else None
     side = arguments.side or recorded
     if side is None:
         raise UsageError("Say which foot is captured: --side left or --side right.")
     return Manifest(
         recorded_at=datetime.now(UTC).isoformat(timespec="milliseconds"),
         side=Side(side),
-        reference_system=workplace.system,
+        reference_system=setup.system,
         views=(),
-        volume_of_interest=workplace.volume_of_interest,
+        volume_of_interest=setup.volume_of_interest,
         capture_condition=CaptureCondition(
             arguments.weight_bearing, arguments.held, arguments.notes
         ),
     )
 
 
-def _wait_for_hand(place: SensorSource, step: CaptureStep) -> None:
+def _wait_for_hand(source: SensorSource, step: CaptureStep) -> None:
     """Ask for a sensor to be moved; emulated ones need no hand."""
     from insole_studio.acquisition.capture_runner import hand_sentence
 
-    if place.room is not None:
-        place.put(step)
+    if source.room is not None:
+        source.put(step)
         return
     print(f"{hand_sentence(step)}, then press Enter.", file=sys.stderr, flush=True)
     if not sys.stdin.readline():

@@ -26,7 +26,9 @@ def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
 
 
-def place_of(arguments: argparse.Namespace, system_file: Path | None = None) -> SensorSource:
+def sensor_source_of(
+    arguments: argparse.Namespace, system_file: Path | None = None
+) -> SensorSource:
     """Give the place of a call."""
     from insole_studio.acquisition.sensor_source import SensorSource
 

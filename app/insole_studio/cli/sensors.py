@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.cli.rig_arguments import add_rig_arguments, place_of
+from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
 
 if TYPE_CHECKING:
     from insole_studio.acquisition.capture_status import FoundSensor
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print a line a sensor."""
-    rig = place_of(arguments).rig()
+    rig = sensor_source_of(arguments).rig()
     found = rig.find()
     if arguments.json:
         print(json.dumps([_values(sensor) for sensor in found], indent=1))

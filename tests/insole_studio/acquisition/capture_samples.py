@@ -84,7 +84,7 @@ class Bench:
     depth: dict[str, RawFrames]
     emulated: EmulatedBus
     rig: Rig
-    workplace: CaptureSetup
+    setup: CaptureSetup
     draft: Draft
     told: list[CaptureStatus] = field(default_factory=list)
     sensors: dict[str, OpenSensor] = field(default_factory=dict)
@@ -93,8 +93,8 @@ class Bench:
         """Open the sensors of a plan and carry it out."""
         if not self.sensors:
             self.sensors = open_sensors(self.rig, plan.serials)
-        watcher = CaptureCallbacks(**{"report": self.told.append, **watching})
-        return CaptureRunner(self.sensors, plan, self.workplace, self.draft, watcher).run()
+        callbacks = CaptureCallbacks(**{"report": self.told.append, **watching})
+        return CaptureRunner(self.sensors, plan, self.setup, self.draft, callbacks).run()
 
     def close(self) -> None:
         try:
@@ -126,7 +126,7 @@ def make_bench(
     }
     emulated = EmulatedBus(list(kinects.values()), controllers, SPEED)
     system = load_reference_system(resource_path(DEFAULT_SYSTEM))
-    workplace = CaptureSetup(system, stored)
+    setup = CaptureSetup(system, stored)
     manifest = Manifest(
         "2026-11-20T10:00:00+00:00",
         Side.LEFT,
@@ -135,4 +135,4 @@ def make_bench(
         capture_condition=CaptureCondition("semi", True, "cold feet"),
     )
     draft = Draft(folder, manifest, VIEWS)
-    return Bench(kinects, depth, emulated, Rig(UsbBus(emulated)), workplace, draft)
+    return Bench(kinects, depth, emulated, Rig(UsbBus(emulated)), setup, draft)

@@ -34,8 +34,8 @@ PATIENCE_S = 30.0
 class Window:
     """Stands in for the window: keeps the news, and waits for what must come."""
 
-    def __init__(self, place: SensorSource) -> None:
-        self.service = CaptureService(place)
+    def __init__(self, source: SensorSource) -> None:
+        self.service = CaptureService(source)
         self.events: list[Event] = []
 
     def wait_for(self, wanted: Callable[[Event], bool]) -> Event:

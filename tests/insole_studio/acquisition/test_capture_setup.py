@@ -13,7 +13,7 @@ from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
-from insole_studio.acquisition.capture_setup import own_workplace, recorded_workplace
+from insole_studio.acquisition.capture_setup import own_setup, recorded_setup
 
 
 @pytest.fixture
@@ -31,9 +31,9 @@ def test_the_stored_calibration_of_the_serial_number_is_used(
     bench: Bench, store: SensorStore
 ) -> None:
     store.save(replace(nominal_kinect("A1"), correction=corrected("A1")))
-    workplace = own_workplace(store)
+    setup = own_setup(store)
     with bench.rig.open("A1") as opened:
-        found = workplace.calibrated(opened, "top")
+        found = setup.calibrated(opened, "top")
     assert found.origin == "settings"
     assert found.sensor.serial == "A1"
     assert found.sensor.faces == ("achilles",)
@@ -43,7 +43,7 @@ def test_the_stored_calibration_of_the_serial_number_is_used(
 
 def test_without_one_the_device_tells(bench: Bench, store: SensorStore) -> None:
     with bench.rig.open("B2") as opened:
-        found = own_workplace(store).calibrated(opened, "left")
+        found = own_setup(store).calibrated(opened, "left")
     assert found.origin == "factory"
     assert found.sensor.faces == ("sole",)
     assert found.sensor.depth_camera.fx == pytest.approx(575.816, abs=1e-3)
@@ -54,20 +54,20 @@ def test_without_one_the_device_tells(bench: Bench, store: SensorStore) -> None:
 def test_a_correction_of_another_sensor_is_refused(bench: Bench, store: SensorStore) -> None:
     store.save(replace(nominal_kinect("A1"), correction=corrected("Z9")))
     with bench.rig.open("A1") as opened, pytest.raises(CalibrationError, match="sensor Z9"):
-        own_workplace(store).calibrated(opened, "left")
+        own_setup(store).calibrated(opened, "left")
 
 
 def test_an_emulated_sensor_is_calibrated_as_recorded(
     store: SensorStore, small_session: Path
 ) -> None:
     session = read_session(small_session)
-    workplace = recorded_workplace(store, session)
-    assert workplace.system == session.manifest.reference_system
-    assert workplace.volume_of_interest == session.manifest.volume_of_interest
-    assert set(workplace.recorded) == set(session.manifest.views)
+    setup = recorded_setup(store, session)
+    assert setup.system == session.manifest.reference_system
+    assert setup.volume_of_interest == session.manifest.volume_of_interest
+    assert set(setup.recorded) == set(session.manifest.views)
 
 
 def test_an_own_reference_system_is_read(store: SensorStore, tmp_path: Path) -> None:
-    usual = own_workplace(store).system
+    usual = own_setup(store).system
     save_reference_system(replace(usual, name="own"), tmp_path / "own.json")
-    assert own_workplace(store, tmp_path / "own.json").system.name == "own"
+    assert own_setup(store, tmp_path / "own.json").system.name == "own"

@@ -82,8 +82,8 @@ def test_an_empty_view(session: Session) -> None:
     view = session.views[0]
     nothing = np.full((480, 640), 2047, np.uint16)
     volume = volume_of_interest(session)
-    glimpse = FrameSnapshot(nothing, nothing, view.read_color(0))
-    found = guide(view.sensor, session.manifest.reference_system, volume, glimpse)
+    snapshot = FrameSnapshot(nothing, nothing, view.read_color(0))
+    found = guide(view.sensor, session.manifest.reference_system, volume, snapshot)
     assert found.valid_share == 0
     assert found.hints[0] == Hint(HintKind.NOTHING_MEASURED)
 

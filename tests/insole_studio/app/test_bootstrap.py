@@ -23,9 +23,9 @@ from insole_studio.user_paths import UserPaths
 
 
 def test_the_whole_journey_by_program(
-    qapp: QApplication, places: UserPaths, small_session: Path, tmp_path: Path
+    qapp: QApplication, paths: UserPaths, small_session: Path, tmp_path: Path
 ) -> None:
-    with ScriptedWindow(places, (1000, 700)) as studio:
+    with ScriptedWindow(paths, (1000, 700)) as studio:
         studio.open(small_session)
         assert studio.app.case.side is Side.LEFT
         studio.place_pelott(2.0, 150.0)
@@ -42,11 +42,11 @@ def test_the_whole_journey_by_program(
 
 
 def test_a_second_file_is_opened_over_unsaved_work(
-    qapp: QApplication, places: UserPaths, tmp_path: Path
+    qapp: QApplication, paths: UserPaths, tmp_path: Path
 ) -> None:
     for name in ("first", "second"):
         write_case(CaseRecord(patient=Patient(name=name)), tmp_path / f"{name}.insole")
-    with ScriptedWindow(places, (900, 600)) as studio:
+    with ScriptedWindow(paths, (900, 600)) as studio:
         case = studio.app.case
         studio.open(tmp_path / "first.insole")
         case.apply(Patient(name="changed"), "change")
@@ -67,22 +67,20 @@ def close_soon(window_seen: list[str]) -> None:
             widget.close()
 
 
-def test_the_application_runs_until_its_window_closes(
-    qapp: QApplication, places: UserPaths
-) -> None:
+def test_the_application_runs_until_its_window_closes(qapp: QApplication, paths: UserPaths) -> None:
     seen: list[str] = []
     QTimer.singleShot(300, qapp, lambda: close_soon(seen))
     hook = sys.excepthook
-    assert run_application([], places) == 0
+    assert run_application([], paths) == 0
     assert len(seen) == 1
     assert sys.excepthook is sys.__excepthook__ or sys.excepthook is hook
-    assert load_settings(places.settings_file).window_docks != ""
+    assert load_settings(paths.settings_file).window_docks != ""
     sys.excepthook = hook
 
 
-def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places: UserPaths) -> None:
+def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, paths: UserPaths) -> None:
     jobs, case = Jobs(), Case()
-    left = Autosave(case, jobs, places.autosave_folder)
+    left = Autosave(case, jobs, paths.autosave_folder)
     case.open(CaseRecord(patient=Patient(name="Anna B.")), None, unsaved=True)
     jobs.close()
     left.close()
@@ -97,16 +95,16 @@ def test_what_a_crash_left_is_open_at_the_next_start(qapp: QApplication, places:
 
     QTimer.singleShot(300, qapp, look_and_save)
     hook = sys.excepthook
-    run_application([], places)
+    run_application([], paths)
     sys.excepthook = hook
     assert seen[0].startswith("Anna B.")
 
 
 @pytest.mark.parametrize("dark", [False, True])
 def test_both_themes_are_drawn(
-    qapp: QApplication, places: UserPaths, tmp_path: Path, dark: bool
+    qapp: QApplication, paths: UserPaths, tmp_path: Path, dark: bool
 ) -> None:
-    with ScriptedWindow(places, (900, 600), dark) as studio:
+    with ScriptedWindow(paths, (900, 600), dark) as studio:
         studio.screenshot(tmp_path / "window.png")
     color = QImage(str(tmp_path / "window.png")).pixelColor(5, 300)
     assert (color.lightness() < 80) is dark

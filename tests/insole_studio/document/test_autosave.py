@@ -105,15 +105,15 @@ def test_a_damaged_copy_is_not_offered(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_the_next_start_opens_the_recovered_case(
-    app: Application, make_foot: Any, places: UserPaths, qapp: QApplication
+    app: Application, make_foot: Any, paths: UserPaths, qapp: QApplication
 ) -> None:
     app.case.open_foot(make_foot(Side.RIGHT), ScanSource("mesh", "/x.ply", "0" * 64))
     app.autosave.write_now()
-    copy = next(places.autosave_folder.glob("*.insole"))
-    left = places.autosave_folder / "left-by-the-dead.insole"
+    copy = next(paths.autosave_folder.glob("*.insole"))
+    left = paths.autosave_folder / "left-by-the-dead.insole"
     left.write_bytes(copy.read_bytes())
-    (recovered,) = find_recovered(places.autosave_folder)
-    second = build_application(qapp, places)
+    (recovered,) = find_recovered(paths.autosave_folder)
+    second = build_application(qapp, paths)
     second.features.case_files.opener.offer_recovered(recovered)
     assert second.case.side is Side.RIGHT
     assert second.case.has_unsaved_changes

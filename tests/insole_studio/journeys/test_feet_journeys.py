@@ -457,10 +457,10 @@ def test_a_scan_that_is_gone_is_noticed_when_the_case_is_opened(
     assert opened_notices(two_feet, "sources") == []
 
 
-def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, places: UserPaths) -> None:
+def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, paths: UserPaths) -> None:
     act(two_feet, "variant_duplicate")
     two_feet.autosave.write_now()
-    (copy,) = places.autosave_folder.glob("*.insole")
+    (copy,) = paths.autosave_folder.glob("*.insole")
     record = read_case(copy)
     assert [foot.side for foot in record.feet] == [Side.LEFT, Side.RIGHT]
     assert record.feet[1].chosen == "B"

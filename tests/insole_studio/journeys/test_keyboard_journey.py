@@ -74,8 +74,8 @@ def _type_path(path: Path) -> None:
 
 
 @pytest.fixture
-def keyboard(qapp: QApplication, qtbot: QtBot, places: UserPaths) -> Iterator[Keyboard]:
-    with ScriptedWindow(places, (960, 640)) as studio:
+def keyboard(qapp: QApplication, qtbot: QtBot, paths: UserPaths) -> Iterator[Keyboard]:
+    with ScriptedWindow(paths, (960, 640)) as studio:
         # The real dialogs: they are answered by keys as well.
         studio.app.services.messages.questions = Questions(studio.app.window)
         studio.app.window.activateWindow()

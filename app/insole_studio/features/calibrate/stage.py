@@ -31,7 +31,7 @@ class CalibrateStage(StageFrame):
     ----------
     store
         Keeps the sensors.
-    place
+    source
         Where the live sensors are.
     folder
         Keeps the pictures that are taken of them.
@@ -46,7 +46,7 @@ class CalibrateStage(StageFrame):
     def __init__(
         self,
         store: SensorStore,
-        place: SensorSource,
+        source: SensorSource,
         folder: Path,
         ask_folder: Callable[[], Path | None] | None = None,
         ask: Callable[[str], bool] | None = None,
@@ -62,7 +62,7 @@ class CalibrateStage(StageFrame):
         self.presenter = CalibratePresenter(
             self.view, store, self.jobs, ask_folder or self._ask_folder, ask or self._ask
         )
-        live = LivePictures(lambda: CaptureService(place), place.workplace().system)
+        live = LivePictures(lambda: CaptureService(source), source.setup().system)
         self.live = LivePresenter(self.view, self.presenter, live, self.jobs, folder)
         self._timer = QTimer(self)
         self._timer.setInterval(_TICK_MS)

@@ -44,7 +44,7 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         # Emulated sensors have the views of their recording.
         emulated = self._source.emulate is not None
         return CaptureStage(
-            place=self._source,
+            source=self._source,
             assignment=() if emulated else self._remembered_views(),
             folder=self._services.paths.data_folder,
             remember=(lambda _assignment: None) if emulated else self._remember_views,

@@ -86,7 +86,7 @@ class CapturePresenter:
     ----------
     panel
     service
-    workplace
+    setup
     jobs
         For guidance and for writing; apart from the window's, whose progress is shown.
     assignment
@@ -110,7 +110,7 @@ class CapturePresenter:
         *,
         panel: CapturePanel,
         service: Service,
-        workplace: CaptureSetup,
+        setup: CaptureSetup,
         jobs: Jobs,
         assignment: Sequence[tuple[str, str]],
         folder: Path,
@@ -122,7 +122,7 @@ class CapturePresenter:
     ) -> None:
         self._panel = panel
         self._service = service
-        self._workplace = workplace
+        self._setup = setup
         self._jobs = jobs
         self._assignment = ViewAssignment(assignment)
         self._folder = folder
@@ -268,7 +268,7 @@ class CapturePresenter:
             self._assignment.welcome(serial, serials)
             view, watch = self._view_of(serial), self._watches.get(serial)
             if watch is None or watch.view != view:
-                self._watches[serial] = SensorWatch(self._workplace, serial, view)
+                self._watches[serial] = SensorWatch(self._setup, serial, view)
 
     def _view_of(self, serial: str) -> str:
         """Give the view that a sensor is to give now; one that is moved gives several."""
@@ -314,7 +314,7 @@ class CapturePresenter:
         self._show()
 
     def _manifest(self) -> Manifest:
-        options, place = self.options, self._workplace
+        options, place = self.options, self._setup
         return Manifest(
             recorded_at=datetime.now(UTC).isoformat(timespec="seconds"),
             side=options.side,

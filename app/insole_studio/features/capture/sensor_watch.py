@@ -42,19 +42,19 @@ class SensorWatch:
 
     Parameters
     ----------
-    workplace
+    setup
     serial
     view
         Tells which markers it should see.
     """
 
-    def __init__(self, workplace: CaptureSetup, serial: str, view: str) -> None:
+    def __init__(self, setup: CaptureSetup, serial: str, view: str) -> None:
         self.view = view
-        faces = view_faces(view, workplace.system)
-        known = workplace.known(serial, view)
+        faces = view_faces(view, setup.system)
+        known = setup.known(serial, view)
         self._sensor = known.sensor if known else usual_sensor(serial, faces, _FULL_COLOR)
-        self._system = workplace.system
-        self._volume = workplace.volume_of_interest or enclosed_volume(workplace.system)
+        self._system = setup.system
+        self._volume = setup.volume_of_interest or enclosed_volume(setup.system)
         self._colors = depth_colors(self._sensor.disparity)
         self._depth: RawArray | None = None
         self._guided_depth: RawArray | None = None
@@ -90,9 +90,9 @@ class SensorWatch:
         self.guided_at_s = time.monotonic()
         if depth is None or before is None or color is None or before is depth:
             return None
-        glimpse = FrameSnapshot(depth, before, color)
+        snapshot = FrameSnapshot(depth, before, color)
         sensor, system, volume = self._sensor, self._system, self._volume
-        return lambda _progress: guide(sensor, system, volume, glimpse)
+        return lambda _progress: guide(sensor, system, volume, snapshot)
 
     def take_guidance(self, guidance: Guidance) -> None:
         """Take the judgement of the pictures."""

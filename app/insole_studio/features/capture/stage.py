@@ -30,7 +30,7 @@ class CaptureStage(StageFrame):
 
     Parameters
     ----------
-    place
+    source
         Where the sensors are.
     assignment
         View and serial number as they were last time.
@@ -52,13 +52,13 @@ class CaptureStage(StageFrame):
     def __init__(
         self,
         *,
-        place: SensorSource,
+        source: SensorSource,
         assignment: Sequence[tuple[str, str]],
         folder: Path,
         remember: Callable[[Sequence[tuple[str, str]]], None],
     ) -> None:
         super().__init__()
-        workplace = place.workplace()
+        setup = source.setup()
         self.setWindowTitle(tr("Capture") + " – Insole Studio")
         self.resize(*_SIZE)
         self.view = CaptureView(TILT_STEP_DEG)
@@ -66,16 +66,16 @@ class CaptureStage(StageFrame):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
         self._jobs = Jobs(self)
-        self._service = CaptureService(place)
+        self._service = CaptureService(source)
         self._lock = _lock_drafts(folder)
         self.presenter = CapturePresenter(
             panel=self.view,
             service=self._service,
-            workplace=workplace,
+            setup=setup,
             jobs=self._jobs,
-            assignment=assignment or place.usual_views(),
+            assignment=assignment or source.usual_views(),
             folder=folder,
-            options=first_options(place),
+            options=first_options(source),
             left=newest_unfinished_capture(folder / "captures") if self._lock.isLocked() else None,
             remember=remember,
             kept=self.kept.emit,
@@ -100,12 +100,12 @@ class CaptureStage(StageFrame):
         self.closed.emit()
 
 
-def first_options(place: SensorSource) -> CaptureOptions:
+def first_options(source: SensorSource) -> CaptureOptions:
     """Give what is chosen at first: emulated sensors are captured as they were recorded."""
-    if place.session is None:
+    if source.session is None:
         return CaptureOptions()
-    request = PlanRequest(place.usual_views(), bursts=place.usual_bursts())
-    return options_of(request, CaptureOptions(place.session.manifest.side))
+    request = PlanRequest(source.usual_views(), bursts=source.usual_bursts())
+    return options_of(request, CaptureOptions(source.session.manifest.side))
 
 
 def _lock_drafts(folder: Path) -> QLockFile:

@@ -14,7 +14,7 @@ from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.capture_setup import Calibrated, recorded_workplace
+from insole_studio.acquisition.capture_setup import Calibrated, recorded_setup
 from insole_studio.acquisition.capture_status import CaptureStatus, Phase, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
 from insole_studio.acquisition.messages import Command, Event, Sensors, SensorState, Start, Tilt
@@ -107,11 +107,11 @@ class Bench:
         self.kept: list[Path] = []
         self.finished: list[bool] = []
         self.folder = folder
-        self.workplace = recorded_workplace(NothingStored(), read_session(session))
+        self.setup = recorded_setup(NothingStored(), read_session(session))
         self.presenter = CapturePresenter(
             panel=self.panel,
             service=self.service,
-            workplace=self.workplace,
+            setup=self.setup,
             jobs=jobs,
             assignment=[("right", "A1")],
             folder=folder,
@@ -251,7 +251,7 @@ def write_draft(bench: Bench, *views: str) -> None:
     """Write what the service would have written of some views, or of all."""
     start = bench.started()
     draft = Draft(start.folder, start.manifest, start.order)
-    sensor = next(iter(bench.workplace.recorded.values()))
+    sensor = next(iter(bench.setup.recorded.values()))
     width, height = sensor.color_camera.width, sensor.color_camera.height
     for view in views or start.order:
         draft.begin_view(view, Calibrated(sensor, "recording"))

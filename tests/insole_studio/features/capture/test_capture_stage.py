@@ -33,8 +33,8 @@ def remembered() -> list[object]:
 def stage(
     qtbot: QtBot, tmp_path: Path, small_session: Path, remembered: list[object]
 ) -> Iterator[CaptureStage]:
-    place = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
-    opened = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=remembered.append)
+    source = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
+    opened = CaptureStage(source=source, assignment=(), folder=tmp_path, remember=remembered.append)
     opened.show()
     yield opened
     opened.end()
@@ -97,8 +97,8 @@ def test_emulated_sensors_are_captured_as_they_were_recorded(
 def test_a_second_window_is_not_offered_what_the_first_has_begun(
     stage: CaptureStage, tmp_path: Path, small_session: Path
 ) -> None:
-    place = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
-    second = CaptureStage(place=place, assignment=(), folder=tmp_path, remember=print)
+    source = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
+    second = CaptureStage(source=source, assignment=(), folder=tmp_path, remember=print)
     assert stage._lock.isLocked()
     assert not second._lock.isLocked()
     second.end()

@@ -22,9 +22,9 @@ PATIENCE_MS = 60_000
 
 @pytest.fixture
 def emulating(
-    qapp: QApplication, qtbot: QtBot, places: UserPaths, small_session: Path
+    qapp: QApplication, qtbot: QtBot, paths: UserPaths, small_session: Path
 ) -> Iterator[Application]:
-    built = build_application(qapp, places, small_session)
+    built = build_application(qapp, paths, small_session)
     built.window.resize(960, 640)
     built.window.show()
     qtbot.waitExposed(built.window)
@@ -44,7 +44,7 @@ def opened_stage(application: Application) -> CaptureStage:
 
 @pytest.mark.slow
 def test_a_captured_foot_comes_onto_the_bench(
-    emulating: Application, qtbot: QtBot, places: UserPaths
+    emulating: Application, qtbot: QtBot, paths: UserPaths
 ) -> None:
     stage = opened_stage(emulating)
     presenter = stage.presenter
@@ -59,7 +59,7 @@ def test_a_captured_foot_comes_onto_the_bench(
     ready(lambda: emulating.case.foot is not None)
     ready(lambda: not emulating.jobs.is_running())
     assert emulating.features.capture.stage is None
-    assert emulating.settings.recent[0].startswith(str(places.data_folder / "sessions"))
+    assert emulating.settings.recent[0].startswith(str(paths.data_folder / "sessions"))
 
 
 def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
@@ -100,9 +100,9 @@ def test_both_feet_of_a_visit_are_handed_on_one_after_the_other(
 
 
 def test_a_session_that_cannot_be_emulated_is_told(
-    qapp: QApplication, places: UserPaths, tmp_path: Path
+    qapp: QApplication, paths: UserPaths, tmp_path: Path
 ) -> None:
-    built = build_application(qapp, places, tmp_path)
+    built = build_application(qapp, paths, tmp_path)
     built.controller.run_action("capture", False)
     (dialog,) = built.services.messages.dialogs
     assert "holds no manifest.json" in dialog.text()

@@ -29,12 +29,12 @@ class BrushTool(Tool):
         """Say in one short sentence what one can do now."""
         return _HINTS[self.template.mode]()
 
-    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
         """Begin a stroke."""
         place = event.surface_mm
         if case.record.design is None or place is None or seen_from_above(event):
             return None
-        return self._stroke(case, event) if ground.covers(place[0], place[1]) else None
+        return self._stroke(case, event) if surface.covers(place[0], place[1]) else None
 
     def _stroke(self, case: Case, event: PointerEvent) -> Gesture:
         design = case.record.design

@@ -32,16 +32,16 @@ class FreeHandTool(Tool):
         """Say in one short sentence what one can do now, or why the last drawing made no pad."""
         return self._refusal or tr("Draw the outline of a pad round its place, in one go")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Show the handles of what was drawn."""
-        return pelott_handles(case, ground)
+        return pelott_handles(case, surface)
 
     @property
     def sketch(self) -> tuple[Place, ...]:
         """What is drawn so far."""
         return self._sketch
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Begin to draw."""
         if event.surface_mm is None or case.record.design is None or seen_from_above(event):
             return None

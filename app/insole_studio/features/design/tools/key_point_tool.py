@@ -47,16 +47,16 @@ class KeyPointTool(Tool):
         """Say in one short sentence what one can do now."""
         return tr("Drag a landmark to where it belongs; click on the skin to mark a further point")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the landmarks and points that can be grabbed."""
-        if ground.subject is not Subject.FOOT:
+        if surface.subject is not Subject.FOOT:
             return ()
         return tuple(
             Handle(PREFIX + name, place, landmark_hint(case, name))
             for name, place in shown_points(case).items()
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a landmark or mark a point."""
         if event.subject is not Subject.FOOT:
             return None
@@ -69,7 +69,7 @@ class KeyPointTool(Tool):
         return _carry(case, event, next_name(case.record.annotations), tr("Mark a point"))
 
     def offers(
-        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+        self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Offer to forget the point under the pointer."""
         if event.handle is None or event.subject is not Subject.FOOT:

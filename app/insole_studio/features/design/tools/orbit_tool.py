@@ -29,12 +29,12 @@ class OrbitTool(Tool):
             return tr("Drag a handle to change the pelott, drag beside it to turn the view")
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
-        return pelott_handles(case, ground)
+        return pelott_handles(case, surface)
 
     def offers(
-        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+        self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Offer to remove the pad at a place."""
         return pelott_offers(case, event)
@@ -43,7 +43,7 @@ class OrbitTool(Tool):
         """Raise the selected pad by keys; the wheel is the camera's."""
         return event.by_key and raise_pelott(case, event, steps)
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a handle; select or leave what is under the pointer, and let the camera turn."""
         if event.handle is not None:
             return grab_pelott(case, event)

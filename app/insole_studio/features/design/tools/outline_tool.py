@@ -48,21 +48,21 @@ class OutlineTool(Tool):
             "Drag a point of the outline; double click adds one on the line, or takes one away"
         )
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the points of the outline."""
         points = points_of(case.shown)
         hint = tr("Drag to change the outline of the insole; double click takes the point away")
-        places = (ground.place(*point) for point in points)
+        places = (surface.place(*point) for point in points)
         return tuple(Handle(f"{PREFIX}{i}", place, hint) for i, place in enumerate(places))
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a point."""
         number = _number(event)
         if number is None or case.record.design is None:
             return None
         return self._carry(case, case.record.design, number, event)
 
-    def double_click(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> bool:
+    def double_click(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> bool:
         """Take the point under the pointer away, or add one on the line."""
         number = _number(event)
         if number is not None:
@@ -75,7 +75,7 @@ class OutlineTool(Tool):
         return True
 
     def offers(
-        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+        self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Offer what a double click would do, and to begin anew."""
         number, place = _number(event), event.place_mm(0.0)

@@ -62,23 +62,23 @@ class PelottTool(Tool):
             return distance
         return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
-        return pelott_handles(case, ground)
+        return pelott_handles(case, surface)
 
     def start(self, case: Case) -> Place | None:
         """Begin where such a pad usually lies."""
         return usual_place(case.record, self.template)
 
     def offers(
-        self, case: Case, event: PointerEvent, _ground: SurfaceContext
+        self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Offer to remove the pad at a place."""
         return pelott_offers(case, event)
 
-    def press(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
         """Grab a handle or a pad, or place a new one."""
-        return grab_pelott(case, event) or self._place(case, event, ground)
+        return grab_pelott(case, event) or self._place(case, event, surface)
 
     def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
         """Raise the pad under the pointer."""
@@ -88,11 +88,11 @@ class PelottTool(Tool):
         """Move the selected pad by a little."""
         return nudge_pelott(case, event, right, up)
 
-    def _place(self, case: Case, event: PointerEvent, ground: SurfaceContext) -> Gesture | None:
+    def _place(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
         place = event.surface_mm
         if case.record.design is None or place is None or seen_from_above(event):
             return None
-        if not ground.covers(place[0], place[1]):
+        if not surface.covers(place[0], place[1]):
             return None
         fresh = case.stamped(replace(self.template, id=CorrectionBase().id))
         new = replace(fresh, centre_mm=place_at(place))
@@ -109,13 +109,13 @@ def selected_pelott(case: Case) -> Pelott | None:
     return correction if isinstance(correction, Pelott) else None
 
 
-def pelott_handles(case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
     """Give the handles of the selected pad; the corners of a free outline are among them."""
     pad = selected_pelott(case)
     if pad is None:
         return ()
     return tuple(
-        Handle(name, ground.place(*spot), _hint(name), "move" if name == "move" else "size")
+        Handle(name, surface.place(*spot), _hint(name), "move" if name == "move" else "size")
         for name, spot in _spots(pad).items()
     )
 

@@ -32,7 +32,7 @@ class PlaneTool(Tool):
             return tr("Click on the foot to put the reference plane through that place")
         return tr("Drag the middle up or down to raise the plane, its ends to turn it")
 
-    def handles(self, case: Case, _ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, _surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         plane = case.shown.annotations.plane
         if plane is None:
@@ -43,7 +43,7 @@ class PlaneTool(Tool):
             for name, arm in arms.items()
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab the plane or put it through the touched place."""
         annotations = case.record.annotations
         if event.handle in _TURNS and annotations.plane is not None:

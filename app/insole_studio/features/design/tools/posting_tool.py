@@ -33,17 +33,17 @@ class PostingTool(Tool):
         """Say in one short sentence what one can do now."""
         return tr("Drag heel or forefoot up to raise the medial edge, down to raise the lateral")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         if case.foot is None:
             return ()
-        x = ground.side.medial_sign * EDGE_MM
+        x = surface.side.medial_sign * EDGE_MM
         return tuple(
-            Handle(name, ground.place(x, share * case.foot.length_mm), _HINTS[name](), "move")
+            Handle(name, surface.place(x, share * case.foot.length_mm), _HINTS[name](), "move")
             for name, share in (("rearfoot", REARFOOT_SHARE), ("forefoot", FOREFOOT_SHARE))
         )
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab the heel or the forefoot."""
         part = event.handle or self._part(case, event)
         if part not in _HINTS or case.record.design is None:

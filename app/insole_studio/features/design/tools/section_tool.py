@@ -42,18 +42,18 @@ class SectionTool(Tool):
             return tr("Click on the sole to cut the insole there")
         return tr("Drag the middle to move the section, its end to turn it")
 
-    def handles(self, _case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, _case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         plane = self._section.plane
         if plane is None:
             return ()
         end = np.array(plane.origin_mm) + ARM_MM * plane.along
         return (
-            Handle("section-move", ground.place(*plane.origin_mm), _move_hint(), "move"),
-            Handle("section-turn", ground.place(*end), _turn_hint()),
+            Handle("section-move", surface.place(*plane.origin_mm), _move_hint(), "move"),
+            Handle("section-turn", surface.place(*end), _turn_hint()),
         )
 
-    def press(self, _case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, _case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a handle, or put the section through the touched place."""
         plane = self._section.plane
         if plane is not None and event.handle in _CHANGES:
@@ -65,7 +65,7 @@ class SectionTool(Tool):
         return self._drag(event, put, _moved)
 
     def offers(
-        self, _case: Case, _event: PointerEvent, _ground: SurfaceContext
+        self, _case: Case, _event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Offer to look at the whole again."""
         if self._section.plane is None:

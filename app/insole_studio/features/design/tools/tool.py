@@ -71,7 +71,7 @@ class Tool:
         """Say in one short sentence what one can do now."""
         raise NotImplementedError
 
-    def handles(self, _case: Case, _ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, _case: Case, _surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give the spots that can be grabbed."""
         return ()
 
@@ -89,16 +89,16 @@ class Tool:
         """How the hand is moving the foot just now, (4, 4); None when it does not."""
         return None
 
-    def press(self, _case: Case, _event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Begin a gesture; None leaves the press to the camera."""
         return None
 
-    def double_click(self, _case: Case, _event: PointerEvent, _ground: SurfaceContext) -> bool:
+    def double_click(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> bool:
         """Act on a double click; False leaves it to the camera."""
         return False
 
     def offers(
-        self, _case: Case, _event: PointerEvent, _ground: SurfaceContext
+        self, _case: Case, _event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
         """Give what can be done at a place, for the menu under the pointer."""
         return ()

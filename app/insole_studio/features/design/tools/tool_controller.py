@@ -37,10 +37,10 @@ class ToolController(QObject):
         """Whether a gesture is under way."""
         return bool(self._gesture)
 
-    def press(self, event: PointerEvent, ground: SurfaceContext) -> bool:
+    def press(self, event: PointerEvent, surface: SurfaceContext) -> bool:
         """Begin a gesture; False leaves the press to the camera."""
         self.cancel()
-        gesture = self.tool.press(self._case, event, ground)
+        gesture = self.tool.press(self._case, event, surface)
         if gesture is None:
             return False
         self._gesture.begin(gesture)
@@ -59,13 +59,13 @@ class ToolController(QObject):
         self.gesture_ended.emit()
         return True
 
-    def double_click(self, event: PointerEvent, ground: SurfaceContext) -> bool:
+    def double_click(self, event: PointerEvent, surface: SurfaceContext) -> bool:
         """Act on a double click; False leaves it to the camera."""
-        return not self.is_busy and self.tool.double_click(self._case, event, ground)
+        return not self.is_busy and self.tool.double_click(self._case, event, surface)
 
-    def offers(self, event: PointerEvent, ground: SurfaceContext) -> tuple[ContextMenuItem, ...]:
+    def offers(self, event: PointerEvent, surface: SurfaceContext) -> tuple[ContextMenuItem, ...]:
         """Give the lines of the menu under the pointer."""
-        return () if self.is_busy else self.tool.offers(self._case, event, ground)
+        return () if self.is_busy else self.tool.offers(self._case, event, surface)
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
         """Act on the wheel; False leaves it to the camera."""

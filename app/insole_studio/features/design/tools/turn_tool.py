@@ -114,9 +114,9 @@ class TurnTool(Tool):
             return tr("The landmarks stand where they do on no foot; put them right first")
         return self._angle_text or tr("Drag a ring to turn the foot; hold Ctrl for small steps")
 
-    def handles(self, case: Case, ground: SurfaceContext) -> tuple[Handle, ...]:
+    def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Give two spots on each ring; the ring itself can be grabbed as well."""
-        if case.foot is None or ground.subject is not Subject.FOOT or _angles(case) is None:
+        if case.foot is None or surface.subject is not Subject.FOOT or _angles(case) is None:
             return ()
         centre = ring_centre(case.foot)
         return tuple(
@@ -132,7 +132,7 @@ class TurnTool(Tool):
         centre = ring_centre(case.foot)
         return tuple(ring.line(centre) for ring in RINGS.values())
 
-    def press(self, case: Case, event: PointerEvent, _ground: SurfaceContext) -> Gesture | None:
+    def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab the ring under the pointer."""
         angles, foot = _angles(case), case.foot
         if angles is None or foot is None or event.subject is not Subject.FOOT:
