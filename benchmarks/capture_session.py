@@ -32,7 +32,7 @@ from insole_studio.acquisition.capture_runner import (
     open_sensors,
 )
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.rig import OpenSensor, Rig
 from kinect_v1.emulation.bus import EmulatedBus
@@ -107,7 +107,7 @@ def capture_s(
             taken: list[float] = []
 
             def note(status: CaptureStatus) -> None:
-                if status.phase is not Phase.VERIFYING:
+                if status.phase is not CapturePhase.VERIFYING:
                     taken.append(time.monotonic())
 
             setup = CaptureSetup(system, NothingStored())

@@ -19,7 +19,7 @@ _LEAST_DISTANCE = 0.7
 
 
 @dataclass(frozen=True, eq=False)
-class Border:
+class Boundary:
     """What a border is like.
 
     Parameters
@@ -33,11 +33,11 @@ class Border:
     outwards: FloatArray
 
 
-Course: TypeAlias = Callable[[Border], tuple[BoolArray, FloatArray]]
+Course: TypeAlias = Callable[[Boundary], tuple[BoolArray, FloatArray]]
 """Tells which vertices (n,) of a border go on, and how far they bend off the normal (n,), 1/mm."""
 
 
-def straight_on(border: Border) -> tuple[BoolArray, FloatArray]:
+def straight_on(border: Boundary) -> tuple[BoolArray, FloatArray]:
     """Let the whole border go on tangentially."""
     count = len(border.vertices)
     return np.ones(count, dtype=bool), np.zeros(count)
@@ -70,7 +70,7 @@ def extend_boundary(
     outwards = _outwards(mesh, ends, normals)
     ring = mesh.vertices.copy()
     at = np.flatnonzero(free)
-    free[at], curvature = course(Border(ring[at], normals[at], outwards[at]))
+    free[at], curvature = course(Boundary(ring[at], normals[at], outwards[at]))
     turn = (width_mm * curvature / 2)[:, None]
     ring[at] += width_mm * (np.cos(turn) * outwards[at] - np.sin(turn) * normals[at])
     free[free] = _is_free(ring[free], mesh, width_mm)

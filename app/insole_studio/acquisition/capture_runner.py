@@ -13,7 +13,7 @@ from insole_core.messages import Message, joined
 from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
 from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase, ViewStatus
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
 from insole_studio.acquisition.light import judge_light
 from insole_studio.acquisition.rig import ColorSize, OpenSensor, Rig
@@ -175,26 +175,28 @@ class CaptureRunner:
         names = step.names
         self._under_way = tuple(shot.view for shot in step.shots)
         if step.by_hand:
-            self._tell(Phase.MOVING, hand_sentence(step))
+            self._tell(CapturePhase.MOVING, hand_sentence(step))
             self._callbacks.wait_for_hand(step)
         for shot in step.shots:
             self._move(shot, step.by_hand, tilts.get(shot.serial))
-        self._tell(Phase.SETTLING, _settling(names))
+        self._tell(CapturePhase.SETTLING, _settling(names))
         taken = [
             Series(shot, self._sensors[shot.serial], self._plan, beginning)
             for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
         self._collect(taken, names)
-        self._tell(Phase.VERIFYING, Message("Checking view {views}", views=names))
+        self._tell(CapturePhase.VERIFYING, Message("Checking view {views}", views=names))
         for series in taken:
             self._finish(series)
-        self._tell(Phase.VERIFYING, Message("View {views} is on the disk", views=names))
+        self._tell(CapturePhase.VERIFYING, Message("View {views} is on the disk", views=names))
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
         """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
         sensor = self._sensors[shot.serial]
         if level_deg is not None:
-            self._tell(Phase.TILTING, Message("Tilting the sensor for view {view}", view=shot.view))
+            self._tell(
+                CapturePhase.TILTING, Message("Tilting the sensor for view {view}", view=shot.view)
+            )
             sensor.tilt_to(level_deg + shot.tilt_deg)
         if by_hand or level_deg is not None:
             sensor.stop()  # what is under way was seen from the place before
@@ -233,9 +235,11 @@ class CaptureRunner:
             came = [self._advance(series) for series in taken]
             if any(came):
                 if all(series.settled for series in taken):
-                    self._tell(Phase.CAPTURING, Message("Capturing view {views}", views=names))
+                    self._tell(
+                        CapturePhase.CAPTURING, Message("Capturing view {views}", views=names)
+                    )
                 else:
-                    self._tell(Phase.SETTLING, _settling(names))
+                    self._tell(CapturePhase.SETTLING, _settling(names))
             else:
                 time.sleep(_POLL_S)
 
@@ -268,7 +272,7 @@ class CaptureRunner:
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)
 
-    def _tell(self, phase: Phase, sentence: str) -> None:
+    def _tell(self, phase: CapturePhase, sentence: str) -> None:
         status = CaptureStatus(phase, tuple(self._views.values()), sentence, self._under_way)
         if status != self._told:
             self._told = status

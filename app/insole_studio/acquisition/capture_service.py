@@ -14,7 +14,7 @@ from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CaptureStep
 from insole_studio.acquisition.capture_runner import CaptureCallbacks, CaptureRunner
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.messages import (
@@ -165,14 +165,14 @@ class _Service:
         try:
             warnings = self._carry_out(order)
         except Cancelled:
-            self._end(Phase.CANCELLED, "The capture was stopped.")
+            self._end(CapturePhase.CANCELLED, "The capture was stopped.")
         except KeyError as error:
             unused = Message("Sensor {serial} is not in use; plug it in.", serial=error.args[0])
-            self._end(Phase.FAILED, unused)
+            self._end(CapturePhase.FAILED, unused)
         except InsoleError as error:
-            self._end(Phase.FAILED, str(error))
+            self._end(CapturePhase.FAILED, str(error))
         else:
-            self._end(Phase.DONE, joined(warnings, " "))
+            self._end(CapturePhase.DONE, joined(warnings, " "))
         if not self._quitting:
             self._live.start()
 
@@ -215,6 +215,6 @@ class _Service:
         self._waiting.clear()
         self._put(step)
 
-    def _end(self, phase: Phase, sentence: str) -> None:
+    def _end(self, phase: CapturePhase, sentence: str) -> None:
         views = self._last.views if self._last is not None else ()
         self._send(CaptureStatus(phase, views, sentence))

@@ -7,7 +7,7 @@ from enum import Enum
 
 
 @dataclass(frozen=True)
-class FoundSensor:
+class DetectedSensor:
     """A sensor that is plugged in.
 
     Parameters
@@ -29,7 +29,7 @@ class FoundSensor:
     problem: str | None = None
 
 
-class Phase(Enum):
+class CapturePhase(Enum):
     """Where a sensor stands, then where a capture does."""
 
     FOUND = "found"
@@ -47,7 +47,7 @@ class Phase(Enum):
     @property
     def is_end(self) -> bool:
         """Whether nothing follows without a new order."""
-        return self in (Phase.DONE, Phase.FAILED, Phase.CANCELLED)
+        return self in (CapturePhase.DONE, CapturePhase.FAILED, CapturePhase.CANCELLED)
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ class CaptureStatus:
         The views that it is about.
     """
 
-    phase: Phase
+    phase: CapturePhase
     views: tuple[ViewStatus, ...] = ()
     sentence: str = ""
     names: tuple[str, ...] = ()

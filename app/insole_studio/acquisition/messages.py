@@ -8,7 +8,7 @@ from pathlib import Path
 from insole_core.messages import Message
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 
 WARM_UP_S = 15 * 60.0
 """So long depth drifts after a sensor was switched on (docs/calibration.md); captures may begin."""
@@ -113,11 +113,11 @@ class SensorState:
     problem: str | None = None
 
     @property
-    def phase(self) -> Phase:
+    def phase(self) -> CapturePhase:
         """Whether it was found, warms up, or is live."""
         if self.fps == 0:
-            return Phase.FOUND
-        return Phase.WARMING_UP if self.warm_s < WARM_UP_S else Phase.LIVE
+            return CapturePhase.FOUND
+        return CapturePhase.WARMING_UP if self.warm_s < WARM_UP_S else CapturePhase.LIVE
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.capture_status import FoundSensor
+from insole_studio.acquisition.capture_status import DetectedSensor
 from insole_studio.acquisition.factory_calibration import factory_sensor
 from insole_studio.acquisition.sensor_errors import NoSensorFoundError, SensorError, translating
 from kinect_v1.errors import KinectError
@@ -49,7 +49,7 @@ class Rig:
     def __init__(self, bus: UsbBus) -> None:
         self._bus = bus
 
-    def find(self) -> tuple[FoundSensor, ...]:
+    def find(self) -> tuple[DetectedSensor, ...]:
         """List what is plugged in; no sensor is disturbed.
 
         Raises
@@ -69,7 +69,7 @@ class Rig:
         with translating():
             return self._bus.places()
 
-    def require(self) -> tuple[FoundSensor, ...]:
+    def require(self) -> tuple[DetectedSensor, ...]:
         """List what is plugged in; nothing at all is an error.
 
         Raises
@@ -331,9 +331,9 @@ def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
     return np.ascontiguousarray(mosaic[cut : cut + height])
 
 
-def _found(info: SensorInfo) -> FoundSensor:
+def _found(info: SensorInfo) -> DetectedSensor:
     model = info.model.value if info.model else None
-    return FoundSensor(info.serial, model, info.bus, info.place, info.problem)
+    return DetectedSensor(info.serial, model, info.bus, info.place, info.problem)
 
 
 def infrared_picture(frame: Frame) -> ByteArray | None:

@@ -45,7 +45,7 @@ class SensorSource:
         return None if self.emulate is None else read_session(self.emulate)
 
     @cached_property
-    def room(self) -> EmulatedRig | None:
+    def emulated_rig(self) -> EmulatedRig | None:
         """The emulated sensors."""
         return None if self.session is None else EmulatedRig(self.session)
 
@@ -59,8 +59,8 @@ class SensorSource:
         SensorError
             When there is no libusb.
         """
-        if self.room is not None:
-            return Rig(UsbBus(self.room.bus))
+        if self.emulated_rig is not None:
+            return Rig(UsbBus(self.emulated_rig.bus))
         with translating():
             return Rig(system_bus())
 
@@ -85,6 +85,6 @@ class SensorSource:
 
     def put(self, step: CaptureStep) -> None:
         """Put emulated sensors where a step wants them; real ones somebody has put there."""
-        if self.room is not None:
+        if self.emulated_rig is not None:
             for shot in step.shots:
-                self.room.put(shot.serial, shot.place)
+                self.emulated_rig.put(shot.serial, shot.place)

@@ -179,7 +179,7 @@ def _wait_for_hand(source: SensorSource, step: CaptureStep) -> None:
     """Ask for a sensor to be moved; emulated ones need no hand."""
     from insole_studio.acquisition.capture_runner import hand_sentence
 
-    if source.room is not None:
+    if source.emulated_rig is not None:
         source.put(step)
         return
     print(f"{hand_sentence(step)}, then press Enter.", file=sys.stderr, flush=True)

@@ -10,7 +10,7 @@ from insole_core.progress import Progress
 from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
 
 if TYPE_CHECKING:
-    from insole_studio.acquisition.capture_status import FoundSensor
+    from insole_studio.acquisition.capture_status import DetectedSensor
 
 NAME = "sensors"
 HELP = "list the sensors: a line each with serial number, model, USB bus, and state"
@@ -35,11 +35,11 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     rig.require()
 
 
-def _state(sensor: FoundSensor) -> str:
+def _state(sensor: DetectedSensor) -> str:
     return sensor.problem or "ready"
 
 
-def _values(sensor: FoundSensor) -> dict[str, object]:
+def _values(sensor: DetectedSensor) -> dict[str, object]:
     return {
         "serial": sensor.serial,
         "model": sensor.model,

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 import numpy as np
 
 from insole_core.calibration.walls.captures import WallCapture, check_same_device
-from insole_core.calibration.walls.map_blocks import BLOCK_PX, Blocks, blocks_of, to_pixels
+from insole_core.calibration.walls.map_blocks import BLOCK_PX, MapBlocks, blocks_of, to_pixels
 from insole_core.calibration.walls.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
@@ -162,12 +162,12 @@ def _find_walls(
 
 def _solve(
     walls: Sequence[WallFit], rows: np.ndarray, options: DistortionOptions
-) -> tuple[Blocks, BlockMap]:
+) -> tuple[MapBlocks, BlockMap]:
     blocks = blocks_of(walls, rows)
     return blocks, solve_map(blocks, options.smoothing)
 
 
-def _uneven(blocks: Blocks, solved: BlockMap, options: DistortionOptions) -> np.ndarray:
+def _uneven(blocks: MapBlocks, solved: BlockMap, options: DistortionOptions) -> np.ndarray:
     """Tell which walls the map of all does not explain."""
     seen = blocks.weight > 0.5
     limit = max(options.uneven_raw, 4 * solved.noise_raw)
@@ -176,7 +176,7 @@ def _uneven(blocks: Blocks, solved: BlockMap, options: DistortionOptions) -> np.
 
 
 def _correction(
-    blocks: Blocks, solved: BlockMap, options: DistortionOptions, serial: str
+    blocks: MapBlocks, solved: BlockMap, options: DistortionOptions, serial: str
 ) -> DisparityCorrection:
     used = blocks.weight > 0.5
     coverage = used.sum(0).reshape(blocks.shape).astype(np.uint8)

@@ -16,7 +16,7 @@ BLOCK_PX = 8
 
 
 @dataclass(frozen=True, eq=False)
-class Blocks:
+class MapBlocks:
     """Residuals of N captures, averaged over blocks of 8 x 8 pixels.
 
     Averaging bridges the column bands and the centre line of the device, which are narrower than
@@ -46,13 +46,13 @@ class Blocks:
     shape: tuple[int, int]
 
 
-def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> Blocks:
+def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> MapBlocks:
     """Average the residuals of the captures over blocks."""
     weight = np.stack([_means(wall.wall.astype(float)) for wall in walls])
     residual = np.stack([_means(np.nan_to_num(wall.residual_raw)) for wall in walls])
     expected = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
     residual = np.divide(residual, weight, out=np.zeros_like(weight), where=weight > 0)
-    return Blocks(
+    return MapBlocks(
         residual=residual,
         weight=weight,
         level=expected + residual,

@@ -19,7 +19,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from insole_core.calibration.walls.map_blocks import Blocks, bending
+from insole_core.calibration.walls.map_blocks import MapBlocks, bending
 from insole_core.geometry.arrays import FloatArray
 from insole_core.sensing.correction import decay_lever
 
@@ -88,7 +88,7 @@ class _Factor(Protocol):
     def solve(self, right: FloatArray) -> FloatArray: ...
 
 
-def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
+def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
     """Solve for map and planes, with weights that follow the remaining errors."""
     reference = float(np.average(blocks.level, weights=blocks.weight))
     level = (blocks.level - reference) / SPAN_RAW
@@ -152,7 +152,7 @@ def _factor(
 
 
 def _solve(
-    factor: _Factor, blocks: Blocks, weight: FloatArray, t: FloatArray
+    factor: _Factor, blocks: MapBlocks, weight: FloatArray, t: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Eliminate the map, solve for the planes, then for the map.
 
@@ -192,7 +192,7 @@ def _solve_map_alone(
     return factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
 
 
-def _without_plane(values: FloatArray, blocks: Blocks) -> FloatArray:
+def _without_plane(values: FloatArray, blocks: MapBlocks) -> FloatArray:
     """Leave out what walls of unknown position cannot tell: the gauge holds it only weakly."""
     weight = np.sqrt(blocks.weight.sum(0))
     plane = np.linalg.lstsq(blocks.rows * weight[:, None], values * weight, rcond=None)[0]

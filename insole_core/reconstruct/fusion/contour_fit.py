@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.boundary_extension import Border
+from insole_core.geometry.boundary_extension import Boundary
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
@@ -26,7 +26,7 @@ _TOUCHED_MM, _TOUCHED_FACING = 2.5, 0.2
 
 
 def bend_to(
-    rims: list[OccludingContour], everywhere: bool, border: Border
+    rims: list[OccludingContour], everywhere: bool, border: Boundary
 ) -> tuple[BoolArray, FloatArray]:
     """Tell where a border ends short of an outline, and by which curvature it gets there.
 

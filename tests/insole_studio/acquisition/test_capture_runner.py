@@ -20,7 +20,7 @@ from insole_core.recording.session import CaptureCondition
 from insole_studio.acquisition import draft as draft_module
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, make_plan
 from insole_studio.acquisition.capture_runner import open_sensors
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.sensor_errors import BusFullError, NoSensorFoundError, SensorError
 from kinect_v1.emulation.faults import Fault
@@ -92,7 +92,7 @@ def test_phases_follow_each_other(bench: Bench) -> None:
     bench.capture(PLAN)
     phases = [status.phase for status in bench.told]
     turns = [p for p, before in zip(phases, [None, *phases], strict=False) if p is not before]
-    assert turns == [Phase.SETTLING, Phase.CAPTURING, Phase.VERIFYING] * 3
+    assert turns == [CapturePhase.SETTLING, CapturePhase.CAPTURING, CapturePhase.VERIFYING] * 3
     fractions = [status.fraction for status in bench.told]
     assert fractions == sorted(fractions)
     assert bench.told[-1].sentence == "View top is on the disk"
@@ -136,7 +136,7 @@ def test_a_sensor_is_moved_by_hand(bench: Bench) -> None:
     bench.capture(plan, wait_for_hand=asked.append)
     assert asked == [plan.steps[1]]
     assert bench.told[-1].sentence == "View right is on the disk"
-    asking = [status.sentence for status in bench.told if status.phase is Phase.MOVING]
+    asking = [status.sentence for status in bench.told if status.phase is CapturePhase.MOVING]
     assert asking == ["Put the sensor in its place for view right"]
     assert bench.draft.views == ("left", "right")
 

@@ -14,7 +14,7 @@ from insole_core.messages import Message
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.messages import (
     Cancel,
     Command,
@@ -99,7 +99,7 @@ def test_live_pictures_then_a_session_then_live_again(
     draft = tmp_path / "draft"
     window.service.send(order(small_session, draft))
     ended = window.wait_for_end()
-    assert ended.phase is Phase.DONE
+    assert ended.phase is CapturePhase.DONE
     assert all(view.finished for view in ended.views)
     assert read_session(draft).manifest.views == ("left", "right", "top")
     window.wait_for_sensors()
@@ -107,7 +107,7 @@ def test_live_pictures_then_a_session_then_live_again(
     one = make_plan([("right", recorded.views[1].sensor.serial)], frames=3)
     again = order(small_session, draft, one)
     window.service.send(again)
-    assert window.wait_for_end().phase is Phase.DONE
+    assert window.wait_for_end().phase is CapturePhase.DONE
     counts = {view.name: view.depth_count for view in read_session(draft).views}
     assert counts == {"right": 3, "left": 2, "top": 2}
 
@@ -117,14 +117,14 @@ def test_cancel_and_moving_by_hand(window: Window, small_session: Path, tmp_path
     serial = read_session(small_session).views[0].sensor.serial
     plan = make_plan([("left", serial), ("right", serial)], frames=2)
     window.service.send(order(small_session, tmp_path / "a", plan))
-    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is Phase.MOVING)
+    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is CapturePhase.MOVING)
     window.service.send(Placed())
-    assert window.wait_for_end().phase is Phase.DONE
+    assert window.wait_for_end().phase is CapturePhase.DONE
 
     window.service.send(order(small_session, tmp_path / "b", plan))
-    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is Phase.MOVING)
+    window.wait_for(lambda e: isinstance(e, CaptureStatus) and e.phase is CapturePhase.MOVING)
     window.service.send(Cancel())
-    assert window.wait_for_end().phase is Phase.CANCELLED
+    assert window.wait_for_end().phase is CapturePhase.CANCELLED
     assert read_session(tmp_path / "b").manifest.views == ("left",)
 
 

@@ -33,7 +33,7 @@ from insole_core.workflows.calibration.picture_readiness import (
     wall_distance_mm,
 )
 from insole_studio.acquisition.capture_plan import make_plan
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.guidance import depth_colors
 from insole_studio.acquisition.messages import (
     Infrared,
@@ -140,7 +140,7 @@ class LivePictures:
             elif isinstance(event, Message):
                 self.problem = event
             elif isinstance(event, CaptureStatus) and event.phase.is_end and self._draft:
-                if event.phase is Phase.DONE:
+                if event.phase is CapturePhase.DONE:
                     done = Path(self._draft.name) / "session"
                 else:
                     self.problem = event.sentence

@@ -16,7 +16,7 @@ from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.messages import (
     Cancel,
@@ -256,7 +256,7 @@ class CapturePresenter:
             self._status = event
             done = (view.view for view in event.views if view.finished)
             self._finished = tuple(dict.fromkeys((*self._finished, *done)))
-            if event.phase is Phase.FAILED:
+            if event.phase is CapturePhase.FAILED:
                 self._panel.show_sentence(event.sentence)
         elif isinstance(event, Message):
             self._panel.show_sentence(event)
@@ -309,7 +309,7 @@ class CapturePresenter:
         if self._draft is None or self.is_capturing:
             return
         self._finished = tuple(view for view in self._finished if view not in plan.views)
-        self._status = CaptureStatus(Phase.SETTLING, (), tr("Starting"))
+        self._status = CaptureStatus(CapturePhase.SETTLING, (), tr("Starting"))
         self._service.send(Start(plan, self._draft, self._manifest(), self._order))
         self._show()
 
@@ -418,7 +418,7 @@ class CapturePresenter:
 
     @property
     def _waits_for_hand(self) -> bool:
-        return self._status is not None and self._status.phase is Phase.MOVING
+        return self._status is not None and self._status.phase is CapturePhase.MOVING
 
     def _button(self) -> str:
         if not self._finished:
@@ -444,15 +444,17 @@ def _offer(left: UnfinishedCapture) -> str:
 
 
 def _describe(status: CaptureStatus) -> str:
-    if status.phase is Phase.DONE:
+    if status.phase is CapturePhase.DONE:
         warned = [text for view in status.views for text in view.warnings]
         return joined(dict.fromkeys(warned), " ") or tr("All views are captured.")
     sentences = {
-        Phase.MOVING: tr("Put the sensor in its place for view {view}, then say that it stands."),
-        Phase.TILTING: tr("Tilting the sensor for view {view}"),
-        Phase.SETTLING: tr("Waiting for steady depth of view {view}"),
-        Phase.CAPTURING: tr("Capturing view {view}"),
-        Phase.VERIFYING: tr("Checking view {view}"),
-        Phase.CANCELLED: tr("The capture was stopped."),
+        CapturePhase.MOVING: tr(
+            "Put the sensor in its place for view {view}, then say that it stands."
+        ),
+        CapturePhase.TILTING: tr("Tilting the sensor for view {view}"),
+        CapturePhase.SETTLING: tr("Waiting for steady depth of view {view}"),
+        CapturePhase.CAPTURING: tr("Capturing view {view}"),
+        CapturePhase.VERIFYING: tr("Checking view {view}"),
+        CapturePhase.CANCELLED: tr("The capture was stopped."),
     }
     return sentences.get(status.phase, status.sentence).format(view=views_text(status.names))

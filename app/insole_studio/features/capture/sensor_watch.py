@@ -11,7 +11,7 @@ from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import Phase
+from insole_studio.acquisition.capture_status import CapturePhase
 from insole_studio.acquisition.factory_calibration import usual_sensor
 from insole_studio.acquisition.guidance import (
     FrameSnapshot,
@@ -111,7 +111,7 @@ class SensorWatch:
     def facts(self, state: SensorState) -> str:
         """Say frame rate and losses, valid pixels and markers."""
         rate = tr("{fps:.0f} frames/s, {lost} lost").format(fps=state.fps, lost=state.discarded)
-        if state.phase is Phase.WARMING_UP:
+        if state.phase is CapturePhase.WARMING_UP:
             minutes = tr("warm in {minutes:.0f} min").format(
                 minutes=(WARM_UP_S - state.warm_s) / 60
             )

@@ -15,7 +15,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_setup import Calibrated, recorded_setup
-from insole_studio.acquisition.capture_status import CaptureStatus, Phase, ViewStatus
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
 from insole_studio.acquisition.messages import Command, Event, Sensors, SensorState, Start, Tilt
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
@@ -134,7 +134,9 @@ class Bench:
         assert isinstance(start, Start)
         return start
 
-    def finish(self, *views: str, phase: Phase = Phase.DONE, sentence: str = "") -> None:
+    def finish(
+        self, *views: str, phase: CapturePhase = CapturePhase.DONE, sentence: str = ""
+    ) -> None:
         self.tell(
             CaptureStatus(phase, tuple(ViewStatus(v, "A1", 4, 4, True) for v in views), sentence)
         )
@@ -211,7 +213,7 @@ def test_a_failure_keeps_what_it_has_and_asks_for_the_rest(bench: Bench) -> None
     bench.plug_in()
     bench.presenter.capture()
     folder = bench.started().folder
-    bench.finish("left", phase=Phase.FAILED, sentence="A sensor was unplugged.")
+    bench.finish("left", phase=CapturePhase.FAILED, sentence="A sensor was unplugged.")
     assert bench.panel.sentence == "A sensor was unplugged."
     assert bench.panel.capture.button == "Capture missing views"
     bench.presenter.capture()
@@ -243,7 +245,7 @@ def test_a_finished_capture_begins_anew(bench: Bench) -> None:
 def test_moving_by_hand_offers_to_go_on(bench: Bench) -> None:
     bench.plug_in()
     bench.presenter.capture()
-    bench.tell(CaptureStatus(Phase.MOVING, (), "Put the sensor in its place for view top"))
+    bench.tell(CaptureStatus(CapturePhase.MOVING, (), "Put the sensor in its place for view top"))
     assert bench.panel.capture.waits_for_hand
 
 
@@ -302,9 +304,9 @@ def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:
     assert [step.by_hand for step in plan.steps] == [True, False, True, False, False, False]
 
     views = [ViewStatus(s.view, s.serial, 4, 4, s.place == "left", (), s.place) for s in plan.shots]
-    bench.tell(CaptureStatus(Phase.TILTING, tuple(views), "", ("left_2",)))
+    bench.tell(CaptureStatus(CapturePhase.TILTING, tuple(views), "", ("left_2",)))
     assert not bench.panel.capture.waits_for_hand
-    bench.tell(CaptureStatus(Phase.MOVING, tuple(views), "", ("heel",)))
+    bench.tell(CaptureStatus(CapturePhase.MOVING, tuple(views), "", ("heel",)))
     assert bench.panel.capture.waits_for_hand
     assert "in its place for view heel" in bench.panel.capture.sentence
     assert [row.title.split(" ")[0] for row in bench.panel.rows] == ["heel", "right"]
