@@ -1,4 +1,4 @@
-"""Lenient reading of the JSON files the product writes for itself: a bad entry costs only a warning.
+"""Lenient reading of JSON that the product writes for itself: a bad entry costs only a warning.
 
 Files that users or other programs write are read strictly, by `json_object`.
 """

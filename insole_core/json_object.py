@@ -32,7 +32,6 @@ class JsonObject:
     ----------
     file
         Name of the file, for messages.
-    values
     place
         Keys that lead here from the root, for messages, such as ``depth_camera.``.
     """
@@ -68,7 +67,6 @@ class JsonObject:
         ----------
         file
             Name of the file, for messages.
-        text
 
         Raises
         ------
@@ -131,7 +129,6 @@ class JsonObject:
 
         Parameters
         ----------
-        key
         problem
             Template of the rest of the sentence, such as ``"is {value}, but must be …"``.
         values
@@ -188,7 +185,7 @@ class JsonObject:
         return value
 
     def choice(self, key: str, allowed: Sequence[_Word]) -> _Word:
-        """Return a string that is one of `allowed`, as that item: a `str` or a member of a `StrEnum`."""
+        """Return a string that must be one of `allowed`, as that item (a member of a `StrEnum`)."""
         value = self.value(key)
         if value not in allowed:
             raise self.fail(

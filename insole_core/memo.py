@@ -30,8 +30,8 @@ class Memo:
     def get(self, kind: str, key: Hashable, make: Callable[[], _Result]) -> _Result:
         """Return the cached result, or compute it.
 
-        Two threads that ask for the same result at once may both compute it, since neither waits for
-        the other; both get the same object.
+        Two threads that ask for the same result at once may both compute it, since neither waits
+        for the other; both get the same object.
 
         Parameters
         ----------

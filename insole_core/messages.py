@@ -53,7 +53,6 @@ def joined(parts: Iterable[str], between: str = ", ") -> Message:
 
     Parameters
     ----------
-    parts
     between
         Separator; it is part of the template and must not hold braces.
     """

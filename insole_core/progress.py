@@ -60,7 +60,7 @@ class Progress:
         self.report(self.start + fraction * (self.end - self.start), message)
 
     def part(self, start: float, end: float) -> Progress:
-        """Return the progress of a sub-computation that covers `start` to `end` (0 to 1) of this one."""
+        """Return the progress of a sub-computation that covers `start` to `end` of this one."""
         width = self.end - self.start
         return Progress(
             self.report, self.is_cancelled, self.start + start * width, self.start + end * width

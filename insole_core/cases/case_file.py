@@ -33,11 +33,6 @@ _WHEN = (1980, 1, 1, 0, 0, 0)
 def write_case(record: CaseRecord, path: Path) -> None:
     """Write a case atomically; equal cases give equal files.
 
-    Parameters
-    ----------
-    record
-    path
-
     Raises
     ------
     OutputError

@@ -47,7 +47,6 @@ class ReferencePlane:
 
     Parameters
     ----------
-    origin_mm
     pitch_deg
         Rotation about x; positive lifts the toe end.
     roll_deg
@@ -92,7 +91,6 @@ class ScanSource:
     ----------
     kind
         ``session`` or ``mesh``.
-    path
     sha256
         Of the manifest of a session, or of the file of a mesh or an archive.
     recorded_at
@@ -119,13 +117,10 @@ class FootRecord:
 
     Parameters
     ----------
-    foot
-    source
     variants
         At least one; their names differ.
     chosen
         Name of the variant that is shown, checked and made.
-    annotations
     earlier
         The prescription on the previous scan, to be repeated on this one.
     """
@@ -145,8 +140,6 @@ class FootRecord:
 
         Parameters
         ----------
-        foot
-        source
         design : optional
             Of the variant; without it, a design without corrections.
         more
@@ -211,7 +204,6 @@ class FootRecord:
         ----------
         name
             Of the variant now.
-        new
 
         Raises
         ------
@@ -240,7 +232,6 @@ class CaseRecord:
 
     Parameters
     ----------
-    patient
     feet
         The left one first; at most one for each side.
     at_hand

@@ -18,7 +18,6 @@ def write_obj(mesh: TriangleMesh, path: Path) -> None:
     Parameters
     ----------
     mesh : mm
-    path
 
     Raises
     ------

@@ -60,7 +60,6 @@ class SectionDrawing:
 
     Parameters
     ----------
-    title
     along_mm : (n,) float64
         Position along the section.
     top_mm, bottom_mm : (n,) float64
@@ -85,7 +84,6 @@ class JobSheet:
         Dimensions of the solid.
     make
         Material and tolerances.
-    sections
     checks
         One sentence each.
     file
@@ -107,11 +105,6 @@ class JobSheet:
 
 def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
     """Write the job sheets of the parts, each on a page of its own.
-
-    Parameters
-    ----------
-    sheets
-    path
 
     Raises
     ------
@@ -150,7 +143,6 @@ def write_prescription(
         One line each.
     make
         Material and other facts of manufacture.
-    path
 
     Raises
     ------
@@ -177,12 +169,10 @@ def write_report(
 
     Parameters
     ----------
-    title
     sections
         Heading and facts of each table.
     picture
         PNG, width to height 9 : 8.
-    path
 
     Raises
     ------
@@ -207,8 +197,6 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
 
     Parameters
     ----------
-    story
-    path
     title
         Title in the metadata of the document.
     foot

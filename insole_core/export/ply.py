@@ -24,7 +24,6 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
     Parameters
     ----------
     mesh : mm
-    path
 
     Raises
     ------

@@ -23,7 +23,6 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
 
     Parameters
     ----------
-    path
     what
         The object in the message.
 

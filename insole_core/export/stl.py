@@ -28,7 +28,6 @@ def write_stl(mesh: TriangleMesh, path: Path) -> None:
     Parameters
     ----------
     mesh : mm
-    path
 
     Raises
     ------
@@ -49,7 +48,6 @@ def write_ascii_stl(mesh: TriangleMesh, path: Path) -> None:
     ----------
     mesh : mm
         Its coordinates are written in single precision.
-    path
 
     Raises
     ------

@@ -64,8 +64,6 @@ def write_3mf(parts: Sequence[ThreeMfPart], path: Path, title: str = "Insole") -
 
     Parameters
     ----------
-    parts
-    path
     title
         Metadata of the model.
 

@@ -66,7 +66,6 @@ def extend_boundary(
 
     Parameters
     ----------
-    mesh
     width_mm
         Width of the ring.
     course

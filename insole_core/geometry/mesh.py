@@ -91,7 +91,7 @@ class TriangleMesh:
         return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
-        """Return a mesh of the same triangles with other vertices (n, 3), mm; all else is dropped."""
+        """Return a mesh of the same triangles with other vertices (n, 3), mm; drop all else."""
         return TriangleMesh(vertices, self.triangles)._knowing(
             self, {"links"} & self.__dict__.keys()
         )

@@ -29,7 +29,6 @@ def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
 
     Parameters
     ----------
-    mesh
     least_share
         Of all triangles, 0 to 1; a piece needs more than that.
 
@@ -47,7 +46,6 @@ def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
 
     Parameters
     ----------
-    mesh
     rounds
         Iterations, each a shrinking and an inflating step.
 
@@ -70,7 +68,6 @@ def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
 
     Parameters
     ----------
-    mesh
     rounds
         Iterations; every iteration reaches one ring of neighbours further.
 

@@ -13,7 +13,6 @@ def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray)
 
     Parameters
     ----------
-    mesh
     origin : (3,) float64, mm, frame of the mesh
         A point of the plane.
     normal : (3,) float64, frame of the mesh

@@ -36,7 +36,6 @@ def sample_triangles(mesh: TriangleMesh, pitch_mm: float) -> SurfaceSamples:
 
     Parameters
     ----------
-    mesh
     pitch_mm
         Largest distance of neighbouring points in a triangle.
 

@@ -24,7 +24,6 @@ class NamedSpot:
     ----------
     id
         Of the marker.
-    pixel
     exact
         Whether the marker's centre is exactly there; otherwise it is that of the blue spot there.
     """
@@ -67,7 +66,7 @@ class ViewEdits:
         return replace(self, excluded=tuple(other for other in self.excluded if other != marker))
 
     def with_named(self, spot: NamedSpot) -> ViewEdits:
-        """Set the position of a marker, in place of all earlier ones of this marker or at this pixel."""
+        """Set the position of a marker, replacing earlier ones of this marker or this pixel."""
         others = tuple(o for o in self.named if o.id != spot.id and o.pixel != spot.pixel)
         return replace(self.with_included(spot.id), named=(*others, spot))
 

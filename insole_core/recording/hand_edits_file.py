@@ -40,7 +40,6 @@ def write_edits(edits: HandEdits, session: Path) -> None:
 
     Parameters
     ----------
-    edits
     session
         Folder or zip archive.
 
@@ -79,7 +78,6 @@ def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
     ----------
     file
         Name of the file, for messages.
-    text
     manifest
         Of the session; the corrections may name only its views and markers.
 

@@ -43,8 +43,6 @@ def check_png(name: str, content: bytes, expected: PngKind) -> None:
     ----------
     name
         Of the file, for messages.
-    content
-    expected
 
     Raises
     ------
@@ -86,7 +84,6 @@ def decode_depth(name: str, content: bytes) -> RawArray:
     ----------
     name
         Of the file, for messages.
-    content
 
     Returns
     -------
@@ -116,7 +113,6 @@ def decode_color(name: str, content: bytes) -> ByteArray:
     ----------
     name
         Of the file, for messages.
-    content
 
     Returns
     -------

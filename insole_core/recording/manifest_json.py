@@ -33,7 +33,6 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
     ----------
     file
         Name of the file, for messages.
-    text
 
     Raises
     ------

@@ -40,11 +40,6 @@ def read_sensor(folder: Path) -> Sensor:
 def write_sensor(sensor: Sensor, folder: Path) -> None:
     """Write a sensor into an existing folder.
 
-    Parameters
-    ----------
-    sensor
-    folder
-
     Raises
     ------
     OutputError

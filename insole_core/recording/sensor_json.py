@@ -77,7 +77,6 @@ def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
 
     Parameters
     ----------
-    sensor
     correction
         Name of the file that its correction is stored in; None without one.
     """

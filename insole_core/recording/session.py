@@ -14,7 +14,7 @@ from insole_core.sensing.sensor import Sensor
 
 @dataclass(frozen=True)
 class Marker:
-    """A marker of the reference system; its position is the centre of its visible face, reference frame."""
+    """A marker of the reference system, at the centre of its visible face, mm, reference frame."""
 
     id: str
     position_mm: tuple[float, float, float]
@@ -70,8 +70,6 @@ class View:
 
     Parameters
     ----------
-    name
-    sensor
     depth_count, color_count
         Number of frames.
     read_depth

@@ -33,13 +33,10 @@ def write_session(
 
     Parameters
     ----------
-    session
-    path
     truth : mm, reference frame, optional
         The true surface of a simulated session.
     sensor2reference
         The true poses of a simulated session, (4, 4), mm, by the name of the view.
-    progress
 
     Raises
     ------

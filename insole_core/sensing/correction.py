@@ -70,7 +70,6 @@ class DisparityCorrection:
         The correction at `reference_raw`; all that other programs need to know.
     slope : (480, 640) float32, raw units per raw unit, optional
         At `reference_raw`.
-    reference_raw
     decay
         Rate at which the correction decays with the raw number, 1 / raw unit; 0 = linear (files of
         version 1).
@@ -80,7 +79,6 @@ class DisparityCorrection:
         Number of captures that determined each pixel; 0 = filled in from its neighbours.
     deviation : (480, 640) float32, raw units, optional
         Standard deviation of the residuals after the correction, averaged over 8 x 8 pixels.
-    record
     """
 
     offset: Float32Array
@@ -109,7 +107,6 @@ class DisparityCorrection:
         Parameters
         ----------
         raw : (480, 640) float64, raw units, NaN = no reading
-        disparity
 
         Returns
         -------
@@ -190,7 +187,6 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
     ----------
     name
         Of the file, for messages.
-    content
 
     Returns
     -------

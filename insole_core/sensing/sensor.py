@@ -21,7 +21,6 @@ class Sensor:
     ----------
     model, serial
         As the device reports them.
-    depth_camera, color_camera
     depth2color : (4, 4) float64, mm
         Depth camera frame to colour camera frame, thesis (13).
     disparity
