@@ -35,8 +35,8 @@ def edits_path(session: Path) -> Path:
 def write_edits(edits: HandEdits, session: Path) -> None:
     """Write the corrections of a session.
 
-    Without any corrections the file is removed, unless the session is an archive that holds
-    corrections itself, which an empty file beside it overrides.
+    Without corrections the file is removed. Beside an archive with corrections inside, a file
+    without entries is written instead, since it overrides those.
 
     Parameters
     ----------

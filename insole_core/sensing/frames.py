@@ -49,7 +49,7 @@ def median_raw(frames: Iterable[RawArray]) -> FloatArray:
     -------
     (height, width) float64, raw; NaN where fewer than half of the frames measured
     """
-    # 2047 is the largest raw number, so after sorting the readings stand before the gaps.
+    # 2047 is the largest raw number, so sorting puts the readings before the gaps.
     ordered = np.stack(_sorted(list(frames)))
     readings = (ordered < NO_READING).sum(0, dtype=np.int16)
     low, high = _picked(ordered, np.maximum(readings - 1, 0) // 2), _picked(ordered, readings // 2)

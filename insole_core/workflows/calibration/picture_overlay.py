@@ -18,7 +18,7 @@ _RANGE_MM = (450.0, 1050.0)
 
 
 def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:
-    """Tint the cells of a picture that nothing has reached yet.
+    """Tint the cells of a picture that are not covered yet.
 
     Parameters
     ----------
