@@ -21,7 +21,17 @@ _KINDS = {0: "grey", 2: "RGB", 3: "palette", 4: "grey with alpha", 6: "RGB with 
 
 @dataclass(frozen=True)
 class PngKind:
-    """Size, bit depth and colour type that a PNG file must have."""
+    """Properties that a PNG file must have.
+
+    Parameters
+    ----------
+    width, height
+        px.
+    bits
+        Per channel.
+    color_type
+        As in the IHDR chunk, such as 0 for grey and 2 for RGB.
+    """
 
     width: int
     height: int

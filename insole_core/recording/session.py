@@ -14,7 +14,15 @@ from insole_core.sensing.sensor import Sensor
 
 @dataclass(frozen=True)
 class Marker:
-    """A marker of the reference system, at the centre of its visible face, mm, reference frame."""
+    """A marker of the reference system.
+
+    Parameters
+    ----------
+    position_mm
+        Centre of its visible face, reference frame.
+    face
+        Group of markers that face the same way; a sensor sees certain groups.
+    """
 
     id: str
     position_mm: tuple[float, float, float]
@@ -43,7 +51,15 @@ class Box:
 
 @dataclass(frozen=True)
 class CaptureCondition:
-    """How the foot was held while it was captured."""
+    """Load and support of the foot during the capture.
+
+    Parameters
+    ----------
+    weight_bearing
+        ``none``, ``semi`` or ``full``.
+    held
+        Whether the foot was held.
+    """
 
     weight_bearing: str = "none"
     held: bool = False
@@ -52,7 +68,17 @@ class CaptureCondition:
 
 @dataclass(frozen=True)
 class Manifest:
-    """Metadata of the whole capture."""
+    """Metadata of the whole capture.
+
+    Parameters
+    ----------
+    recorded_at
+        ISO 8601.
+    views
+        Names of the views, in order.
+    volume_of_interest
+        Limits the reconstruction; None for the default.
+    """
 
     recorded_at: str
     side: Side

@@ -37,7 +37,19 @@ def _positive(
 
 @dataclass(frozen=True)
 class FactoryDisparity:
-    """Conversion by the numbers that the device itself reports (``kinect-v1-factory``)."""
+    """Conversion by the parameters that the device itself reports (``kinect-v1-factory``).
+
+    Parameters
+    ----------
+    reference_distance_mm
+        Z0, distance of the reference plane.
+    reference_pixel_size_mm
+        p, size of a pixel on the reference plane.
+    baseline_mm
+        b, between emitter and infrared camera.
+    constant_shift
+        px.
+    """
 
     reference_distance_mm: float
     reference_pixel_size_mm: float
