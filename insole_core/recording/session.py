@@ -77,7 +77,7 @@ class Manifest:
     views
         Names of the views, in order.
     volume_of_interest
-        Limits the reconstruction; None for the default.
+        Limits the reconstruction; None for the volume that the markers enclose.
     """
 
     recorded_at: str

@@ -104,7 +104,7 @@ class EditedInsole:
 
     @cached_property
     def standing_foot(self) -> TriangleMesh:
-        """The foot as it stands on the insole: rotated by the posting, raised by the least thickness.
+        """The foot standing on the insole: rotated by the posting, raised by the least thickness.
 
         Independent of pads and strokes; mm, insole frame.
         """
