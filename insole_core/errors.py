@@ -1,7 +1,7 @@
-"""The errors a user can act on.
+"""Errors that the user can act on.
 
-Every message is one sentence that says what is wrong, where, and what to do; the command line shows
-it as it stands, the window in its language.
+Every message is one sentence that says what is wrong, where, and what to do. The command line shows
+it as it is, the window translates it.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from insole_core.messages import Message, Value
 
 
 class InsoleError(Exception):
-    """Something the user can put right; the text is written for a clinician.
+    """An error that the user can correct; its text is written for a clinician.
 
     Parameters
     ----------
     template, values
-        Those of the `Message`, such as ``"{path} is flat; export it again.", path=path``.
+        As for `Message`, such as ``"{path} is flat; export it again.", path=path``.
     """
 
     def __init__(self, template: str, /, **values: Value) -> None:
@@ -23,17 +23,17 @@ class InsoleError(Exception):
 
     @property
     def message(self) -> Message:
-        """The sentence; ``str(error)`` is the same."""
+        """The sentence; the same as ``str(error)``."""
         message: Message = self.args[0]
         return message
 
 
 class UsageError(InsoleError):
-    """The call itself contradicts its input (command line: exit code 2)."""
+    """The call contradicts its input (command line: exit code 2)."""
 
 
 class InputError(InsoleError):
-    """A file or folder that was handed in cannot be used as it is."""
+    """A given file or folder cannot be used as it is."""
 
 
 class ReconstructionError(InsoleError):

@@ -1,6 +1,6 @@
-"""JSON that the product remembers for itself: a bad entry costs a warning, never the start.
+"""Lenient reading of JSON that the product writes for itself: a bad entry costs only a warning.
 
-What users or other programs write is read strictly instead, by `json_object`.
+Files that users or other programs write are read strictly, by `json_object`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ log = logging.getLogger(__name__)
 
 
 def read_remembered(path: Path) -> dict[str, Any]:
-    """Read the entries of a file that the window wrote; one that is damaged has none."""
+    """Read the entries of a file that the window wrote; empty where it is missing or damaged."""
     try:
         stored = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -30,16 +30,22 @@ def read_remembered(path: Path) -> dict[str, Any]:
 
 
 def understood(stored: dict[str, Any], kind: type[Any], path: Path) -> dict[str, Any]:
-    """Keep the entries that are fields of a dataclass and of their type; warn of a wrong type.
+    """Keep the entries that match a field of a dataclass; log a warning for each of a wrong type.
 
     Parameters
     ----------
     stored
-        The entries of a file.
+        Entries of a file.
     kind
-        Its fields may be texts, numbers, flags, literals, lists of these, or None.
+        The dataclass. Its fields may be strings, numbers, booleans, literals, lists of these, or
+        None.
     path
         Of the file, for the warning.
+
+    Returns
+    -------
+    dict
+        Keyword arguments for `kind`; fields without a valid entry are absent.
     """
     hints = get_type_hints(kind)
     known = {key: value for key, value in stored.items() if key in hints}
@@ -58,4 +64,4 @@ def _fits(value: Any, kind: Any) -> bool:
         return any(_fits(value, one) for one in of)
     if kind is float:
         return type(value) in (int, float) and abs(value) <= sys.float_info.max
-    return type(value) is kind  # isinstance would take true for a whole number
+    return type(value) is kind  # isinstance would accept true as an integer

@@ -1,7 +1,7 @@
 """Strict JSON: every wrong or missing value is one sentence that names the file and the key.
 
 Not msgspec or pydantic: what is read becomes arrays and values of other shapes, so their models
-make the readers longer; msgspec tells neither the wrong value nor the key of a map, and pydantic
+make the readers longer; msgspec reports neither the wrong value nor the key of a map, and pydantic
 takes 0.1 s to load.
 """
 
@@ -23,13 +23,15 @@ _Word = TypeVar("_Word", bound=str)
 
 @dataclass(frozen=True)
 class JsonObject:
-    """An object inside a JSON file that knows where it stands.
+    """An object inside a JSON file, with its path from the root for error messages.
+
+    Every getter raises an `InputError` that names file and key when the value is missing or is not
+    what the getter asks for.
 
     Parameters
     ----------
     file
         Name of the file, for messages.
-    values
     place
         Keys that lead here from the root, for messages, such as ``depth_camera.``.
     """
@@ -61,10 +63,15 @@ class JsonObject:
     def parse(cls, file: str, text: bytes) -> JsonObject:
         """Read the root object of a JSON text.
 
+        Parameters
+        ----------
+        file
+            Name of the file, for messages.
+
         Raises
         ------
         InputError
-            When the text is no JSON object.
+            When the text is not a JSON object.
         """
         try:
             values = json.loads(text)
@@ -79,11 +86,24 @@ class JsonObject:
         return cls(file, values)
 
     def check_format(self, name: str, newest: int = 1) -> int:
-        """Give the version; refuse another format, and a version newer than this program.
+        """Check ``format`` and ``version``.
+
+        Parameters
+        ----------
+        name
+            The required format.
+        newest
+            The newest version that this program reads.
+
+        Returns
+        -------
+        int
+            Version of the file, 1 to `newest`.
 
         Raises
         ------
         InputError
+            When it is of another format, or of a newer version.
         """
         if self.value("format") != name:
             raise self.fail(
@@ -105,7 +125,15 @@ class JsonObject:
         return self.integer("version", 1, newest)
 
     def fail(self, key: str, problem: str, /, **values: Value) -> InputError:
-        """Make the error for one key; template and values as those of a `Message`."""
+        """Return the error for one key, for the caller to raise.
+
+        Parameters
+        ----------
+        problem
+            Template of the rest of the sentence, such as ``"is {value}, but must be …"``.
+        values
+            Of the template, as for `Message`.
+        """
         return InputError(
             "{file}: {key} {problem}.",
             file=self.file,
@@ -114,41 +142,41 @@ class JsonObject:
         )
 
     def has(self, key: str) -> bool:
-        """Whether the key is there at all."""
+        """Return whether the key exists."""
         return key in self.values
 
     def value(self, key: str) -> Any:
-        """Give a value of any type."""
+        """Return a value of any type."""
         if key not in self.values:
             raise self.fail(key, "is missing")
         return self.values[key]
 
     def object(self, key: str) -> JsonObject:
-        """Give a nested object."""
+        """Return a nested object."""
         value = self.value(key)
         if not isinstance(value, dict):
             raise self.fail(key, "must be an object {…}")
         return JsonObject(self.file, value, f"{self.place}{key}.")
 
     def objects(self, key: str) -> list[JsonObject]:
-        """Give a list of objects."""
+        """Return a list of objects."""
         listed = self.listed(key)
         return [listed.object(number) for number in listed.values]
 
     def listed(self, key: str) -> JsonObject:
-        """Give a list as an object with the keys ``[0]``, ``[1]`` …"""
+        """Return a list as an object with the keys ``[0]``, ``[1]`` …"""
         values = {f"[{i}]": item for i, item in enumerate(self.items(key))}
         return JsonObject(self.file, values, f"{self.place}{key}")
 
     def items(self, key: str) -> list[Any]:
-        """Give a list of anything."""
+        """Return a list of values of any type."""
         value = self.value(key)
         if not isinstance(value, list):
             raise self.fail(key, "must be a list […]")
         return value
 
     def text(self, key: str, *, empty: bool = False) -> str:
-        """Give a string, which may be empty only where that is allowed."""
+        """Return a string; an empty one only with `empty`."""
         value = self.value(key)
         if not isinstance(value, str):
             raise self.fail(key, "must be a text")
@@ -157,7 +185,7 @@ class JsonObject:
         return value
 
     def choice(self, key: str, allowed: Sequence[_Word]) -> _Word:
-        """Give one of a few words, or of a `StrEnum`."""
+        """Return a string that must be one of `allowed`, as that item (a member of a `StrEnum`)."""
         value = self.value(key)
         if value not in allowed:
             raise self.fail(
@@ -169,14 +197,14 @@ class JsonObject:
         return allowed[allowed.index(value)]
 
     def flag(self, key: str) -> bool:
-        """Give true or false."""
+        """Return a boolean."""
         value = self.value(key)
         if not isinstance(value, bool):
             raise self.fail(key, "is {value}, but must be true or false", value=_short(value))
         return value
 
     def number(self, key: str, low: float = -math.inf, high: float = math.inf) -> float:
-        """Give a finite number from `low` to `high`."""
+        """Return a finite number from `low` to `high`, both included."""
         value = self.value(key)
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self.fail(key, "is {value}, but must be a number", value=_short(value))
@@ -193,7 +221,7 @@ class JsonObject:
         return float(value)
 
     def integer(self, key: str, low: int, high: int) -> int:
-        """Give a whole number from `low` to `high`."""
+        """Return an integer from `low` to `high`, both included."""
         number = self.number(key, low, high)
         if number != int(number):
             raise self.fail(key, "is {value}, but must be a whole number", value=number)
@@ -202,7 +230,7 @@ class JsonObject:
     def numbers(
         self, key: str, count: int, low: float = -math.inf, high: float = math.inf
     ) -> tuple[float, ...]:
-        """Give a list of exactly `count` finite numbers from `low` to `high`."""
+        """Return a list of exactly `count` finite numbers from `low` to `high`, both included."""
         listed = self.listed(key)
         if len(listed.values) != count:
             raise self.fail(
@@ -214,22 +242,22 @@ class JsonObject:
         return tuple(listed.number(number, low, high) for number in listed.values)
 
     def pair(self, key: str) -> tuple[float, float]:
-        """Give a list of two finite numbers."""
+        """Return a list of two finite numbers."""
         u, v = self.numbers(key, 2)
         return u, v
 
     def triple(self, key: str) -> tuple[float, float, float]:
-        """Give a list of three finite numbers."""
+        """Return a list of three finite numbers."""
         x, y, z = self.numbers(key, 3)
         return x, y, z
 
     def vectors(self, key: str, count: int) -> list[tuple[float, ...]]:
-        """Give a list of lists of `count` finite numbers each."""
+        """Return a list of lists of exactly `count` finite numbers each."""
         listed = self.listed(key)
         return [listed.numbers(number, count) for number in listed.values]
 
     def matrix(self, key: str, size: int) -> list[tuple[float, ...]]:
-        """Give the rows of a square matrix of finite numbers."""
+        """Return the rows of a `size` × `size` matrix of finite numbers."""
         if len(self.items(key)) != size:
             raise self.fail(key, "must be a {size}×{size} matrix", size=size)
         return self.vectors(key, size)

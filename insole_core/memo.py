@@ -1,4 +1,4 @@
-"""Results that are kept because they are asked for again soon."""
+"""A bounded, thread-safe cache of recent results."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ _Result = TypeVar("_Result")
 
 
 class Memo:
-    """Keeps the last few results of each kind; any thread may ask.
+    """Cache of the most recently used results of each kind; thread-safe.
 
-    A memo is a part of the value that its results are derived from, and goes with it: nothing is
-    kept of a foot that is closed.
+    A memo is part of the value that its results are derived from and is freed with it, so that
+    nothing of a closed foot is kept.
 
     Parameters
     ----------
     size
-        So many results of a kind are kept; the one that was not asked for longest goes first.
+        Number of results kept for each kind; the least recently used one is dropped first.
     """
 
     def __init__(self, size: int) -> None:
@@ -28,10 +28,19 @@ class Memo:
         self._lock = Lock()
 
     def get(self, kind: str, key: Hashable, make: Callable[[], _Result]) -> _Result:
-        """Give the result of a kind that is kept under a key, or make it.
+        """Return the cached result, or compute it.
 
-        Two threads that ask for the same at once may both make it, since nobody waits for what
-        another one makes; they are given the same object.
+        Two threads that ask for the same result at once may both compute it, since neither waits
+        for the other; both get the same object.
+
+        Parameters
+        ----------
+        kind
+            Name of the computation; each kind has its own bound.
+        key
+            Everything the result depends on.
+        make
+            Computes the result; called without holding the lock.
         """
         kept: _Result | None = self.known(kind, key)
         if kept is not None:
@@ -45,7 +54,7 @@ class Memo:
         return shared
 
     def known(self, kind: str, key: Hashable) -> Any | None:
-        """Give the result that is kept under a key; None where there is none."""
+        """Return the cached result of a kind and key, or None."""
         with self._lock:
             results = self._kinds.get(kind)
             if results is None or key not in results:

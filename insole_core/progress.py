@@ -1,4 +1,4 @@
-"""Progress and cancellation, without a window: they travel into every long computation."""
+"""Progress and cancellation for long computations, independent of any user interface."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Cancelled(Exception):  # noqa: N818 - not an error
 
 
 def _ignore(_fraction: float, _text: str) -> None:
-    """Report to nobody."""
+    """Discard a report."""
 
 
 def _never() -> bool:
@@ -22,14 +22,14 @@ def _never() -> bool:
 
 @dataclass(frozen=True)
 class Progress:
-    """Where a computation reports to, and asks whether it should go on.
+    """Reports the progress of a computation, and stops it when it is cancelled.
 
     Parameters
     ----------
     report
         Called with the overall fraction done (0 to 1) and a short message.
     is_cancelled
-        Asked at every step; when it answers true, the step raises `Cancelled`.
+        Called at every step; when it returns true, the step raises `Cancelled`.
     start, end
         The part of the whole that this computation covers.
     """
@@ -45,8 +45,9 @@ class Progress:
         Parameters
         ----------
         fraction
+            Of this computation, 0 to 1.
         template, values
-            Those of the `Message` that is reported: ``"Placing the view {view}", view=name``.
+            Of the `Message` that is reported: ``"Placing the view {view}", view=name``.
 
         Raises
         ------
@@ -59,14 +60,14 @@ class Progress:
         self.report(self.start + fraction * (self.end - self.start), message)
 
     def part(self, start: float, end: float) -> Progress:
-        """Give the progress of a sub-computation that covers `start` to `end` of this one."""
+        """Return the progress of a sub-computation that covers `start` to `end` of this one."""
         width = self.end - self.start
         return Progress(
             self.report, self.is_cancelled, self.start + start * width, self.start + end * width
         )
 
     def parts(self, count: int) -> tuple[Progress, ...]:
-        """Give the progress of sub-computations of equal size, one after the other."""
+        """Return the progress of `count` sub-computations of equal size, in order."""
         return tuple(self.part(i / count, (i + 1) / count) for i in range(count))
 
 

@@ -1,4 +1,4 @@
-"""Where the files that come with the product lie, in a checkout, a wheel and a frozen build."""
+"""Locations of the bundled files, in a checkout, a wheel and a frozen build."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ _PACKAGE = Path(__file__).resolve().parent
 
 
 def resource_path(name: str) -> Path:
-    """Give the path of a bundled resource, for example ``reference_systems/lego-20.json``.
+    """Return the path of a bundled resource, for example ``reference_systems/lego-20.json``.
 
     Raises
     ------
     FileNotFoundError
-        When the installation does not hold it.
+        When the installation does not contain it.
     """
     for root in (_PACKAGE / "_resources", _PACKAGE.parent / "resources"):
         path = root / name

@@ -1,4 +1,4 @@
-"""The case file: one zip archive with everything that a case holds (docs/formats/case.md).
+"""Reading and writing of case files: one zip archive for each case (docs/formats/case.md).
 
 Patient files are read strictly: what is not understood is refused, never guessed.
 """
@@ -31,12 +31,12 @@ _WHEN = (1980, 1, 1, 0, 0, 0)
 
 
 def write_case(record: CaseRecord, path: Path) -> None:
-    """Write a case as a whole or not at all.
+    """Write a case atomically; equal cases give equal files.
 
     Raises
     ------
     OutputError
-        When the place cannot be written; what stood there before is untouched.
+        When the place cannot be written; a file that was there before is untouched.
     """
     with replacing_file(path) as beside, zipfile.ZipFile(beside, "w") as archive:
         text = json.dumps(case_to_json(record), indent=1, ensure_ascii=False)
@@ -46,12 +46,12 @@ def write_case(record: CaseRecord, path: Path) -> None:
 
 
 def read_case(path: Path) -> CaseRecord:
-    """Read a case.
+    """Read a case, of this or an older version of the format.
 
     Raises
     ------
     InputError
-        When the file is no case, is damaged, or comes from a newer version.
+        When the file is not a case, is damaged, or comes from a newer version.
     """
     parts = _read_parts(path)
     if CASE_NAME not in parts:
@@ -142,7 +142,7 @@ def _read_parts(path: Path) -> dict[str, bytes]:
 
 
 def _read_part(archive: zipfile.ZipFile, name: str, path: Path) -> bytes:
-    # The archive's own word on sizes is not trusted: never inflate past the limit.
+    # The sizes that the archive states are not trusted: never inflate past the limit.
     with archive.open(name) as file:
         content = file.read(MAX_PART_BYTES + 1)
     if len(content) > MAX_PART_BYTES:
@@ -161,7 +161,7 @@ def _damaged(path: Path, name: str) -> InputError:
 
 
 def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
-    # A fixed date: equal cases are equal files.
+    # A fixed date, so that equal cases give equal files.
     entry = zipfile.ZipInfo(name, _WHEN)
     entry.compress_type = zipfile.ZIP_DEFLATED if name == CASE_NAME else zipfile.ZIP_STORED
     archive.writestr(entry, content)

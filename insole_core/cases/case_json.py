@@ -1,4 +1,4 @@
-"""What `case.json` says, and the case that it says (docs/formats/case.md)."""
+"""Conversion between case.json and `CaseRecord` (docs/formats/case.md)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ FORMAT, VERSION = "insole-case", 2
 
 
 def case_to_json(record: CaseRecord) -> dict[str, Any]:
-    """Give everything but the surfaces as plain values for `json.dump`."""
+    """Return everything but the surfaces as plain values for `json.dump`."""
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -44,12 +44,19 @@ def case_to_json(record: CaseRecord) -> dict[str, Any]:
 
 
 def case_from_json(case: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> CaseRecord:
-    """Build a case from what `json.load` gave, and the surfaces of its feet.
+    """Build a case from its JSON form and the surfaces of its feet.
+
+    Parameters
+    ----------
+    case
+        The root object of case.json, in the newest version.
+    mesh_of
+        Returns the surface of a side, mm, insole frame.
 
     Raises
     ------
     InputError
-        One sentence that names the file and the key.
+        Names the file and the key of the first violation.
     """
     patient = _patient(case.object("patient"))
     feet = [_foot_record(foot, mesh_of) for foot in case.objects("feet")]

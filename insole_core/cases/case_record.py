@@ -1,6 +1,6 @@
-"""Everything a case holds, as immutable values; the window changes a case by replacing them.
+"""Everything a case contains, as immutable values; the window changes a case by replacing them.
 
-All places are in the insole frame: mm, +y from heel to toes, +z dorsal.
+All positions are in the insole frame: mm, +y from heel to toes, +z dorsal.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from insole_core.insole.prescription.template import Template
 
 Point = tuple[float, float, float]
 FIRST_NAME = "A"
-"""Of the first variant; those that are added go on through the alphabet."""
+"""Name of the first variant; later ones continue through the alphabet."""
 
 
 @dataclass(frozen=True)
 class Patient:
-    """The fields of the patient panel, as typed."""
+    """The fields of the patient panel, as entered."""
 
     name: str = ""
     born: str = ""
@@ -35,7 +35,7 @@ class Patient:
 
 @dataclass(frozen=True)
 class KeyPoint:
-    """A named place on the foot's skin, mm, insole frame."""
+    """A named point on the foot's skin, mm, insole frame."""
 
     name: str
     position_mm: Point
@@ -43,15 +43,14 @@ class KeyPoint:
 
 @dataclass(frozen=True)
 class ReferencePlane:
-    """A plane to look at the foot against; it changes nothing on the insole.
+    """A plane to view the foot against; it has no effect on the insole.
 
     Parameters
     ----------
-    origin_mm
     pitch_deg
-        Turn about x: > 0 lifts the toe end.
+        Rotation about x; positive lifts the toe end.
     roll_deg
-        Turn about the foot axis: > 0 lifts the side of -x.
+        Rotation about the foot axis; positive lifts the side of -x.
     """
 
     origin_mm: Point
@@ -67,17 +66,17 @@ class ReferencePlane:
 
 @dataclass(frozen=True)
 class Annotations:
-    """What was marked on the foot beside the prescription."""
+    """Marks on the foot apart from the prescription."""
 
     key_points: tuple[KeyPoint, ...] = ()
     plane: ReferencePlane | None = None
 
     def key_point(self, name: str) -> KeyPoint | None:
-        """Find a key point, or None."""
+        """Find a key point by its name; None when there is none."""
         return next((point for point in self.key_points if point.name == name), None)
 
     def with_key_point(self, point: KeyPoint) -> Annotations:
-        """Add a key point, or put it where the one of the same name was."""
+        """Add a key point, in place of one with the same name."""
         if self.key_point(point.name) is None:
             return replace(self, key_points=(*self.key_points, point))
         points = tuple(point if p.name == point.name else p for p in self.key_points)
@@ -86,15 +85,14 @@ class Annotations:
 
 @dataclass(frozen=True)
 class ScanSource:
-    """Where the foot came from.
+    """The scan that a foot was made from.
 
     Parameters
     ----------
     kind
         ``session`` or ``mesh``.
-    path
     sha256
-        Of the manifest of a session, of the file of a mesh or of an archive.
+        Of the manifest of a session, or of the file of a mesh or an archive.
     recorded_at
         ISO 8601, UTC; empty where unknown.
     """
@@ -107,7 +105,7 @@ class ScanSource:
 
 @dataclass(frozen=True)
 class Variant:
-    """One of several prescriptions for the same foot, by a name that is its own."""
+    """One of several prescriptions for the same foot, with a unique name."""
 
     name: str
     design: InsoleDesign
@@ -115,19 +113,16 @@ class Variant:
 
 @dataclass(frozen=True, eq=False)
 class FootRecord:
-    """One foot of a case, and what is prescribed for it.
+    """One foot of a case and its prescriptions.
 
     Parameters
     ----------
-    foot
-    source
     variants
         At least one; their names differ.
     chosen
         Name of the variant that is shown, checked and made.
-    annotations
     earlier
-        What was prescribed on the scan before this one, to be repeated on it.
+        The prescription on the previous scan, to be repeated on this one.
     """
 
     foot: Foot
@@ -141,7 +136,15 @@ class FootRecord:
     def begun(
         cls, foot: Foot, source: ScanSource, design: InsoleDesign | None = None, **more: Any
     ) -> FootRecord:
-        """Begin with one variant: that of `design`, or one without corrections."""
+        """Return a record with one variant.
+
+        Parameters
+        ----------
+        design : optional
+            Of the variant; without it, a design without corrections.
+        more
+            Further fields of the record.
+        """
         first = Variant(FIRST_NAME, design or InsoleDesign(side=foot.side))
         return cls(foot, source, (first,), first.name, **more)
 
@@ -156,11 +159,11 @@ class FootRecord:
         return self.variant(self.chosen).design
 
     def variant(self, name: str) -> Variant:
-        """Find a variant by its name."""
+        """Return the variant of a name, which must exist."""
         return next(variant for variant in self.variants if variant.name == name)
 
     def with_design(self, design: InsoleDesign) -> FootRecord:
-        """Change the chosen prescription."""
+        """Replace the design of the chosen variant."""
         kept = (replace(v, design=design) if v.name == self.chosen else v for v in self.variants)
         return replace(self, variants=tuple(kept))
 
@@ -174,13 +177,13 @@ class FootRecord:
         Raises
         ------
         DesignError
-            When another has its name.
+            When it has no name, or that of another variant.
         """
         self._check_new(variant.name)
         return replace(self, variants=(*self.variants, variant), chosen=variant.name)
 
     def without_variant(self, name: str) -> FootRecord:
-        """Leave a variant out; of the chosen one, its neighbour is chosen.
+        """Remove a variant; when it was the chosen one, choose its neighbour.
 
         Raises
         ------
@@ -195,12 +198,17 @@ class FootRecord:
         return replace(self, variants=kept, chosen=chosen)
 
     def with_name(self, name: str, new: str) -> FootRecord:
-        """Call a variant by another name.
+        """Rename a variant.
+
+        Parameters
+        ----------
+        name
+            Of the variant now.
 
         Raises
         ------
         DesignError
-            When another has it.
+            When the new name is empty or that of another variant.
         """
         if new == name:
             return self
@@ -220,15 +228,14 @@ class FootRecord:
 
 @dataclass(frozen=True, eq=False)
 class CaseRecord:
-    """One case: a patient, and up to two feet, of which one is at hand.
+    """One case: a patient and up to two feet, one of which is the current one.
 
     Parameters
     ----------
-    patient
     feet
-        The left one first; at most one of a side.
+        The left one first; at most one for each side.
     at_hand
-        The foot that is shown and worked on; None exactly before there is one.
+        Side of the current foot, which is shown and worked on; None only without feet.
     """
 
     patient: Patient = Patient()
@@ -237,60 +244,60 @@ class CaseRecord:
 
     @classmethod
     def of_foot(cls, foot: FootRecord, patient: Patient | None = None) -> CaseRecord:
-        """Make a case of one foot."""
+        """Return a case of one foot, for `patient` or for one without data."""
         return cls(patient or Patient(), (foot,), foot.side)
 
     def of_side(self, side: Side) -> FootRecord | None:
-        """Give the left or the right foot, if the case has it."""
+        """Return the left or the right foot; None when the case has none."""
         return next((foot for foot in self.feet if foot.side is side), None)
 
     @property
     def current(self) -> FootRecord | None:
-        """The foot at hand."""
+        """The current foot."""
         return None if self.at_hand is None else self.of_side(self.at_hand)
 
     @property
     def other(self) -> FootRecord | None:
-        """The foot that is not at hand, if there are two."""
+        """The other foot, if there are two."""
         return None if self.at_hand is None else self.of_side(self.at_hand.other)
 
     def with_foot(self, foot: FootRecord) -> CaseRecord:
-        """Put a foot into its place, and take it to hand."""
+        """Set the foot of its side, and make it the current one."""
         others = tuple(f for f in self.feet if f.side is not foot.side)
         feet = (foot, *others) if foot.side is Side.LEFT else (*others, foot)
         return replace(self, feet=feet, at_hand=foot.side)
 
     def at(self, side: Side) -> CaseRecord:
-        """Take the foot of a side to hand; the same record where there is none."""
+        """Make the foot of a side the current one; without such a foot, return the same record."""
         if side is self.at_hand or self.of_side(side) is None:
             return self
         return replace(self, at_hand=side)
 
     def holds_the_same(self, other: CaseRecord) -> bool:
-        """Whether nothing but the foot at hand differs: the values are the very same ones."""
+        """Return whether patient and feet are the same objects; the current side may differ."""
         return self.patient is other.patient and self.feet is other.feet
 
     @property
     def side(self) -> Side | None:
-        """Which foot is at hand; None before there is one."""
+        """Side of the current foot; None without feet."""
         return self.at_hand
 
     @property
     def foot(self) -> Foot | None:
-        """The surface of the foot at hand."""
+        """Surface of the current foot."""
         return None if self.current is None else self.current.foot
 
     @property
     def source(self) -> ScanSource | None:
-        """Where the foot at hand came from."""
+        """Scan that the current foot was made from."""
         return None if self.current is None else self.current.source
 
     @property
     def design(self) -> InsoleDesign | None:
-        """The chosen prescription of the foot at hand."""
+        """Chosen prescription of the current foot."""
         return None if self.current is None else self.current.design
 
     @property
     def annotations(self) -> Annotations:
-        """What was marked on the foot at hand."""
+        """Marks on the current foot."""
         return Annotations() if self.current is None else self.current.annotations

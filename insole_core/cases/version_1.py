@@ -1,4 +1,4 @@
-"""Cases of version 1 had one foot, with one prescription; they are read as cases of today."""
+"""Migration of cases of version 1, which had one foot with one prescription."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ FOOT_NAME_1 = "foot.npz"
 
 
 def as_version_2(case: JsonObject) -> JsonObject:
-    """Say in the words of version 2 what a case of version 1 says.
+    """Convert the root object of a case from version 1 to version 2.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Results appear as a whole or not at all: written beside their place, then renamed."""
+"""Atomic output: write beside the destination, then rename."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from insole_core.messages import Message
 
 @contextmanager
 def replacing_file(path: Path) -> Iterator[Path]:
-    """Give a path beside `path` to write to; on success it takes the place of `path`.
+    """Yield a path beside `path` to write to; on success it replaces `path`.
 
     Raises
     ------
     OutputError
-        When the place cannot be written (no such folder, no permission, no space). Whatever stood
-        there before is untouched, and nothing else remains.
+        When the place cannot be written (no such folder, no permission, no space). Whatever was
+        there before is untouched, and no temporary file remains.
     """
     beside: Path | None = None
     try:
@@ -44,7 +44,7 @@ def replacing_file(path: Path) -> Iterator[Path]:
 
 @contextmanager
 def replacing_folder(path: Path) -> Iterator[Path]:
-    """Like `replacing_file`, for a folder with everything in it."""
+    """Do the same as `replacing_file` for a folder with everything in it."""
     beside: Path | None = None
     try:
         if path.exists() and not path.is_dir():
@@ -61,7 +61,7 @@ def replacing_folder(path: Path) -> Iterator[Path]:
 
 
 def _swap(beside: Path, path: Path) -> None:
-    """Put `beside` where `path` is; the old folder goes only once the new one stands."""
+    """Put `beside` in the place of `path`; delete the old folder only afterwards."""
     if not path.exists():
         beside.rename(path)
         return
@@ -89,7 +89,15 @@ def _not_allowed(path: Path) -> str:
 
 
 def describe(path: Path, error: OSError) -> str:
-    """Say in one sentence why a place cannot be written."""
+    """Return one sentence on why a place cannot be written.
+
+    Parameters
+    ----------
+    path
+        Where the result was to be written.
+    error
+        Raised by the attempt.
+    """
     reasons: list[tuple[type[OSError], str]] = [
         (FileNotFoundError, "its folder does not exist; create the folder or choose another place"),
         (PermissionError, _not_allowed(path)),

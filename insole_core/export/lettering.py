@@ -1,4 +1,4 @@
-"""Names of any script in the letters that the product's own font has."""
+"""Text of any script, limited to the glyphs of the font used on paper and in solids."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ def _letters() -> frozenset[int]:
 
 
 def with_known_letters(text: str) -> str:
-    """Give a text in letters that the font has; "?" stands for one that has no likeness there.
+    """Replace characters that the font lacks.
 
-    Accents that the font lacks are dropped; control characters become blanks.
+    Accents that the font lacks are dropped, control characters become spaces, and characters
+    without a substitute become "?".
     """
     return "".join(_known(letter) for letter in unicodedata.normalize("NFC", text)).strip()
 
 
 def missing_letters(text: str) -> str:
-    """Give the letters of a text that the font lacks, each once, in order."""
+    """Return the characters of a text that the font lacks, each once, in order."""
     letters = dict.fromkeys(unicodedata.normalize("NFC", text))
     return "".join(
         letter
@@ -40,10 +41,10 @@ def missing_letters(text: str) -> str:
 
 
 def as_written(text: str) -> str:
-    """Put known letters into the order and forms in which they stand on paper, left to right.
+    """Return known characters in visual order and form, left to right.
 
-    For writers that draw letter by letter; Arabic letters are joined, lines that run from the right
-    are turned.
+    For writers that draw character by character: Arabic letters are joined, right-to-left text is
+    reversed.
     """
     return str(get_display(reshape(with_known_letters(text))))
 

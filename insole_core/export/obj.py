@@ -1,4 +1,4 @@
-"""Wavefront OBJ, millimetres."""
+"""Wavefront OBJ, mm."""
 
 from __future__ import annotations
 
@@ -11,12 +11,18 @@ from insole_core.geometry.mesh import TriangleMesh
 
 
 def write_obj(mesh: TriangleMesh, path: Path) -> None:
-    """Write a mesh as OBJ; colours follow the coordinates of their vertex, as most programs read.
+    """Write a mesh as OBJ, atomically.
+
+    Colours follow the coordinates of their vertex, a common extension.
+
+    Parameters
+    ----------
+    mesh : mm
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the place cannot be written; a file that was there before is untouched.
     """
     numbers, form = mesh.vertices, "v %.5f %.5f %.5f\n"
     if mesh.colors is not None:

@@ -1,7 +1,7 @@
-"""Pages for the shop and for the record, as PDF: the job sheet and the prescription.
+"""PDF documents for the shop and the patient's record: the job sheet and the prescription.
 
-The texts stand in resources/texts and can be edited by a clinic; words.json says how the facts are
-called.
+The texts are in resources/texts and can be edited by a clinic; words.json translates the names of
+the facts.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ _FONT = "DejaVuSans"
 BOLD = "DejaVuSans-Bold"
 _MARGIN = 16 * mm
 _PADDING = 6
-"""What reportlab leaves free inside the margin."""
+"""Padding of a reportlab frame inside the margin, pt."""
 BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
 HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
 TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
@@ -56,13 +56,14 @@ QUIET = colors.HexColor("#595959")
 
 @dataclass(frozen=True, eq=False)
 class SectionDrawing:
-    """A cut through an insole.
+    """A cross-section of an insole.
 
     Parameters
     ----------
-    title
-    along_mm, top_mm, bottom_mm : (n,) float64
-        NaN where there is no material.
+    along_mm : (n,) float64
+        Position along the section.
+    top_mm, bottom_mm : (n,) float64
+        Heights; NaN where there is no material.
     """
 
     title: str
@@ -73,20 +74,23 @@ class SectionDrawing:
 
 @dataclass(frozen=True, eq=False)
 class JobSheet:
-    """What the shop must know of one file.
+    """The data of the job sheet for one exported file.
 
     Parameters
     ----------
     identification
         Pseudonym, side, date and so on; never the patient's name.
-    measures, make
-        Lengths; material, tolerances.
+    measures
+        Dimensions of the solid.
+    make
+        Material and tolerances.
     checks
         One sentence each.
     file
-        The exported file, whose hash is printed; it may still wait for its final name.
+        The exported file, whose hash is printed; it may still have a temporary name.
     file_name
-        As the shop gets it.
+        Its final name.
+    height_map_mm : (ny, nx) float64, optional
     """
 
     identification: Facts
@@ -100,14 +104,14 @@ class JobSheet:
 
 
 def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
-    """Write what goes to the shop with the file: a sheet for each piece, each on a page of its own.
+    """Write the job sheets of the parts, each on a page of its own.
 
     Raises
     ------
     OutputError
         When the place cannot be written.
     InputError
-        When the exported file or the texts cannot be read.
+        When an exported file or the texts cannot be read.
     """
     texts = _texts("job_sheet")
     story: list[Flowable] = []
@@ -131,10 +135,21 @@ def write_prescription(
 ) -> None:
     """Write the prescription for the patient and the record, with the statement of Annex XIII.
 
+    Parameters
+    ----------
+    identification
+        Patient, side, date and so on.
+    corrections
+        One line each.
+    make
+        Material and other facts of manufacture.
+
     Raises
     ------
     OutputError
         When the place cannot be written.
+    InputError
+        When the texts cannot be read.
     """
     texts = _texts("prescription")
     story = [paragraph(texts["title"], TITLE)]
@@ -150,7 +165,14 @@ def write_prescription(
 def write_report(
     title: str, sections: Sequence[tuple[str, Facts]], picture: bytes, path: Path
 ) -> None:
-    """Write a page of facts under a picture (PNG) of 9 to 8.
+    """Write a document of a picture with tables of facts below it.
+
+    Parameters
+    ----------
+    sections
+        Heading and facts of each table.
+    picture
+        PNG, width to height 9 : 8.
 
     Raises
     ------
@@ -165,27 +187,25 @@ def write_report(
 
 
 def paragraph(text: str, style: ParagraphStyle = BODY) -> Paragraph:
-    """Set a text, whatever its script, in the product's own font."""
+    """Return a paragraph in the product's own font; the text may be in any script."""
     _register_font()
     return Paragraph(escape(as_written(text)), style)
 
 
 def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -> None:
-    """Fill pages of A4 from top to bottom.
+    """Lay out A4 pages.
 
     Parameters
     ----------
-    story
-    path
     title
-        Of the document, for its reader.
+        Title in the metadata of the document.
     foot
-        The line below every page; "#" stands for its number.
+        Footer of every page; "#" is replaced by the page number.
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the place cannot be written; a file that was there before is untouched.
     """
 
     def draw_foot(page: Canvas, _document: SimpleDocTemplate) -> None:
@@ -203,7 +223,13 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
 
 
 def sha256_of(path: Path) -> str:
-    """Hash of a file, in hexadecimal."""
+    """Return the SHA-256 of a file, in hexadecimal.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read.
+    """
     try:
         with path.open("rb") as file:
             return hashlib.file_digest(file, "sha256").hexdigest()
@@ -217,7 +243,7 @@ def sha256_of(path: Path) -> str:
 
 @cache
 def _register_font() -> None:
-    """Make the font known to reportlab, which asks for italics too: they are upright here."""
+    """Register the font with reportlab, which requires italics too: they are upright here."""
     pdfmetrics.registerFont(TTFont(_FONT, str(FONT_PATH)))
     pdfmetrics.registerFont(TTFont(BOLD, str(FONT_PATH.with_stem(BOLD))))
     faces = {"normal": _FONT, "bold": BOLD, "italic": _FONT, "boldItalic": BOLD}
@@ -248,7 +274,7 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
 
 
 def _pictures(sheet: JobSheet) -> Image:
-    """The height map, if there is one, and the sections, drawn to equal scales."""
+    """Draw the height map, if there is one, and the sections, to equal scales."""
     figure = Figure(figsize=(7, 4.2), layout="constrained")
     FigureCanvasAgg(figure)
     left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 2]), dtype=object)
@@ -273,12 +299,23 @@ def _pictures(sheet: JobSheet) -> Image:
 def section_along(
     top_mm: FloatArray, bottom_mm: FloatArray, pitch_mm: float, *, share: float, across: bool
 ) -> SectionDrawing:
-    """Cut height maps (ny, nx) of a solid; across the foot, or along it.
+    """Cut the height maps of a solid along a row or a column.
 
     Parameters
     ----------
+    top_mm, bottom_mm : (ny, nx) float64, mm
+        Upper and lower surface; NaN outside the solid.
+    pitch_mm
+        Grid spacing.
     share
-        Place of the cut: of the length for a cut across, of the width for one along.
+        Position of the cut, 0 to 1: of the length for a cut across, of the width for one along.
+    across
+        Whether the cut runs across the foot; otherwise along it.
+
+    Returns
+    -------
+    SectionDrawing
+        ``along_mm`` begins at 0 at the edge of the maps.
     """
     rows, columns = np.nonzero(np.isfinite(top_mm))
     where = rows if across else columns

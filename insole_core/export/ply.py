@@ -1,4 +1,4 @@
-"""Binary PLY: triangles with a colour for every vertex."""
+"""Binary PLY, mm: triangles, optionally with a colour for every vertex."""
 
 from __future__ import annotations
 
@@ -17,12 +17,18 @@ _TRIANGLE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
 
 def write_ply(mesh: TriangleMesh, path: Path) -> None:
-    """Write a mesh, mm, as little-endian binary PLY; its touches are an element of their own.
+    """Write a mesh as little-endian binary PLY, atomically.
+
+    Contour constraints become an element of their own.
+
+    Parameters
+    ----------
+    mesh : mm
 
     Raises
     ------
     OutputError
-        When the place cannot be written; what stood there before is untouched.
+        When the place cannot be written; a file that was there before is untouched.
     """
     colors = mesh.colors
     vertices = np.empty(len(mesh.vertices), _VERTEX + (_COLOR if colors is not None else []))
@@ -41,7 +47,7 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
 
 
 def _touches(mesh: TriangleMesh) -> Float32Array:
-    """(k, 6) places and normals; other programs pass over an element that they do not know."""
+    """Return points and normals (k, 6); other programs skip an element that they do not know."""
     if mesh.touches is None:
         return np.zeros((0, 6), np.float32)
     return np.hstack([mesh.touches.points, mesh.touches.normals]).astype("<f4")

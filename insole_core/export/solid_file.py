@@ -1,4 +1,4 @@
-"""One door for all formats a shop asks for: the suffix of the name decides."""
+"""Writing of solids in the format that the suffix of the file name selects."""
 
 from __future__ import annotations
 
@@ -19,11 +19,17 @@ SUFFIXES = (".stl", ".3mf", ".ply", ".obj")
 
 
 def check_suffix(path: Path, what: str = "the insole") -> None:
-    """Refuse a name whose suffix is no format of solids.
+    """Check that the suffix of a name is a format of solids.
+
+    Parameters
+    ----------
+    what
+        The object in the message.
 
     Raises
     ------
     UsageError
+        When it is not.
     """
     if path.suffix.lower() not in SUFFIXES:
         known = ", ".join(SUFFIXES)
@@ -36,16 +42,25 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
 
 
 def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False) -> None:
-    """Write parts in the format that the suffix of `path` names.
+    """Write parts in the format that the suffix of `path` selects.
 
-    3MF keeps the parts apart; in the other formats they are shells of one mesh. PLY has colours.
+    3MF keeps the parts separate; in the other formats they are shells of one mesh. PLY has colours.
+
+    Parameters
+    ----------
+    parts : mm
+        In a common frame.
+    path
+        With one of `SUFFIXES`.
+    ascii_stl
+        Whether STL is written as ASCII.
 
     Raises
     ------
     UsageError
         When the format is not known.
     OutputError
-        When the place cannot be written; what stood there before is untouched.
+        When the place cannot be written; a file that was there before is untouched.
     """
     check_suffix(path)
     kind = path.suffix.lower()
@@ -62,14 +77,14 @@ def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = 
 
 
 def _painted(part: ThreeMfPart) -> TriangleMesh:
-    """Give a part in its own colour, where its surface has none."""
+    """Return the surface of a part, in the colour of the part where it has none of its own."""
     if part.mesh.colors is not None:
         return part.mesh
     return replace(part.mesh, colors=np.full(part.mesh.vertices.shape, part.color, np.uint8))
 
 
 def merged(meshes: Sequence[TriangleMesh]) -> TriangleMesh:
-    """Put meshes side by side into one; colours stay where all have them."""
+    """Concatenate meshes into one; colours are kept where all of them have colours."""
     if len(meshes) == 1:
         return meshes[0]
     first = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])

@@ -1,4 +1,4 @@
-"""STL, millimetres: binary, and ASCII for machines that read nothing else."""
+"""STL, mm: binary, and ASCII for machines that read nothing else."""
 
 from __future__ import annotations
 
@@ -23,12 +23,16 @@ _Columns: TypeAlias = list[Float32Array]
 
 
 def write_stl(mesh: TriangleMesh, path: Path) -> None:
-    """Write a mesh as binary STL; the file appears as a whole or not at all.
+    """Write a mesh as binary STL, atomically.
+
+    Parameters
+    ----------
+    mesh : mm
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the place cannot be written; a file that was there before is untouched.
     """
     facets = _facets(mesh)
     with replacing_file(path) as beside, beside.open("wb") as file:
@@ -38,12 +42,17 @@ def write_stl(mesh: TriangleMesh, path: Path) -> None:
 
 
 def write_ascii_stl(mesh: TriangleMesh, path: Path) -> None:
-    """Write a mesh as ASCII STL, with digits enough to read the same numbers back.
+    """Write a mesh as ASCII STL, atomically, with enough digits to read the same numbers back.
+
+    Parameters
+    ----------
+    mesh : mm
+        Its coordinates are written in single precision.
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the place cannot be written; a file that was there before is untouched.
     """
     facets = _facets(mesh)
     numbers = np.concatenate([facets["normal"], facets["corners"].reshape(-1, 9)], axis=1)
@@ -53,12 +62,12 @@ def write_ascii_stl(mesh: TriangleMesh, path: Path) -> None:
 
 
 def _facets(mesh: TriangleMesh) -> np.ndarray[tuple[int], np.dtype[np.void]]:
-    """Corners and normals of every triangle, single precision.
+    """Return corners and normals of every triangle, single precision.
 
     The normals are those of the rounded corners, so that a reader finds them consistent.
     """
     facets = np.zeros(len(mesh.triangles), _FACET)
-    # One contiguous array a coordinate and corner: more than twice as fast as rows of three.
+    # One contiguous array for each coordinate and corner: over twice as fast as rows of three.
     coordinates = np.ascontiguousarray(mesh.vertices.T, dtype=np.float32)
     corners = np.ascontiguousarray(mesh.triangles.T)
     a, b, c = ([axis[corner] for axis in coordinates] for corner in corners)
@@ -71,7 +80,7 @@ def _facets(mesh: TriangleMesh) -> np.ndarray[tuple[int], np.dtype[np.void]]:
 
 
 def _unit_cross(a: _Columns, b: _Columns, c: _Columns) -> _Columns:
-    """Components of the normals of triangles; zero for a triangle without area."""
+    """Compute the normals of triangles by component; zero for a triangle without area."""
     ab, ac = ([end - start for start, end in zip(a, other, strict=True)] for other in (b, c))
     cross = [
         ab[(axis + 1) % 3] * ac[(axis + 2) % 3] - ab[(axis + 2) % 3] * ac[(axis + 1) % 3]

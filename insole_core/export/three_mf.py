@@ -1,7 +1,7 @@
-"""3MF, the format of 3-D printing: unit, names, colours, and zones of their own density.
+"""3MF, the format of 3-D printing: unit, names, colours, and zones with individual density.
 
-Core specification 1.3 (3MF Consortium): a zip with the model as XML. Every part is an object of its
-own with a base material; its density stands in a metadata group that other programs leave alone.
+Core specification 1.3 (3MF Consortium): a zip with the model as XML. Every part is a separate
+object with a base material; its density is in a metadata group that other programs ignore.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _RELATIONS = (
     '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
     f'<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="{_RELATION}"/></Relationships>\n'
 )
-_FAST = 1  # the XML shrinks to a tenth anyway; more effort costs seconds
+_FAST = 1  # shrinks the XML to a tenth already; a higher level costs seconds
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,13 +42,14 @@ class ThreeMfPart:
     mesh : mm
         Closed, facing outwards.
     name
-        Any script.
+        In any script.
     color : (red, green, blue), 0 to 255
     density_percent
-        Infill that the zone should be printed with; None leaves it to the shop.
+        Infill density of the zone; None leaves it to the shop.
     assembly
-        Parts of one assembly are printed as one thing and keep their places to each other, such as
-        the layers of an insole; empty for a part of its own.
+        Name of the assembly that the part belongs to. Parts of one assembly, such as the layers of
+        an insole, are printed as one object and keep their relative positions; empty for a part of
+        its own.
     """
 
     mesh: TriangleMesh
@@ -59,12 +60,17 @@ class ThreeMfPart:
 
 
 def write_3mf(parts: Sequence[ThreeMfPart], path: Path, title: str = "Insole") -> None:
-    """Write parts, each an object of its own, as they lie in their common frame.
+    """Write parts as separate objects in their common frame, atomically.
+
+    Parameters
+    ----------
+    title
+        Metadata of the model.
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the place cannot be written; a file that was there before is untouched.
     """
     with (
         replacing_file(path) as beside,

@@ -16,7 +16,7 @@ _COLLINEAR = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Orientation:
-    """How frame a lies in frame b: ``b = scale * rotation @ a + translation_mm``.
+    """Pose of frame a in frame b: ``b = scale * rotation @ a + translation_mm``.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class Orientation:
         Proper; a reflection cannot occur.
     translation_mm : (3,) float64, mm, frame b
     scale
-        1 unless it was asked for.
+        1 unless it was estimated as well.
     """
 
     rotation: FloatArray
@@ -33,7 +33,7 @@ class Orientation:
 
     @property
     def a2b(self) -> FloatArray:
-        """(4, 4), the scale included."""
+        """Homogeneous transform (4, 4) from frame a to frame b, scale included."""
         return rigid(self.scale * self.rotation, self.translation_mm)
 
 
@@ -44,21 +44,26 @@ def absolute_orientation(
     *,
     scaled: bool = False,
 ) -> Orientation:
-    """Find the motion that brings points to their partners with the least squared error, (2) - (5).
+    """Find the motion from frame a to frame b with the least squared error, thesis (2) - (5).
 
     Parameters
     ----------
     points_a, points_b : (n, 3) float64, mm
-        Row i of one belongs to row i of the other.
+        Row i of one corresponds to row i of the other.
     weights : (n,) float64, optional
         Not negative; a point of weight 0 does not count.
     scaled
         Whether to estimate the scale (4) too.
 
+    Returns
+    -------
+    Orientation
+        Of frame a in frame b.
+
     Raises
     ------
     ReconstructionError
-        With fewer than three points that count, or when they lie on one line.
+        With fewer than three points of positive weight, or when they are collinear.
     """
     weight = np.ones(len(points_a)) if weights is None else np.asarray(weights, dtype=float)
     _check_spread(points_a[weight > 0])
@@ -74,7 +79,7 @@ def absolute_orientation(
 
 
 def rotation_from_covariance(covariance: FloatArray) -> FloatArray:
-    """Give the rotations that maximise (5), from cross-covariances, Horn's matrix N (A.8).
+    """Compute the rotations that maximise (5) from cross-covariances, with Horn's matrix N (A.8).
 
     The unit quaternion is the eigenvector of the largest eigenvalue of the symmetric 4x4 matrix N.
 
@@ -105,7 +110,7 @@ def rotation_from_covariance(covariance: FloatArray) -> FloatArray:
 
 
 def rotation_from_quaternion(quaternion: FloatArray) -> FloatArray:
-    """Give the rotation matrices (..., 3, 3) of unit quaternions (..., 4), scalar part first."""
+    """Return the rotation matrices (..., 3, 3) of unit quaternions (..., 4), scalar part first."""
     w, x, y, z = np.moveaxis(quaternion, -1, 0)
     rows = [
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],

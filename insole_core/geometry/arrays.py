@@ -1,4 +1,4 @@
-"""Names for the array types that the core passes around."""
+"""Aliases for the array types used throughout the core."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A mesh grown by one ring of triangles beyond its border."""
+"""Extend a mesh by one ring of triangles beyond its boundary."""
 
 from __future__ import annotations
 
@@ -15,17 +15,20 @@ from insole_core.geometry.mesh_graph import smoothed_normals
 
 _EVENING_ROUNDS = 3
 _LEAST_DISTANCE = 0.7
-"""Share of the ring's width that its vertices keep from all others."""
+"""Least distance of the ring's vertices from all others, as a share of the ring's width."""
 
 
 @dataclass(frozen=True, eq=False)
 class Boundary:
-    """What a border is like.
+    """The boundary vertices of a mesh and the surface at each of them.
 
     Parameters
     ----------
-    vertices, normals, outwards : (n, 3) float64
-        Those that lie on it, with the normals of the surface and the ways off its border.
+    vertices : (n, 3) float64, mm, frame of the mesh
+    normals : (n, 3) float64
+        Unit normals of the surface.
+    outwards : (n, 3) float64
+        Unit directions away from the surface, tangential to it.
     """
 
     vertices: FloatArray
@@ -34,11 +37,21 @@ class Boundary:
 
 
 Course: TypeAlias = Callable[[Boundary], tuple[BoolArray, FloatArray]]
-"""Tells which vertices (n,) of a border go on, and how far they bend off the normal (n,), 1/mm."""
+"""Return which boundary vertices (n,) to extend, and the curvature of the extension (n,), 1/mm.
+
+Positive curvature bends it away from the normal.
+"""
 
 
 def straight_on(border: Boundary) -> tuple[BoolArray, FloatArray]:
-    """Let the whole border go on tangentially."""
+    """Extend every boundary vertex tangentially.
+
+    Returns
+    -------
+    extended : (n,) bool
+    curvature : (n,) float64, 1/mm
+        Zero.
+    """
     count = len(border.vertices)
     return np.ones(count, dtype=bool), np.zeros(count)
 
@@ -46,22 +59,22 @@ def straight_on(border: Boundary) -> tuple[BoolArray, FloatArray]:
 def extend_boundary(
     mesh: TriangleMesh, width_mm: float, course: Course = straight_on
 ) -> TriangleMesh:
-    """Add a ring of triangles along every border.
+    """Add a ring of triangles along every boundary.
 
-    Nothing is added where borders touch each other in one vertex, or where the ring would run
+    Nothing is added where boundaries touch each other in one vertex, or where the ring would run
     into the surface on the other side of a narrow gap.
 
     Parameters
     ----------
-    mesh
     width_mm
-        Of the ring.
+        Width of the ring.
     course
-        How it leaves the border.
+        Which boundary vertices to extend and how the extension curves; see `Course`.
 
     Returns
     -------
-    The given vertices first, without colours.
+    TriangleMesh
+        The given vertices first, then those of the ring; without colours.
     """
     count = len(mesh.vertices)
     ends = mesh.links.ends
@@ -89,7 +102,7 @@ def _is_free(points: FloatArray, mesh: TriangleMesh, width_mm: float) -> BoolArr
 
 
 def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatArray:
-    """Directions (n, 3) off the border in the surface, evened along it; 0 away from it."""
+    """Return directions (n, 3) away from the boundary, tangential and smoothed; 0 elsewhere."""
     border, number = np.unique(ends, return_inverse=True)
     places, normals = mesh.vertices[border], normals[border]
     a, b = number.reshape(-1, 2).T

@@ -1,4 +1,4 @@
-"""Where lines of sight touch a surface: its outlines in pictures, as places and directions."""
+"""Contour constraints: tangent planes that the outlines of a surface in pictures define."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 
 PLY_ELEMENT = "touch"
-"""Under this name a PLY file holds them, beside its vertices and faces."""
+"""Name of the PLY element that holds the constraints, beside vertices and faces."""
 
 
 @dataclass(frozen=True, eq=False)
 class ContourConstraints:
-    """Planes through lines of sight that the surface touches from within.
+    """Planes through lines of sight that are tangent to the surface.
 
-    Across the plane a picture tells the surface to a fraction of a pixel; where along the line of
-    sight it is touched is known no better than the surface itself.
+    Across the plane a picture locates the surface to a fraction of a pixel; the position of the
+    point of contact along the line of sight is known no better than the surface itself.
 
     Parameters
     ----------
     points : (k, 3) float64, mm
-        About where the surface touches the plane.
+        Approximate points of contact.
     normals : (k, 3) float64
         Unit normals of the planes, away from the surface.
     """
@@ -32,11 +32,11 @@ class ContourConstraints:
     normals: FloatArray
 
     def transformed(self, a2b: FloatArray) -> ContourConstraints:
-        """Bring them from frame a to frame b."""
+        """Return the constraints in frame b, given a rigid transform (4, 4) from their frame a."""
         return ContourConstraints(
             transform(a2b, self.points), np.asarray(self.normals @ a2b[:3, :3].T)
         )
 
     def scaled(self, factor: float) -> ContourConstraints:
-        """Bring them to another unit."""
+        """Return the constraints with their points multiplied by `factor`, to change the unit."""
         return ContourConstraints(self.points * factor, self.normals)

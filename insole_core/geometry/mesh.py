@@ -1,4 +1,4 @@
-"""A triangle mesh as a value."""
+"""Triangle mesh as an immutable value."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ class TriangleMesh:
     ----------
     vertices : (n, 3) float64, mm
     triangles : (m, 3) int32
-        Corner indices, counter-clockwise seen from outside.
+        Vertex indices, counter-clockwise seen from outside.
     colors : (n, 3) uint8, optional
+        RGB.
     touches : optional
-        What pictures tell of the outlines of the surface.
+        Constraints from the outlines of the surface in pictures.
     """
 
     vertices: FloatArray
@@ -35,7 +36,7 @@ class TriangleMesh:
 
     @cached_property
     def links(self) -> MeshTopology:
-        """How the vertices are joined."""
+        """Connectivity of the vertices, shared by meshes that differ only in vertex positions."""
         return MeshTopology(self.triangles, len(self.vertices))
 
     @cached_property
@@ -54,13 +55,13 @@ class TriangleMesh:
 
     @cached_property
     def vertex_areas(self) -> FloatArray:
-        """(n,) a third of the area of the triangles round each vertex."""
+        """(n,) a third of the area of the triangles around each vertex, mm²."""
         third = np.linalg.norm(self._triangle_cross, axis=1) / 6
         return np.asarray(self.links.corners @ third)
 
     @cached_property
     def bounds_mm(self) -> FloatArray:
-        """(2, 3) least and greatest coordinates."""
+        """(2, 3) smallest and largest coordinates."""
         return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
     @cached_property
@@ -76,7 +77,7 @@ class TriangleMesh:
 
     @cached_property
     def is_closed(self) -> bool:
-        """Whether every edge has exactly two triangles that run through it in opposite ways."""
+        """Whether every edge has exactly two triangles that traverse it in opposite directions."""
         if len(self.triangles) == 0:
             return False
         edges = np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
@@ -85,12 +86,12 @@ class TriangleMesh:
         return len(np.unique(key)) == len(key) and np.array_equal(np.sort(key), np.sort(back))
 
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
-        """Bring the mesh from frame a to frame b."""
+        """Transform the mesh by `a2b` (4, 4), rigid, from frame a to frame b."""
         touches = None if self.touches is None else self.touches.transformed(a2b)
         return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
-        """Put the vertices (n, 3) elsewhere; of the rest the triangles alone are kept."""
+        """Return a mesh of the same triangles with other vertices (n, 3), mm; drop all else."""
         return TriangleMesh(vertices, self.triangles)._knowing(
             self, {"links"} & self.__dict__.keys()
         )
@@ -98,7 +99,20 @@ class TriangleMesh:
     def with_attributes(
         self, *, colors: ByteArray | None = None, touches: ContourConstraints | None = None
     ) -> TriangleMesh:
-        """Exchange the colours or what outlines touch, or both, of the same surface."""
+        """Replace the colours, the contour constraints, or both; what is None stays.
+
+        Parameters
+        ----------
+        colors : (n, 3) uint8, optional
+            RGB.
+        touches : optional
+            In the frame of the mesh.
+
+        Returns
+        -------
+        TriangleMesh
+            Of the same surface, with the quantities already computed for it.
+        """
         mesh = replace(
             self,
             colors=self.colors if colors is None else colors,
@@ -107,7 +121,7 @@ class TriangleMesh:
         return mesh._knowing(self, self.__dict__.keys() - mesh.__dict__.keys())
 
     def part(self, keep: BoolArray) -> TriangleMesh:
-        """Only the vertices with `keep` (n,) true, and the triangles between them."""
+        """Keep only the vertices with `keep` (n,) true, and the triangles between them."""
         index = np.cumsum(keep, dtype=np.int32) - 1
         triangles = self.triangles[keep[self.triangles].all(axis=1)]
         colors = None if self.colors is None else self.colors[keep]
@@ -118,7 +132,7 @@ class TriangleMesh:
         return replace(self, triangles=np.ascontiguousarray(self.triangles[:, ::-1]))
 
     def _knowing(self, other: TriangleMesh, cached: Set[str]) -> TriangleMesh:
-        """Take over what was computed of another mesh and holds of this one as well."""
+        """Copy cached properties of another mesh that also hold for this one."""
         self.__dict__.update({name: other.__dict__[name] for name in cached})
         return self
 

@@ -1,4 +1,4 @@
-"""How the vertices of a mesh are joined: neighbours, pieces, borders, and smoothing over them."""
+"""Connected pieces of a mesh, and smoothing over neighbouring vertices."""
 
 from __future__ import annotations
 
@@ -12,20 +12,48 @@ _SHRINK, _GROW = 0.5, -0.52
 
 
 def pieces(mesh: TriangleMesh) -> tuple[int, IntArray]:
-    """Give the number of connected pieces, and the piece of each vertex (n,)."""
+    """Find the connected pieces of a mesh.
+
+    Returns
+    -------
+    count : int
+    piece : (n,) int32
+        Index of the piece of each vertex.
+    """
     count, piece = connected_components(mesh.links.adjacency, directed=False)
     return int(count), np.asarray(piece)
 
 
 def in_large_pieces(mesh: TriangleMesh, least_share: float) -> BoolArray:
-    """Tell which vertices (n,) lie in connected pieces with such a share of all triangles."""
+    """Find the vertices in connected pieces that hold enough of the triangles.
+
+    Parameters
+    ----------
+    least_share
+        Of all triangles, 0 to 1; a piece needs more than that.
+
+    Returns
+    -------
+    (n,) bool
+    """
     count, piece = pieces(mesh)
     size = np.bincount(piece[mesh.triangles[:, 0]], minlength=count)
     return np.asarray(size[piece] > least_share * len(mesh.triangles))
 
 
 def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
-    """Smooth the vertices (n, 3) without shrinking, Taubin 1995; the border stays."""
+    """Smooth a mesh without shrinking it (Taubin 1995); boundary vertices stay.
+
+    Parameters
+    ----------
+    rounds
+        Iterations, each a shrinking and an inflating step.
+
+    Returns
+    -------
+    (n, 3) float64, mm
+        The new vertices.
+    """
     mean = mesh.links.mean
     inner = ~mesh.links.is_boundary[:, None]
     vertices = mesh.vertices
@@ -36,7 +64,18 @@ def relaxed(mesh: TriangleMesh, rounds: int) -> FloatArray:
 
 
 def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
-    """Average the vertex normals (n, 3) over their neighbours, some rounds; unit length."""
+    """Average the vertex normals over their neighbours.
+
+    Parameters
+    ----------
+    rounds
+        Iterations; every iteration reaches one ring of neighbours further.
+
+    Returns
+    -------
+    (n, 3) float64
+        Unit normals.
+    """
     mean = mesh.links.mean
     normals = mesh.vertex_normals
     for _ in range(rounds):

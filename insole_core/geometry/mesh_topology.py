@@ -1,4 +1,4 @@
-"""How the vertices of triangles are joined, wherever they lie."""
+"""Connectivity of a triangle mesh, independent of vertex positions."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ _Matrix = sparse.csr_array[np.float64]
 
 
 class MeshTopology:
-    """The edges of a mesh; computed once for all meshes that differ in their vertices' places only.
+    """Edges and neighbours; shared by all meshes that differ only in vertex positions.
 
     Parameters
     ----------
     triangles : (m, 3) int32
     count
-        Of the vertices, n.
+        Number of vertices, n.
     """
 
     def __init__(self, triangles: IndexArray, count: int) -> None:
@@ -36,7 +36,7 @@ class MeshTopology:
 
     @cached_property
     def _sides(self) -> _Matrix:
-        """(n, n) how many triangles run from one vertex to another."""
+        """(n, n) number of triangles that traverse the edge from one vertex to another."""
         start = self._triangles.ravel()
         end = self._triangles[:, [1, 2, 0]].ravel()
         shape = (self._count, self._count)
@@ -48,7 +48,15 @@ class MeshTopology:
 
     @cached_property
     def edges(self) -> tuple[IntArray, IntArray]:
-        """Every edge once (k, 2), lower index first, in order; how many triangles it has (k,)."""
+        """Every edge once, and the number of its triangles.
+
+        Returns
+        -------
+        edges : (k, 2) int64
+            Lower vertex index first, in ascending order.
+        sharing : (k,) int64
+            Number of triangles with this edge.
+        """
         start, end = _entries(self._both_ways)
         once = start < end
         sharing = self._both_ways.data[once].astype(np.int64)
@@ -56,7 +64,7 @@ class MeshTopology:
 
     @cached_property
     def ends(self) -> IntArray:
-        """(k, 2) the sides that no other triangle runs through backwards, as their own does."""
+        """(k, 2) directed boundary edges: those that no triangle traverses in reverse."""
         sides = self._sides.copy()
         sides.data[:] = 1
         apart = sparse.csr_array(sides - sides.T)
@@ -64,21 +72,21 @@ class MeshTopology:
 
     @cached_property
     def adjacency(self) -> _Matrix:
-        """The symmetric matrix (n, n) with a 1 for every edge."""
+        """(n, n) symmetric, with a 1 for every edge."""
         links = self._both_ways.copy()
         links.data[:] = 1
         return links
 
     @cached_property
     def is_boundary(self) -> BoolArray:
-        """(n,) which vertices lie on an edge with one triangle."""
+        """(n,) whether a vertex lies on an edge with only one triangle."""
         border = np.zeros(self._count, dtype=bool)
         border[_entries(self._both_ways)[0][self._both_ways.data == 1]] = True
         return border
 
     @cached_property
     def mean(self) -> _Matrix:
-        """(n, n) the mean of the neighbours; nothing for a vertex without any."""
+        """(n, n) averages over the neighbours; a zero row for a vertex without any."""
         mean = self.adjacency.copy()
         degree = np.diff(mean.indptr)
         mean.data /= np.repeat(degree, degree)
@@ -86,11 +94,11 @@ class MeshTopology:
 
     @cached_property
     def laplacian(self) -> _Matrix:
-        """The uniform Laplacian (n, n): mean of the neighbours minus the vertex itself."""
+        """(n, n) uniform Laplacian: mean of the neighbours minus the vertex itself."""
         return sparse.csr_array(self.mean - sparse.eye_array(self._count, format="csr"))
 
 
 def _entries(matrix: _Matrix) -> tuple[IntArray, IntArray]:
-    """Row and column of what is stored of a matrix, in its order."""
+    """Return row and column of the stored entries of a matrix, in storage order."""
     rows = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
     return rows, matrix.indices.astype(np.int64)

@@ -1,4 +1,4 @@
-"""What lies under the pointer: the first meeting of a ray with a surface."""
+"""Find the point of a surface under the pointer."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from insole_core.geometry.ray_casting import RayCaster
 
 
 class SurfacePicker:
-    """Finds what a ray meets first on one mesh.
+    """Intersects single rays with one mesh.
 
     Parameters
     ----------
@@ -23,11 +23,23 @@ class SurfacePicker:
         self._corners = mesh.vertices[mesh.triangles]
 
     def pick(self, origin: FloatArray, direction: FloatArray) -> FloatArray | None:
-        """Give the first point (3,) that a ray meets, in the frame of the mesh; None for none."""
+        """Find the first intersection of a ray with the mesh.
+
+        Parameters
+        ----------
+        origin : (3,) float64, mm, frame of the mesh
+        direction : (3,) float64
+            Of any length.
+
+        Returns
+        -------
+        (3,) float64, mm, frame of the mesh
+            None where the ray misses the mesh.
+        """
         met = self._caster.cast(origin, direction[None]).triangle
         if len(met) == 0:
             return None
-        # Embree works in single precision: its triangle is right, the place is computed anew.
+        # Embree works in single precision: take its triangle, but compute the point in double.
         a, b, c = self._corners[met[0]]
         normal = np.cross(b - a, c - a)
         distance = np.dot(a - origin, normal) / np.dot(direction, normal)

@@ -1,4 +1,4 @@
-"""Where a plane cuts a surface."""
+"""Intersection of a mesh with a plane."""
 
 from __future__ import annotations
 
@@ -13,20 +13,21 @@ def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray)
 
     Parameters
     ----------
-    mesh
-    origin, normal : (3,) float64
-        A point of the plane and its direction, in the frame of the mesh.
+    origin : (3,) float64, mm, frame of the mesh
+        A point of the plane.
+    normal : (3,) float64, frame of the mesh
+        Normal of the plane, of any length.
 
     Returns
     -------
-    (k, 2, 3) float64
-        One segment a triangle that the plane passes through, in no particular order.
+    (k, 2, 3) float64, mm, frame of the mesh
+        End points of one segment for each triangle that crosses the plane, in no particular order.
     """
     height = (mesh.vertices - origin) @ normal
     above = height >= 0
     count = above[mesh.triangles].sum(axis=1)
     cut = mesh.triangles[(count == 1) | (count == 2)]
-    # The corner that is alone on its side comes first: both cut edges leave from it.
+    # The corner that is alone on its side comes first: both edges that are cut start there.
     lonely = above[cut].sum(axis=1) == 1
     alone = np.where(lonely[:, None], above[cut], ~above[cut]).argmax(axis=1)
     corner = cut[np.arange(len(cut))[:, None], (alone[:, None] + np.arange(3)) % 3]

@@ -1,4 +1,4 @@
-"""What rays meet first on a surface; the intersection is Embree's."""
+"""First intersections of rays with a surface, computed by Embree."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from insole_core.geometry.mesh import TriangleMesh
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Where rays met a surface first; only the rays that met it.
+    """First intersections of rays with a surface; only of the rays that hit it.
 
     Parameters
     ----------
     ray : (n,) int64
         Index of the ray.
     triangle : (n,) int64
+        Index of the triangle.
     weights : (n, 3) float64
-        Barycentric weights of the triangle's corners.
+        Barycentric coordinates of the intersection.
     """
 
     ray: IntArray
@@ -31,7 +32,7 @@ class RayHits:
 
 
 class RayCaster:
-    """Casts rays onto one mesh; both of its sides are hit.
+    """Intersects rays with one mesh; both of its sides are hit.
 
     Parameters
     ----------
@@ -46,16 +47,37 @@ class RayCaster:
         EmbreeMesh(self._scene, vertices, np.ascontiguousarray(mesh.triangles, np.int32))
 
     def cast(self, origin: FloatArray, directions: FloatArray) -> RayHits:
-        """Follow rays (n, 3) from one origin (3,) to what they meet first."""
-        found = self._scene.run(*self._rays(origin, directions), output=1)
-        ray = np.flatnonzero(found["primID"] >= 0)
-        u, v = (found[key][ray].astype(float) for key in ("u", "v"))
-        return RayHits(ray, found["primID"][ray].astype(np.int64), np.stack([1 - u - v, u, v], 1))
+        """Find the first intersections of rays with a common origin.
+
+        Parameters
+        ----------
+        origin : (3,) float64, mm, frame of the mesh
+        directions : (n, 3) float64
+            Of any length.
+
+        Returns
+        -------
+        RayHits
+            Of the rays that hit the mesh, in the order given.
+        """
+        hits = self._scene.run(*self._rays(origin, directions), output=1)
+        ray = np.flatnonzero(hits["primID"] >= 0)
+        u, v = (hits[key][ray].astype(float) for key in ("u", "v"))
+        return RayHits(ray, hits["primID"][ray].astype(np.int64), np.stack([1 - u - v, u, v], 1))
 
     def is_blocked(self, points: FloatArray, target: FloatArray, clearance_mm: float) -> BoolArray:
-        """Tell for points (n, 3) whether the surface stands between them and the target (3,).
+        """Find the points that the surface hides from a target.
 
-        What lies nearer to the point than `clearance_mm` does not count: the point's own surface.
+        Parameters
+        ----------
+        points : (n, 3) float64, mm, frame of the mesh
+        target : (3,) float64, mm, frame of the mesh
+        clearance_mm
+            Surface nearer to a point than this does not count: it is the point's own.
+
+        Returns
+        -------
+        (n,) bool
         """
         way = target - points
         start = points + clearance_mm * way / np.linalg.norm(way, axis=1, keepdims=True)

@@ -1,8 +1,8 @@
-"""Numbers in whole steps."""
+"""Round numbers to multiples of a step."""
 
 from __future__ import annotations
 
 
 def rounded(value: float, step: float) -> float:
-    """Return the nearest whole multiple of `step`, free of the last bits of its product."""
+    """Return the nearest multiple of `step`, without the floating-point error of the product."""
     return round(round(value / step) * step, 6)

@@ -1,4 +1,4 @@
-"""Points spread evenly over triangles, without chance."""
+"""Deterministic, even sampling of triangle meshes."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ class SurfaceSamples:
 
     Parameters
     ----------
-    points : (n, 3) float64, mm
-    triangle : (n,) int
-        The triangle each point lies on.
+    points : (n, 3) float64, mm, frame of the mesh
+    triangle : (n,) int64
+        Index of the triangle that each point lies on.
     area_mm2 : (n,) float64
-        The part of the surface each point stands for; their sum is the area of the mesh.
+        Area that each point represents; they add up to the area of the mesh.
     """
 
     points: FloatArray
@@ -29,10 +29,20 @@ class SurfaceSamples:
 
 
 def sample_triangles(mesh: TriangleMesh, pitch_mm: float) -> SurfaceSamples:
-    """Sample every triangle in rows parallel to its longest edge, at most `pitch_mm` apart.
+    """Sample every triangle in rows parallel to its longest edge.
 
     The number of points follows the area, so needle-shaped triangles are cheap; every triangle
     gets at least one.
+
+    Parameters
+    ----------
+    pitch_mm
+        Largest distance of neighbouring points in a triangle.
+
+    Returns
+    -------
+    SurfaceSamples
+        Ordered by triangle.
     """
     corners = _longest_edge_first(mesh.vertices[mesh.triangles])
     edges = corners[:, 1:] - corners[:, :1]

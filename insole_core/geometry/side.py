@@ -1,4 +1,4 @@
-"""Left and right, and what they mean for signs."""
+"""Left and right foot, and the signs that follow from the side."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A finer mesh of the same smooth surface."""
+"""Subdivision of a mesh along the smooth surface that it approximates."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from insole_core.geometry.mesh import TriangleMesh
 
 
 def subdivided(mesh: TriangleMesh) -> tuple[TriangleMesh, np.ndarray]:
-    """Cut every triangle into four; vertices stay, edges are halved on a curve.
+    """Split every triangle into four; vertices stay, edges are split at the middle of a curve.
 
-    The middle of an edge lies on the cubic of the curved PN triangle (Vlachos 2001), which
-    leaves both ends at right angles to their normals.
+    The middle of an edge lies on the cubic of the curved PN triangle (Vlachos 2001), which is
+    perpendicular to the vertex normals at both ends.
 
     Returns
     -------
-    mesh
+    mesh : TriangleMesh
         Without colours.
     ends : (n, 2) int64
-        The two vertices of the given mesh that each new vertex lies between; twice the same for
-        one that was there.
+        The two given vertices that each vertex lies between; twice the same one for a vertex that
+        was given.
     """
     sides = mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].astype(np.int64)
     low, high = sides.min(2), sides.max(2)

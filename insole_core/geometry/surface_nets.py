@@ -1,4 +1,4 @@
-"""The surface between the negative and the positive part of a lattice of numbers."""
+"""Surface nets: mesh the zero level of a scalar field on a regular grid."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _CORNERS = np.array(list(product((0, 1), repeat=3)))
 def surface_nets(
     values: FloatArray, known: BoolArray, origin_mm: FloatArray, cell_mm: float
 ) -> TriangleMesh:
-    """Mesh the zero level: a vertex a cell that it crosses, at the mean of its crossings.
+    """Mesh the zero level: a vertex for each cell that it crosses, at the mean of its crossings.
 
     Gibson 1998 without her relaxation. Against marching cubes it has half the triangles, none of
     them a sliver. The surface ends where a cell has an unknown corner; normals point to the
@@ -26,10 +26,16 @@ def surface_nets(
     values : (i, j, k) float64
         Negative inside.
     known : (i, j, k) bool
+        Where `values` are valid.
     origin_mm : (3,) float64
-        Position of ``values[0, 0, 0]``; the axes are those of the lattice.
+        Position of ``values[0, 0, 0]``; the axes are those of the grid.
     cell_mm
-        Distance of neighbours.
+        Distance of neighbouring grid points.
+
+    Returns
+    -------
+    TriangleMesh
+        In the frame of `origin_mm`, without colours.
     """
     inside = values < 0
     active = _crossed_cells(inside, known)
@@ -52,7 +58,7 @@ def _crossed_cells(inside: BoolArray, known: BoolArray) -> BoolArray:
 
 
 def _mean_crossing(values: FloatArray, cells: IntArray) -> FloatArray:
-    """Give the mean of the points (n, 3) where the twelve edges of each cell cross zero."""
+    """Return the mean (n, 3) of the zero crossings on each cell's twelve edges, in cells."""
     at_corner = np.stack([values[tuple((cells + corner).T)] for corner in _CORNERS], axis=1)
     total, crossings = np.zeros((len(cells), 3)), np.zeros(len(cells))
     for a, b in combinations(range(8), 2):
@@ -68,7 +74,7 @@ def _mean_crossing(values: FloatArray, cells: IntArray) -> FloatArray:
 
 
 def _quads_across(axis: int, inside: BoolArray, index: IntArray) -> IntArray:
-    """Give a quad (n, 4) for every lattice edge along `axis` that crosses: its four cells."""
+    """Return a quad (n, 4) of the four cells around every grid edge along `axis` that crosses 0."""
     b, c = (axis + 1) % 3, (axis + 2) % 3
     low = inside.take(range(inside.shape[axis] - 1), axis)
     high = inside.take(range(1, inside.shape[axis]), axis)
@@ -90,7 +96,7 @@ def _quads_across(axis: int, inside: BoolArray, index: IntArray) -> IntArray:
 
 
 def _halved(vertices: FloatArray, quads: IntArray) -> IntArray:
-    """Cut quads along the shorter diagonal into triangles."""
+    """Split quads into triangles along the shorter diagonal."""
     first, second = (
         np.linalg.norm(vertices[quads[:, a]] - vertices[quads[:, b]], axis=1)
         for a, b in ((0, 2), (1, 3))

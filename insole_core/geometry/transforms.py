@@ -8,7 +8,7 @@ from insole_core.geometry.arrays import FloatArray
 
 
 def rigid(rotation: FloatArray, translation_mm: FloatArray) -> FloatArray:
-    """Put a rotation (3, 3) and a translation (3,) together to one (4, 4) transform."""
+    """Return the transform (4, 4) of a rotation (3, 3) and a translation (3,), mm."""
     a2b = np.eye(4)
     a2b[:3, :3] = rotation
     a2b[:3, 3] = translation_mm
@@ -16,18 +16,30 @@ def rigid(rotation: FloatArray, translation_mm: FloatArray) -> FloatArray:
 
 
 def inverse(a2b: FloatArray) -> FloatArray:
-    """Invert a rigid transform: gives ``b2a``."""
+    """Return the inverse ``b2a`` (4, 4) of a rigid transform."""
     rotation = a2b[:3, :3].T
     return rigid(rotation, -rotation @ a2b[:3, 3])
 
 
 def transform(a2b: FloatArray, points: FloatArray) -> FloatArray:
-    """Bring points (..., 3) from frame a to frame b."""
+    """Transform points (..., 3), mm, from frame a to frame b."""
     return np.asarray(points @ a2b[:3, :3].T + a2b[:3, 3])
 
 
 def rotation_about(axis: FloatArray, angle_deg: float) -> FloatArray:
-    """Rotation matrix (3, 3), counter-clockwise about `axis` (Rodrigues)."""
+    """Return the rotation matrix about an axis (Rodrigues).
+
+    Parameters
+    ----------
+    axis : (3,) float64
+        Of any length but zero.
+    angle_deg
+        Counter-clockwise, seen against the axis.
+
+    Returns
+    -------
+    (3, 3) float64
+    """
     x, y, z = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = np.radians(angle_deg)
@@ -35,14 +47,22 @@ def rotation_about(axis: FloatArray, angle_deg: float) -> FloatArray:
 
 
 def rotation_angle_deg(rotation: FloatArray) -> float:
-    """Angle of a rotation matrix (3, 3)."""
+    """Return the angle of a rotation matrix (3, 3), 0 to 180."""
     # The sine form stays exact for small angles, where the trace alone loses half the digits.
     sine = np.linalg.norm(rotation - rotation.T) / np.sqrt(8)
     return float(np.degrees(np.arctan2(sine, (np.trace(rotation) - 1) / 2)))
 
 
 def is_rotation(matrix: FloatArray, tolerance: float = 1e-3) -> bool:
-    """Tell whether a matrix is a proper rotation: finite, orthonormal, not mirrored."""
+    """Return whether a matrix is a proper rotation: finite, orthonormal, not mirrored.
+
+    Parameters
+    ----------
+    matrix
+        Of any shape; only (3, 3) can be a rotation.
+    tolerance
+        Largest deviation of ``matrix @ matrix.T`` from the identity.
+    """
     matrix = np.asarray(matrix, dtype=float)
     return (
         matrix.shape == (3, 3)

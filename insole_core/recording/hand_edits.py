@@ -1,4 +1,4 @@
-"""What somebody corrected by hand before a session is reconstructed, as a value."""
+"""Manual corrections of a recorded session, as a value."""
 
 from __future__ import annotations
 
@@ -18,15 +18,14 @@ Region = tuple[Pixel, ...]
 
 @dataclass(frozen=True)
 class NamedSpot:
-    """A marker that somebody pointed at.
+    """A marker whose position the user pointed at.
 
     Parameters
     ----------
     id
         Of the marker.
-    pixel
     exact
-        The marker's centre is this very place; otherwise that of the blue spot which lies there.
+        Whether the marker's centre is exactly there; otherwise it is that of the blue spot there.
     """
 
     id: str
@@ -41,9 +40,9 @@ class ViewEdits:
     Parameters
     ----------
     excluded
-        Ids of markers that must not determine the pose.
+        Ids of markers that do not determine the pose.
     named
-        At most one for each marker; the automatic assignment yields to them.
+        At most one for each marker; they override the automatic assignment.
     ignored
         Regions in which no blue spot is a marker.
     searched
@@ -59,33 +58,33 @@ class ViewEdits:
     off: bool = False
 
     def with_excluded(self, marker: str) -> ViewEdits:
-        """Leave a marker out of the pose."""
+        """Exclude a marker from the pose."""
         return replace(self, excluded=(*self.with_included(marker).excluded, marker))
 
     def with_included(self, marker: str) -> ViewEdits:
-        """Let a marker determine the pose again."""
+        """Include a marker in the pose again."""
         return replace(self, excluded=tuple(other for other in self.excluded if other != marker))
 
     def with_named(self, spot: NamedSpot) -> ViewEdits:
-        """Say where a marker is; whatever was said of it, or of that place, before is forgotten."""
+        """Set the position of a marker, replacing earlier ones of this marker or this pixel."""
         others = tuple(o for o in self.named if o.id != spot.id and o.pixel != spot.pixel)
         return replace(self.with_included(spot.id), named=(*others, spot))
 
     def without_name(self, marker: str) -> ViewEdits:
-        """Leave a marker to the automatic assignment."""
+        """Return a marker to the automatic assignment."""
         return replace(self, named=tuple(other for other in self.named if other.id != marker))
 
     def with_ignored(self, region: Region) -> ViewEdits:
-        """Say that a region shows no marker."""
+        """Add a region that shows no marker."""
         return replace(self, ignored=(*self.ignored, region))
 
     @property
     def corrects_markers(self) -> bool:
-        """Whether anything was corrected that bears on the pose."""
+        """Whether any correction affects the pose."""
         return replace(self, off=False) != NO_VIEW_EDITS
 
     def summary(self) -> str:
-        """Say what was corrected, as a part of a sentence."""
+        """Return the corrections as a phrase."""
         parts: list[str] = []
         if self.excluded:
             parts.append(Message("{markers} excluded", markers=joined(self.excluded)))
@@ -109,18 +108,18 @@ class HandEdits:
     views
         By the name of the view; views without corrections are absent.
     volume_of_interest
-        Instead of the manifest's.
+        Replaces that of the manifest.
     """
 
     views: dict[str, ViewEdits] = field(default_factory=dict)
     volume_of_interest: Box | None = None
 
     def of(self, view: str) -> ViewEdits:
-        """Give the corrections of a view."""
+        """Return the corrections of a view."""
         return self.views.get(view, NO_VIEW_EDITS)
 
     def with_view(self, view: str, edits: ViewEdits) -> HandEdits:
-        """Correct a view otherwise."""
+        """Replace the corrections of a view."""
         others = {name: other for name, other in self.views.items() if name != view}
         return replace(self, views=others if edits == NO_VIEW_EDITS else {**others, view: edits})
 

@@ -1,4 +1,4 @@
-"""marker_edits.json, the corrections by hand beside a session: between the file and the value."""
+"""Reading and writing of marker_edits.json, the manual corrections of a session."""
 
 from __future__ import annotations
 
@@ -26,19 +26,27 @@ NAME = "marker_edits.json"
 
 
 def edits_path(session: Path) -> Path:
-    """Give the place of the corrections: in the session's folder, or beside its archive."""
+    """Return the path of the corrections: in the session's folder, or beside its archive."""
     if session.suffix.lower() == ".zip":
         return session.with_name(f"{session.stem}.{NAME}")
     return session / NAME
 
 
 def write_edits(edits: HandEdits, session: Path) -> None:
-    """Keep the corrections of a session; none at all leave no file, unless an archive has its own.
+    """Write the corrections of a session.
+
+    Without corrections the file is removed. Beside an archive with corrections inside, a file
+    without entries is written instead, since it overrides those.
+
+    Parameters
+    ----------
+    session
+        Folder or zip archive.
 
     Raises
     ------
     OutputError
-        When the place cannot be written; what stood there before is untouched.
+        When the place cannot be written; a file that was there before is untouched.
     """
     path = edits_path(session)
     if edits == NO_EDITS and not _is_archive_with_edits(session):
@@ -52,7 +60,7 @@ def write_edits(edits: HandEdits, session: Path) -> None:
 
 
 def edits_json(edits: HandEdits) -> dict[str, Any]:
-    """Give the JSON form of corrections."""
+    """Return the JSON form of corrections."""
     values: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -65,6 +73,13 @@ def edits_json(edits: HandEdits) -> dict[str, Any]:
 
 def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
     """Read corrections.
+
+    Parameters
+    ----------
+    file
+        Name of the file, for messages.
+    manifest
+        Of the session; the corrections may name only its views and markers.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The image files of a session, checked before they are decoded and after."""
+"""Encoding, validation and decoding of the image files of a session."""
 
 from __future__ import annotations
 
@@ -15,13 +15,23 @@ from insole_core.sensing.disparity import NO_READING
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _QUICK = (cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_RLE)
-"""Colour becomes smaller than by zlib's level 6, in an eighth of its time; depth a third larger."""
+"""Against zlib's level 6 in an eighth of the time; colour gets smaller, depth a third larger."""
 _KINDS = {0: "grey", 2: "RGB", 3: "palette", 4: "grey with alpha", 6: "RGB with alpha"}
 
 
 @dataclass(frozen=True)
 class PngKind:
-    """What an image file must be."""
+    """Properties that a PNG file must have.
+
+    Parameters
+    ----------
+    width, height
+        px.
+    bits
+        Per channel.
+    color_type
+        As in the IHDR chunk, such as 0 for grey and 2 for RGB.
+    """
 
     width: int
     height: int
@@ -34,14 +44,20 @@ class PngKind:
 
 
 def check_png(name: str, content: bytes, expected: PngKind) -> None:
-    """Check that a PNG is whole and of the expected kind, without decoding it.
+    """Check that a PNG is complete and of the expected kind, without decoding it.
 
-    OpenCV fills the missing part of a truncated image with black and says nothing, so the chunks
-    and their check sums are walked here.
+    OpenCV silently fills the missing part of a truncated image with black, so the chunks and their
+    checksums are checked here.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
 
     Raises
     ------
     InputError
+        When it is not a PNG, damaged, or of another kind.
     """
     if not content.startswith(_SIGNATURE):
         raise InputError("{name} is not a PNG image; restore it from the recording.", name=name)
@@ -72,7 +88,16 @@ def check_png(name: str, content: bytes, expected: PngKind) -> None:
 
 
 def decode_depth(name: str, content: bytes) -> RawArray:
-    """Decode a raw depth frame to (height, width) uint16.
+    """Decode a raw depth frame.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Returns
+    -------
+    (height, width) uint16, raw, 2047 = no reading
 
     Raises
     ------
@@ -92,12 +117,27 @@ def decode_depth(name: str, content: bytes) -> RawArray:
 
 
 def decode_color(name: str, content: bytes) -> ByteArray:
-    """Decode a colour frame to (height, width, 3) uint8, RGB."""
+    """Decode a colour frame.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Returns
+    -------
+    (height, width, 3) uint8, RGB
+
+    Raises
+    ------
+    InputError
+        When it cannot be decoded.
+    """
     return np.ascontiguousarray(_decode(name, content, cv2.IMREAD_COLOR)[..., ::-1])
 
 
 def encode_png(image: RawArray | ByteArray) -> bytes:
-    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB."""
+    """Encode a depth frame (h, w) uint16, or a colour frame (h, w, 3) uint8, RGB, as PNG."""
     stored = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
     return bytes(cv2.imencode(".png", stored, _QUICK)[1])
 

@@ -1,4 +1,4 @@
-"""manifest.json: between the file and the value."""
+"""Conversion between manifest.json and `Manifest`."""
 
 from __future__ import annotations
 
@@ -29,6 +29,11 @@ _VIEW_NAME = re.compile(r"[a-z0-9_]{1,32}")
 def parse_manifest(file: str, text: bytes) -> Manifest:
     """Read a manifest.
 
+    Parameters
+    ----------
+    file
+        Name of the file, for messages.
+
     Raises
     ------
     InputError
@@ -48,7 +53,7 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
 
 
 def manifest_json(manifest: Manifest) -> dict[str, Any]:
-    """Give the JSON form of a manifest."""
+    """Return the JSON form of a manifest."""
     values: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -99,7 +104,7 @@ def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
 
 
 def reference_system_json(system: ReferenceSystem) -> dict[str, Any]:
-    """Give the JSON form of a reference system."""
+    """Return the JSON form of a reference system."""
     return {
         "name": system.name,
         "markers": [
@@ -123,11 +128,12 @@ def _view_names(root: JsonObject) -> tuple[str, ...]:
 
 
 def parse_box(root: JsonObject) -> Box:
-    """Read the volume of interest of a root object.
+    """Read ``volume_of_interest_mm`` of a root object.
 
     Raises
     ------
     InputError
+        Names the file and the key of the first violation.
     """
     box = root.object("volume_of_interest_mm")
     low, high = box.triple("min"), box.triple("max")

@@ -1,4 +1,4 @@
-"""Reading a session, strictly: a violation is one sentence that names the file and the key."""
+"""Strict reading of a session: a violation is one sentence that names the file and the key."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ _GREY, _RGB = 0, 2
 def read_session(path: Path) -> Session:
     """Open a recorded session, a folder or a zip archive.
 
-    Everything but the pixels is checked here; frames are decoded one at a time when asked for.
+    Everything but the pixels is checked here; frames are decoded one at a time when they are read.
 
     Raises
     ------
     InputError
-        When anything in it breaks the format (docs/formats/session.md).
+        When anything in it violates the format (docs/formats/session.md).
     """
     store = _store(path)
     if "manifest.json" not in store.names():
@@ -48,7 +48,7 @@ def read_session(path: Path) -> Session:
 
 
 def is_session(path: Path) -> bool:
-    """Whether a path looks like a session rather than a mesh, without opening it."""
+    """Return whether a path looks like a session rather than a mesh, without opening it."""
     return path.is_dir() or path.suffix.lower() == ".zip"
 
 
@@ -61,7 +61,7 @@ def _store(path: Path) -> Store:
 
 
 def _edits(store: Store, path: Path, manifest: Manifest) -> HandEdits:
-    """Give what was corrected by hand; beside an archive counts before what is inside."""
+    """Read the manual corrections; those beside an archive override those inside."""
     place = edits_path(path)
     if path.is_file() and place.is_file():
         beside = FolderStore(place.parent)
@@ -72,7 +72,7 @@ def _edits(store: Store, path: Path, manifest: Manifest) -> HandEdits:
 
 
 def _with_shared_cameras(views: Iterable[View]) -> tuple[View, ...]:
-    """Let views of one device share its depth camera, which keeps the rays of its pixels."""
+    """Let views of one device share its depth camera, which caches its pixel rays."""
     known: dict[PinholeCamera, PinholeCamera] = {}
     shared = []
     for view in views:
@@ -117,7 +117,7 @@ def _check_faces(root: JsonObject, faces: tuple[str, ...], manifest: Manifest) -
 
 
 def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str]:
-    """Give the names of a view's frames in order, each checked to be whole and of its kind."""
+    """Return the names of a view's frames in order, each checked to be complete and of its kind."""
     pattern = re.compile(rf"{re.escape(folder)}/{kind}_(\d{{3,}})\.png")
     numbers = sorted(
         int(match[1]) for match in map(pattern.fullmatch, store.names()) if match is not None

@@ -1,4 +1,4 @@
-"""One sensor as a folder: sensor.json, and correction.npz beside it where it has one."""
+"""A sensor stored as a folder: sensor.json, and correction.npz where it has a correction."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def read_sensor(folder: Path) -> Sensor:
     Raises
     ------
     InputError
-        When a file is missing, or breaks the format.
+        When a file is missing, or violates the format.
     """
     path = folder / SENSOR_FILE
     try:
@@ -38,14 +38,14 @@ def read_sensor(folder: Path) -> Sensor:
 
 
 def write_sensor(sensor: Sensor, folder: Path) -> None:
-    """Write a sensor into a folder that is there.
+    """Write a sensor into an existing folder.
 
     Raises
     ------
     OutputError
         When the correction cannot be written.
     OSError
-        When sensor.json cannot; the caller, who made the folder, says what that means.
+        When sensor.json cannot be written; the caller, who made the folder, reports it.
     """
     name = None
     if sensor.correction is not None:

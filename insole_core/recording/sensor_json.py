@@ -1,4 +1,4 @@
-"""sensor.json: between the file and the value."""
+"""Conversion between sensor.json and `Sensor`."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ _TINY = 1e-9
 
 
 def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
-    """Read one sensor's calibration.
+    """Read the calibration of one sensor.
 
     Parameters
     ----------
     root
-        The whole of sensor.json.
+        The root object of sensor.json.
     correction : optional
-        What ``disparity_correction`` names, already loaded.
+        The content of the file that ``disparity_correction`` names.
 
     Raises
     ------
@@ -57,7 +57,13 @@ def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Se
 
 
 def correction_name(root: JsonObject) -> str | None:
-    """Give the name of the correction file beside sensor.json, if it has one."""
+    """Return the name of the correction file beside sensor.json; None without one.
+
+    Raises
+    ------
+    InputError
+        When the name leads out of the folder.
+    """
     if root.values.get("disparity_correction") is None:
         return None
     name = root.text("disparity_correction")
@@ -67,7 +73,13 @@ def correction_name(root: JsonObject) -> str | None:
 
 
 def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
-    """Give the JSON form of a sensor whose correction is stored under the given name."""
+    """Return the JSON form of a sensor.
+
+    Parameters
+    ----------
+    correction
+        Name of the file that its correction is stored in; None without one.
+    """
     values: dict[str, Any] = {
         "model": sensor.model,
         "serial": sensor.serial,

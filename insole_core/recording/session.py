@@ -1,4 +1,4 @@
-"""A recorded capture of one foot, as a value (see docs/formats/session.md)."""
+"""A recorded capture of one foot, as a value (docs/formats/session.md)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,15 @@ from insole_core.sensing.sensor import Sensor
 
 @dataclass(frozen=True)
 class Marker:
-    """One marker of the reference system: the centre of its visible face, mm, reference frame."""
+    """A marker of the reference system.
+
+    Parameters
+    ----------
+    position_mm
+        Centre of its visible face, reference frame.
+    face
+        Group of markers that face the same way; a sensor sees certain groups.
+    """
 
     id: str
     position_mm: tuple[float, float, float]
@@ -23,13 +31,13 @@ class Marker:
 
 @dataclass(frozen=True)
 class ReferenceSystem:
-    """The rigid frame of markers around the foot; it defines the reference frame."""
+    """The rigid system of markers around the foot, which defines the reference frame."""
 
     name: str
     markers: tuple[Marker, ...]
 
     def facing(self, faces: tuple[str, ...]) -> tuple[Marker, ...]:
-        """Give the markers of the named groups, in order."""
+        """Return the markers of the named groups, in order."""
         return tuple(marker for marker in self.markers if marker.face in faces)
 
 
@@ -43,7 +51,15 @@ class Box:
 
 @dataclass(frozen=True)
 class CaptureCondition:
-    """How the foot was held while it was captured."""
+    """Load and support of the foot during the capture.
+
+    Parameters
+    ----------
+    weight_bearing
+        ``none``, ``semi`` or ``full``.
+    held
+        Whether the foot was held.
+    """
 
     weight_bearing: str = "none"
     held: bool = False
@@ -52,7 +68,17 @@ class CaptureCondition:
 
 @dataclass(frozen=True)
 class Manifest:
-    """What is known of the whole capture."""
+    """Metadata of the whole capture.
+
+    Parameters
+    ----------
+    recorded_at
+        ISO 8601.
+    views
+        Names of the views, in order.
+    volume_of_interest
+        Limits the reconstruction; None for the volume that the markers enclose.
+    """
 
     recorded_at: str
     side: Side
@@ -61,23 +87,21 @@ class Manifest:
     volume_of_interest: Box | None = None
     capture_condition: CaptureCondition | None = None
     extra: dict[str, Any] = field(default_factory=dict)
-    """Keys this version does not know; kept when the session is copied."""
+    """Keys that this version does not know; preserved when the session is copied."""
 
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What one sensor recorded. Frames are read when asked for, one at a time.
+    """The recording of one sensor; frames are read one at a time, on demand.
 
     Parameters
     ----------
-    name
-    sensor
     depth_count, color_count
-        How many frames there are.
+        Number of frames.
     read_depth
-        Gives depth frame i, (480, 640) uint16 raw numbers, 2047 = no reading.
+        Returns depth frame i, (480, 640) uint16 raw numbers, 2047 = no reading.
     read_color
-        Gives colour frame i, (height, width, 3) uint8, RGB.
+        Returns colour frame i, (height, width, 3) uint8, RGB.
     """
 
     name: str
@@ -97,4 +121,4 @@ class Session:
     source: str
     """Where it was read from, for messages."""
     edits: HandEdits = NO_EDITS
-    """What somebody corrected by hand; `reconstruct` honours it."""
+    """Manual corrections, which `reconstruct` applies."""

@@ -1,4 +1,4 @@
-"""Where a session's files lie: a folder, or the same inside a zip archive."""
+"""Access to the files of a session, in a folder or a zip archive."""
 
 from __future__ import annotations
 
@@ -18,14 +18,20 @@ MAX_ARCHIVE_FILES = 100_000
 
 
 class Store(Protocol):
-    """Named files, whatever they are kept in."""
+    """Read access to named files."""
 
     def names(self) -> list[str]:
-        """Give the names of all files, with forward slashes."""
+        """Return the names of all files, with forward slashes."""
         ...
 
     def read(self, name: str) -> bytes:
-        """Give the content of a file."""
+        """Return the content of a file.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read, or is larger than any file of a session.
+        """
         ...
 
 
@@ -36,12 +42,18 @@ class FolderStore:
         self._root = root
 
     def names(self) -> list[str]:
-        """Give the names of all files, with forward slashes."""
+        """Return the names of all files, with forward slashes."""
         paths = self._root.rglob("*")
         return sorted(p.relative_to(self._root).as_posix() for p in paths if p.is_file())
 
     def read(self, name: str) -> bytes:
-        """Give the content of a file."""
+        """Return the content of a file.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read, or is larger than any file of a session.
+        """
         path = self._root / name
         try:
             if path.stat().st_size > MAX_FILE_BYTES:
@@ -56,7 +68,13 @@ class FolderStore:
 
 
 class ZipStore:
-    """The files of a zip archive, below the folder that holds the manifest."""
+    """The files of a zip archive, below the folder that holds the manifest.
+
+    Raises
+    ------
+    InputError
+        When the archive cannot be read, has paths that lead out of it, or is far too large.
+    """
 
     def __init__(self, archive: Path) -> None:
         self._archive = archive
@@ -77,13 +95,19 @@ class ZipStore:
         )
 
     def names(self) -> list[str]:
-        """Give the names of all files, with forward slashes."""
+        """Return the names of all files, with forward slashes."""
         return self._names
 
     def read(self, name: str) -> bytes:
-        """Give the content of a file."""
+        """Return the content of a file.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read, or is larger than any file of a session.
+        """
         try:
-            # The archive's own word on sizes is not trusted: never inflate past the limit.
+            # The sizes that the archive states are not trusted: never inflate past the limit.
             with zipfile.ZipFile(self._archive) as opened, opened.open(self._prefix + name) as file:
                 content = file.read(MAX_FILE_BYTES + 1)
         except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, zlib.error) as error:
@@ -128,7 +152,7 @@ def _check_entries(archive: Path, entries: list[zipfile.ZipInfo]) -> None:
 
 
 def _prefix(names: list[str]) -> str:
-    """Give the one top folder that holds the manifest, or nothing where the root does."""
+    """Return the only top folder, with a slash, where it holds the manifest; otherwise ""."""
     if "manifest.json" in names:
         return ""
     tops = {name.split("/", 1)[0] for name in names if "/" in name}

@@ -1,4 +1,4 @@
-"""Writing a session: as a whole or not at all."""
+"""Atomic writing of a session."""
 
 from __future__ import annotations
 
@@ -33,18 +33,16 @@ def write_session(
 
     Parameters
     ----------
-    session
-    path
     truth : mm, reference frame, optional
         The true surface of a simulated session.
     sensor2reference
-        The true poses of a simulated session, (4, 4) for every view.
-    progress
+        The true poses of a simulated session, (4, 4), mm, by the name of the view.
 
     Raises
     ------
     OutputError
-        When the place cannot be written; what stood there before is untouched.
+        When the place cannot be written; what was there before is untouched.
+    Cancelled
     """
     if path.suffix.lower() == ".zip":
         with replacing_file(path) as beside, TemporaryDirectory(dir=path.parent) as parts:
@@ -89,7 +87,7 @@ def _write_json(path: Path, values: dict[str, Any]) -> None:
 
 
 def _zip(folder: Path, archive: Path) -> None:
-    # PNG and npz are compressed already.
+    # PNG and npz are already compressed.
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
         for path in sorted(folder.rglob("*")):
             if path.is_file():

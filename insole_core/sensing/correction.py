@@ -1,4 +1,4 @@
-"""The distortion correction of one sensor, as it is stored beside sensor.json."""
+"""The distortion correction of one sensor, as stored beside sensor.json."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _WHOLE_RANGE = (0.0, 2047.0)
 
 @dataclass(frozen=True)
 class CorrectionRecord:
-    """Where a correction comes from.
+    """Origin of a correction.
 
     Parameters
     ----------
@@ -37,7 +37,9 @@ class CorrectionRecord:
     method
         Name of the algorithm.
     figures
-        What its calibration measured, name to number.
+        Results of its calibration by name.
+    version
+        Of the file format.
     """
 
     serial: str = ""
@@ -47,7 +49,7 @@ class CorrectionRecord:
     version: int = VERSION
 
     def age_days(self, now: datetime) -> float:
-        """Give the age; infinite for a correction without a date."""
+        """Return the age at `now` (aware); infinite for a correction without a date."""
         if not self.made_at:
             return float("inf")
         made = datetime.fromisoformat(self.made_at)
@@ -56,7 +58,7 @@ class CorrectionRecord:
 
 @dataclass(frozen=True, eq=False)
 class DisparityCorrection:
-    """What is subtracted from every raw number: a map, and how it changes with the raw number.
+    """Raw units subtracted from every reading: a map, and its dependence on the raw number.
 
     The correction of a raw number r is ``offset + slope * lever``, where ``lever`` is
     `decay_lever` of ``clip(r, raw_range) - reference_raw``: thesis (16) with Herrera's dependence
@@ -68,17 +70,15 @@ class DisparityCorrection:
         The correction at `reference_raw`; all that other programs need to know.
     slope : (480, 640) float32, raw units per raw unit, optional
         At `reference_raw`.
-    reference_raw
     decay
-        How fast the correction dies away as a whole, per raw unit; 0 = it changes evenly (files of
+        Rate at which the correction decays with the raw number, 1 / raw unit; 0 = linear (files of
         version 1).
     raw_range
         The correction is not extrapolated beyond these raw numbers.
     coverage : (480, 640) uint8, optional
-        How many captures determined each pixel; 0 = filled in from its neighbours.
+        Number of captures that determined each pixel; 0 = filled in from its neighbours.
     deviation : (480, 640) float32, raw units, optional
-        Standard deviation of what is left after the correction, averaged over 8 x 8 pixels.
-    record
+        Standard deviation of the residuals after the correction, averaged over 8 x 8 pixels.
     """
 
     offset: Float32Array
@@ -91,7 +91,7 @@ class DisparityCorrection:
     record: CorrectionRecord = field(default_factory=CorrectionRecord)
 
     def offset_at(self, raw: FloatArray) -> FloatArray:
-        """Give the correction (480, 640) of a raw image, in raw units."""
+        """Return the correction (480, 640), raw units, at a raw image (480, 640)."""
         if self.slope is None:
             return self.offset.astype(float)
         beyond_raw = np.clip(raw, *self.raw_range) - self.reference_raw
@@ -102,22 +102,32 @@ class DisparityCorrection:
         return np.asarray(raw - self.offset_at(raw))
 
     def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
-        """Correct and convert a raw image (480, 640), NaN = no reading, to mm along z."""
+        """Correct a raw image and convert it to depth.
+
+        Parameters
+        ----------
+        raw : (480, 640) float64, raw units, NaN = no reading
+
+        Returns
+        -------
+        (480, 640) float64, mm along the optical axis, NaN = no reading
+        """
         return disparity.depth_mm(self.corrected(raw))
 
     @property
     def covered(self) -> BoolArray:
-        """(480, 640) whether the captures reached a pixel."""
+        """(480, 640) whether any capture determined a pixel."""
         if self.coverage is None:
             return np.ones(self.offset.shape, dtype=bool)
         return self.coverage > 0
 
     def save(self, path: Path) -> None:
-        """Write the .npz of the session format.
+        """Write the .npz file of the session format.
 
         Raises
         ------
         OutputError
+            When the place cannot be written; a file that was there before is untouched.
         """
         with replacing_file(path) as beside, beside.open("wb") as stream:
             np.savez_compressed(stream, allow_pickle=False, **self._arrays())
@@ -135,7 +145,19 @@ class DisparityCorrection:
 
 
 def decay_lever(beyond: FloatArray, decay: float) -> FloatArray:
-    """Give what a slope counts by: ``beyond`` itself, or bent so that its change dies away."""
+    """Return the factor of the slope: (1 - exp(-decay * beyond)) / decay.
+
+    Parameters
+    ----------
+    beyond : (...) float64, raw units
+        Distance from the reference.
+    decay : 1 / raw unit
+        0 for a linear correction; the factor is then `beyond` itself.
+
+    Returns
+    -------
+    (...) float64, raw units
+    """
     return np.asarray(-np.expm1(-decay * beyond) / decay) if decay else beyond
 
 
@@ -159,11 +181,22 @@ def load_correction(path: Path) -> DisparityCorrection:
 
 
 def parse_correction(name: str, content: bytes) -> DisparityCorrection:
-    """Read the bytes of a correction file; only the array ``offset`` must be there.
+    """Read the bytes of a correction file; only the array ``offset`` is required.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Returns
+    -------
+    DisparityCorrection
+        Of a file that another program wrote (without ``record``), the offset alone.
 
     Raises
     ------
     InputError
+        When it is damaged, holds arrays of another shape, or is of a newer version.
     """
     try:
         with np.load(io.BytesIO(content), allow_pickle=False) as stored:
@@ -183,7 +216,7 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         )
     _check_map(name, "offset", offset)
     if "record" not in arrays:
-        # Another program's file: what its further arrays mean is not known here.
+        # Written by another program: the meaning of its other arrays is unknown.
         return DisparityCorrection(offset.astype(np.float32))
     for key in _ARRAYS:
         if key in arrays:

@@ -1,4 +1,4 @@
-"""From the sensor's raw 11-bit number to millimetres, and back.
+"""Conversion between the sensor's raw 11-bit numbers and millimetres.
 
 The three models of the session format. `raw` is float everywhere: averaging and correction happen
 before the conversion, in fractions of a raw unit.
@@ -14,18 +14,18 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 
 NO_READING = 2047
-"""The raw number by which the sensor says that it measured nothing."""
+"""The raw number that the sensor sends for a pixel without a reading."""
 
 
 class DisparityModel(Protocol):
-    """What every conversion can do."""
+    """Conversion between raw numbers and depth, element by element."""
 
     def depth_mm(self, raw: FloatArray) -> FloatArray:
-        """Depth along the optical axis; NaN where the raw number lies at or past infinity."""
+        """Depth along the optical axis; NaN where the raw number lies at or beyond infinity."""
         ...
 
     def raw(self, depth_mm: FloatArray) -> FloatArray:
-        """Invert `depth_mm`."""
+        """Return the raw numbers of depths; inverse of `depth_mm`."""
         ...
 
 
@@ -37,7 +37,19 @@ def _positive(
 
 @dataclass(frozen=True)
 class FactoryDisparity:
-    """The numbers the device itself reports (``kinect-v1-factory``)."""
+    """Conversion by the parameters that the device itself reports (``kinect-v1-factory``).
+
+    Parameters
+    ----------
+    reference_distance_mm
+        Z0, distance of the reference plane.
+    reference_pixel_size_mm
+        p, size of a pixel on the reference plane.
+    baseline_mm
+        b, between emitter and infrared camera.
+    constant_shift
+        px.
+    """
 
     reference_distance_mm: float
     reference_pixel_size_mm: float
@@ -54,7 +66,7 @@ class FactoryDisparity:
             return _positive(self.reference_distance_mm * self.baseline_mm / gap, gap > 0)
 
     def raw(self, depth_mm: FloatArray) -> FloatArray:
-        """Invert `depth_mm`."""
+        """Return the raw numbers of depths; inverse of `depth_mm`."""
         depth = np.asarray(depth_mm, dtype=float)
         m = self.baseline_mm * (1 - self.reference_distance_mm / depth)
         return np.asarray((m / self.reference_pixel_size_mm + self.constant_shift + 0.375) * 4)
@@ -62,7 +74,7 @@ class FactoryDisparity:
 
 @dataclass(frozen=True)
 class LinearInverseDisparity:
-    """Burrus's model, thesis (17): Z[mm] = 1000 / (a + b raw)."""
+    """Burrus's model, thesis (17): Z = 1000 / (a + b raw), mm."""
 
     a: float
     b: float
@@ -74,13 +86,13 @@ class LinearInverseDisparity:
             return _positive(1000.0 / inverse, inverse > 0)
 
     def raw(self, depth_mm: FloatArray) -> FloatArray:
-        """Invert `depth_mm`."""
+        """Return the raw numbers of depths; inverse of `depth_mm`."""
         return np.asarray((1000.0 / np.asarray(depth_mm, dtype=float) - self.a) / self.b)
 
 
 @dataclass(frozen=True)
 class TangentDisparity:
-    """Thesis (12): Z = k1 tan(raw / k2 + k3)."""
+    """Tangent model, thesis (12): Z = k1 tan(raw / k2 + k3), mm."""
 
     k1_mm: float
     k2: float
@@ -93,6 +105,6 @@ class TangentDisparity:
             return _positive(self.k1_mm * np.tan(angle), angle < np.pi / 2)
 
     def raw(self, depth_mm: FloatArray) -> FloatArray:
-        """Invert `depth_mm`."""
+        """Return the raw numbers of depths; inverse of `depth_mm`."""
         depth = np.asarray(depth_mm, dtype=float)
         return np.asarray((np.arctan(depth / self.k1_mm) - self.k3) * self.k2)

@@ -1,4 +1,4 @@
-"""Many depth frames of a still scene to one image of raw numbers."""
+"""Average many depth frames of a still scene."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _FIRST_FRAMES = 9
 _NEAR_RAW = 3.0
 _BLOCK_PX = 16
 _ROW_STEP = 2
-"""Half of the rows show motion as well, in half of the time."""
+"""Every second row shows motion as well, in half of the time."""
 _JUMP_RAW = 12.0
 _MOVED_RAW = 1.2
 """A still scene seems to change by up to two thirds of this; it is 1.9 mm at 750 mm."""
@@ -49,7 +49,7 @@ def median_raw(frames: Iterable[RawArray]) -> FloatArray:
     -------
     (height, width) float64, raw; NaN where fewer than half of the frames measured
     """
-    # 2047 is the largest raw number, so after sorting the readings stand before the gaps.
+    # 2047 is the largest raw number, so sorting puts the readings before the gaps.
     ordered = np.stack(_sorted(list(frames)))
     readings = (ordered < NO_READING).sum(0, dtype=np.int16)
     low, high = _picked(ordered, np.maximum(readings - 1, 0) // 2), _picked(ordered, readings // 2)
@@ -57,7 +57,7 @@ def median_raw(frames: Iterable[RawArray]) -> FloatArray:
 
 
 def _picked(frames: RawArray, index: Int16Array) -> RawArray:
-    """Take every pixel from the frame of its index: a third of the time of numpy's own."""
+    """Take every pixel from the frame of its index, in a third of the time of numpy's own."""
     picked: RawArray = np.zeros_like(frames[0])
     for number, frame in enumerate(frames):
         np.copyto(picked, frame, where=index == number)
@@ -76,7 +76,7 @@ def _sorted(frames: list[RawArray]) -> list[RawArray]:
 
 
 def _exchanges(count: int) -> Iterator[tuple[int, int]]:
-    """Give the pairs that are put in order one after the other, Knuth 5.2.2, algorithm M."""
+    """Yield the pairs to compare and exchange, one after the other (Knuth 5.2.2, algorithm M)."""
     run = 1
     while run < count:
         apart = run
@@ -91,16 +91,16 @@ def _exchanges(count: int) -> Iterator[tuple[int, int]]:
 
 @dataclass(frozen=True)
 class Motion:
-    """How far a thing went as a whole, told from where its surface came to lie.
+    """Translation of an object between frames, estimated from its surface.
 
     Parameters
     ----------
     along_u_px, along_v_px
-        In the picture; 0 along a direction in which its surface is even and nothing shows.
+        In the picture; 0 along a direction in which its surface is flat and no shift shows.
     nearer_raw
-        Towards the sensor or away from it.
+        Along the line of sight, raw units.
     at_raw
-        Where it was, as a raw number.
+        Raw number at which the object was.
     """
 
     along_u_px: float
@@ -111,7 +111,7 @@ class Motion:
 
 @dataclass(frozen=True, eq=False)
 class RawAverage:
-    """Many frames of a still scene as one.
+    """Average of many frames of a still scene.
 
     Parameters
     ----------
@@ -119,16 +119,16 @@ class RawAverage:
     variance : (height, width) float64, raw units²
         Of the mean; NaN like `raw`.
     frames
-        How many there were.
+        Number of frames.
     moved
-        The frames that were left out, because something in them had moved.
+        Indices of the frames that were left out, because something in them had moved.
     motion_raw
         Largest change of a part of the picture over the frames, raw units.
     sideways_px
         Largest shift of a part of the picture over the frames.
     motion : optional
-        Of the thing that moved, in the frame that is farthest off; nothing where nothing moved
-        or where it did not move as a whole.
+        Of the object that moved, in the frame that is farthest off; None where nothing moved
+        or not as a whole.
     """
 
     raw: FloatArray
@@ -146,11 +146,16 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     The first estimate is the median of the first nine frames; readings farther than 3 raw units
     from it are outliers (the noise of the sensor is about 0.5). Holds nine frames, however many
     there are. Keeps the fractions of a raw unit that the median loses. A frame of which a part
-    came nearer, or went sideways, as a whole shows something that has moved, and is left out.
+    came nearer or went sideways as a whole shows something that has moved, and is left out.
 
     Parameters
     ----------
     frames : each (height, width) uint16, raw, 2047 = no reading
+
+    Returns
+    -------
+    RawAverage
+        With images of (height, width).
     """
     stream = iter(frames)
     first = list(islice(stream, _FIRST_FRAMES))
@@ -191,12 +196,21 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
 
 
 def mean_raw(frames: Iterable[RawArray]) -> FloatArray:
-    """Give the mean alone of `average_raw`, (height, width) float64, raw; NaN = no reading."""
+    """Return only the mean of `average_raw`.
+
+    Parameters
+    ----------
+    frames : each (height, width) uint16, raw, 2047 = no reading
+
+    Returns
+    -------
+    (height, width) float64, raw; NaN = no reading
+    """
     return average_raw(frames).raw
 
 
 class _Sums:
-    """Sums of small whole numbers: of a stretch of frames in 16 bits, four times as fast.
+    """Sums of small integers, over a stretch of frames in 16 bits: four times as fast.
 
     Parameters
     ----------
@@ -205,7 +219,7 @@ class _Sums:
     """
 
     _STRETCH = 500
-    """Frames: of squares up to (2 * _NEAR_RAW)² so many fit into 16 bits."""
+    """Frames whose squares, up to (2 * _NEAR_RAW)² each, add up within 16 bits."""
 
     def __init__(self, shape: tuple[int, ...]) -> None:
         self._long = np.zeros((3, *shape), dtype=np.int32)
@@ -213,7 +227,7 @@ class _Sums:
         self._count = 0
 
     def add(self, values: Int16Array, counted: BoolArray) -> None:
-        """Add one frame, 0 where it is not counted."""
+        """Add one frame, which is 0 where it is not counted."""
         total, squares, number = self._short
         total += values
         squares += values * values
@@ -223,7 +237,7 @@ class _Sums:
             self._carry()
 
     def totals(self) -> Int32Array:
-        """Give the sums (3, height, width) of values, of squares, and of how many there were."""
+        """Return the sums (3, height, width) of the values, of their squares, and their number."""
         self._carry()
         return self._long
 
@@ -234,9 +248,9 @@ class _Sums:
 
 
 class _StillScene:
-    """What a frame shows as long as nothing moves, to compare others with.
+    """The scene as long as nothing moves, to compare frames with.
 
-    Differences are in halves of a raw unit, in which the median of whole numbers is whole.
+    Differences are in half raw units, in which the median of integers is an integer.
     """
 
     def __init__(self, anchor: FloatArray) -> None:
@@ -251,9 +265,9 @@ class _StillScene:
         )
 
     def _steady_slopes(self) -> tuple[tuple[Float32Array, Float32Array], BoolArray]:
-        """Disparity gradients, raw/px, and where they are those of a surface; 0 elsewhere.
+        """Compute disparity gradients, raw/px, and where they are those of a surface; 0 elsewhere.
 
-        Not at the borders of things and beside gaps.
+        Not at the edges of objects and beside gaps.
         """
         known = self._known.astype(np.float32)
         support = cv2.blur(known, (5, 5))
@@ -267,15 +281,15 @@ class _StillScene:
         return (along_u * steady, along_v * steady), steady
 
     def compare(self, frame: RawArray) -> tuple[Int16Array, BoolArray]:
-        """Give the difference (height, width), half raw units, and where it is one."""
+        """Return the difference (height, width) in half raw units, and where it is valid."""
         numbers = np.asarray(frame)
         valid = self._known & (numbers < NO_READING)
         return 2 * numbers.astype(np.int16) - self._halves, valid
 
     def motion(self, halves: Int16Array, valid: BoolArray) -> Motion | None:
-        """Find the one shift of a thing that explains what changed on surfaces; or nothing.
+        """Find the translation of one object that explains the changes on surfaces, or None.
 
-        What stands still has not changed, and the borders of things are no surface.
+        Pixels without change do not count, nor do the edges of objects.
         """
         usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
         share = cv2.blur(usable, (_SMOOTH_PX, _SMOOTH_PX))
@@ -297,9 +311,9 @@ class _StillScene:
         return Motion(along_u_px, along_v_px, nearer_raw, float(np.median(anchor)))
 
     def changes(self, halves: Int16Array, valid: BoolArray) -> tuple[float, float]:
-        """How far a part of the picture came nearer, raw units, and went sideways, px.
+        """Measure how far a part of the picture came nearer, raw units, and went sideways, px.
 
-        Differences beyond `_JUMP_RAW` are the borders of things, which flicker.
+        Differences beyond `_JUMP_RAW` are the edges of objects, which flicker.
         """
         halves, valid = halves[::_ROW_STEP], valid[::_ROW_STEP]
         usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
@@ -310,12 +324,12 @@ class _StillScene:
         return self._nearer_raw(difference, share), self._sideways_px(difference, wide_share)
 
     def _nearer_raw(self, difference: Float32Array, share: Float32Array) -> float:
-        """Change that few blocks exceed; their mean has a tenth of a pixel's noise."""
+        """Return the change that few blocks exceed; their mean has a tenth of a pixel's noise."""
         means = _block_means(difference, _BLOCK_PX) / np.maximum(share, 1e-6)
         return _percentile(np.abs(means[share >= 0.5]), 98)
 
     def _sideways_px(self, difference: Float32Array, share: Float32Array) -> float:
-        """Shift that explains the differences by the slopes, exceeded in few blocks.
+        """Return the shift that explains the differences by the slopes, exceeded in few blocks.
 
         Least squares in every block; where there is no slope, no shift is assumed.
         """
@@ -327,7 +341,7 @@ class _StillScene:
 
 
 def _robust_shift(design: FloatArray, change: FloatArray) -> tuple[FloatArray, float]:
-    """Shift (3,) that explains most of the changes (n,), and how many of them (Geman & McClure)."""
+    """Fit a shift (3,) to the changes (n,); return it and its inlier share (Geman & McClure)."""
     shift, weights = np.zeros(3), np.ones(len(change))
     for scale in _ROBUST_ROUNDS_RAW:
         weighted = weights[:, None] * design
@@ -339,7 +353,7 @@ def _robust_shift(design: FloatArray, change: FloatArray) -> tuple[FloatArray, f
 
 
 def _block_means(image: Float32Array, size: int) -> Float32Array:
-    """Means over square blocks of pixels, of an image that holds every `_ROW_STEP`-th row."""
+    """Average over square blocks of pixels, of an image that holds every `_ROW_STEP`-th row."""
     rows = size // _ROW_STEP
     height, width = image.shape[0] // rows, image.shape[1] // size
     if min(height, width) == 0:
@@ -349,7 +363,7 @@ def _block_means(image: Float32Array, size: int) -> Float32Array:
 
 
 def _percentile(values: FloatArray | Float32Array, share: float) -> float:
-    """Of few numbers, in a tenth of the time that numpy's own takes."""
+    """Interpolate a percentile of few numbers, in a tenth of the time of numpy's own."""
     if not values.size:
         return 0.0
     ordered = np.sort(values, axis=None).astype(np.float64)

@@ -1,4 +1,4 @@
-"""A sensor straight from the box, before anything of it was measured."""
+"""A Kinect v1 with nominal parameters, before any calibration."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 BURRUS = LinearInverseDisparity(3.3309495, -0.0030711016)
-"""Thesis (17), as Burrus published it."""
+"""Thesis (17), with the values that Burrus published."""
 DEPTH_CAMERA = PinholeCamera(640, 480, 585.0, 585.0, 319.5, 239.5)
 COLOR_CAMERA = PinholeCamera(1280, 1024, 1050.0, 1050.0, 639.5, 511.5)
 DEPTH2COLOR = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
 
 
 def nominal_kinect(serial: str) -> Sensor:
-    """Give a Kinect v1 with the numbers that are usual for its kind."""
+    """Return a Kinect v1 with the nominal parameters of its model."""
     return Sensor(
         model="kinect-v1",
         serial=serial,

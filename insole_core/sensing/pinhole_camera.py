@@ -38,7 +38,18 @@ class PinholeCamera:
     skew: float = 0.0
 
     def distort(self, normalised: FloatArray) -> FloatArray:
-        """Apply the lens to normalised image coordinates (..., 2)."""
+        """Apply the lens distortion.
+
+        Parameters
+        ----------
+        normalised : (..., 2) float64
+            Undistorted coordinates (x/z, y/z).
+
+        Returns
+        -------
+        (..., 2) float64
+            Distorted normalised coordinates.
+        """
         k1, k2, p1, p2, k3 = self.distortion
         x, y = normalised[..., 0], normalised[..., 1]
         r2 = x * x + y * y
@@ -67,7 +78,17 @@ class PinholeCamera:
         return np.stack([self.fx * x + self.skew * y + self.cx, self.fy * y + self.cy], axis=-1)
 
     def normalised(self, pixels: FloatArray) -> FloatArray:
-        """Invert the lens: pixels (..., 2) to normalised coordinates (x/z, y/z)."""
+        """Undistort pixels, iteratively; inverse of `project` up to the depth.
+
+        Parameters
+        ----------
+        pixels : (..., 2) float64, px
+
+        Returns
+        -------
+        (..., 2) float64
+            Normalised coordinates (x/z, y/z).
+        """
         y = (pixels[..., 1] - self.cy) / self.fy
         x = (pixels[..., 0] - self.cx - self.skew * y) / self.fx
         bent = np.stack([x, y], axis=-1)
@@ -79,7 +100,7 @@ class PinholeCamera:
         return straight
 
     def pixel_rays(self) -> FloatArray:
-        """(height, width, 2) normalised coordinates of every pixel centre; not to be changed."""
+        """Return the normalised coordinates (height, width, 2) of all pixel centres, read-only."""
         return self._pixel_rays
 
     @cached_property

@@ -1,4 +1,4 @@
-"""One depth sensor as it was calibrated: its two cameras and the way from raw numbers to mm."""
+"""A calibrated depth sensor: its two cameras and the conversion from raw numbers to mm."""
 
 from __future__ import annotations
 
@@ -20,14 +20,13 @@ class Sensor:
     Parameters
     ----------
     model, serial
-        As the device names itself.
-    depth_camera, color_camera
+        As the device reports them.
     depth2color : (4, 4) float64, mm
         Depth camera frame to colour camera frame, thesis (13).
     disparity
-        Raw number, already corrected, to depth.
+        Conversion of corrected raw numbers to depth.
     correction : optional
-        What is subtracted from every raw number before the conversion, thesis (16).
+        Subtracted from every raw number before the conversion, thesis (16).
     faces
         The marker groups of the reference system that this sensor sees.
     """
@@ -42,7 +41,7 @@ class Sensor:
     faces: tuple[str, ...] = field(default_factory=tuple)
 
     def corrected(self, raw: FloatArray) -> FloatArray:
-        """Take the sensor's distortion out of a raw image (height, width), NaN = no reading."""
+        """Remove the sensor's distortion from a raw image (height, width), NaN = no reading."""
         return raw if self.correction is None else self.correction.corrected(raw)
 
     def depth_mm(self, raw: FloatArray) -> FloatArray:
@@ -50,7 +49,7 @@ class Sensor:
         return self.disparity.depth_mm(self.corrected(raw))
 
     def points(self, depth_mm: FloatArray) -> FloatArray:
-        """Every pixel of a depth image in space, thesis (10), (11).
+        """Back-project every pixel of a depth image, thesis (10), (11).
 
         Parameters
         ----------
@@ -64,5 +63,14 @@ class Sensor:
         return np.concatenate([rays * depth_mm[..., None], depth_mm[..., None]], axis=-1)
 
     def color_pixels(self, points: FloatArray) -> FloatArray:
-        """Colour pixels (..., 2) of points (..., 3) in the depth camera frame, (13) - (15)."""
+        """Project points into the colour image, thesis (13) - (15).
+
+        Parameters
+        ----------
+        points : (..., 3) float64, mm, depth camera frame
+
+        Returns
+        -------
+        (..., 2) float64, px
+        """
         return self.color_camera.project(transform(self.depth2color, points))

@@ -1,4 +1,4 @@
-"""The clinic's own rules for what may leave the house, kept beside the settings."""
+"""The clinic's own export rules, stored beside the settings."""
 
 from __future__ import annotations
 
@@ -8,29 +8,29 @@ from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
 
 class ClinicExportRules:
-    """Gives the rules that hold, and remembers changed ones.
+    """Storage of the export rules.
 
     Parameters
     ----------
     path
-        Of the clinic's rules; until there are any, those of the product hold.
+        Of the clinic's rules; while there is no such file, the defaults of the product apply.
     """
 
     def __init__(self, path: Path) -> None:
         self._path = path
 
     def load(self) -> ExportRules:
-        """Give the rules.
+        """Return the rules that apply.
 
         Raises
         ------
         InputError
-            When the file is there and cannot be read.
+            When the file exists and cannot be read.
         """
         return read_rules(self._path if self._path.exists() else None)
 
     def save(self, rules: ExportRules) -> None:
-        """Remember the rules.
+        """Store the rules of the clinic.
 
         Raises
         ------

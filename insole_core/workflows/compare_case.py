@@ -1,4 +1,4 @@
-"""What of the open case, or from a file, can be compared; and a comparison written for others."""
+"""Compare surfaces of the open case or from files, and write the comparison."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ REPORT_SUFFIXES = (".pdf", ".json", ".png", ".ply")
 
 @dataclass(frozen=True)
 class Wanted:
-    """A surface to compare: of the case by side and kind, or from a path."""
+    """A surface to compare: one of the case by side and kind, or a file."""
 
     kind: str
     """"foot", "insole", or "file"."""
@@ -47,19 +47,20 @@ class Wanted:
 
 @dataclass(frozen=True, eq=False)
 class Compared:
-    """A comparison with what is shown of it.
+    """A comparison and its presentation.
 
     Parameters
     ----------
-    difference
-    surface, signed_mm
-        The first surface, and the difference at its vertices (n,); NaN where the second is missing.
+    surface
+        The first surface.
+    signed_mm : (n,) float64
+        Signed difference at its vertices; NaN where the second surface is missing.
     span_mm
-        End of the colour scale.
+        Limit of the colour scale.
     picture : (height, width, 3) uint8, RGB
         The signed and the absolute map.
     measures
-        Table 3, of "a" and "b".
+        Thesis table 3, of "a" and "b".
     """
 
     difference: Difference
@@ -71,12 +72,25 @@ class Compared:
 
 
 def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> ComparisonSource:
-    """Give the surface that is wanted.
+    """Return a surface to compare.
+
+    Parameters
+    ----------
+    record
+        The open case.
+
+    Returns
+    -------
+    ComparisonSource
+        mm; a foot or insole of the case in the insole frame, a file in its own.
 
     Raises
     ------
-    InsoleError
-        When there is none.
+    InputError
+        When the case has no such foot, or the file cannot be read.
+    DesignError
+        When the insole cannot be built.
+    Cancelled
     """
     if wanted.path is not None:
         return read_source(wanted.path, progress)
@@ -97,12 +111,20 @@ def compare_sources(
     median_pixels: int,
     progress: Progress = SILENT,
 ) -> Compared:
-    """Lay b on a and measure.
+    """Align surface b with surface a and measure their difference.
+
+    Parameters
+    ----------
+    alignment
+        How b is brought into the frame of a.
+    median_pixels
+        Kernel size of the spatial median filter, px; 1 for none.
 
     Raises
     ------
     InputError
-        When the two cannot be laid on each other.
+        When the two cannot be aligned.
+    Cancelled
     """
     difference = compare_surfaces(
         a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.8)
@@ -124,7 +146,14 @@ def compare_sources(
 
 
 def write_comparison(compared: Compared, names: tuple[str, str], path: Path) -> None:
-    """Write a comparison as its suffix says: report, figures, picture, or coloured surface.
+    """Write a comparison in the form that the suffix selects: report, figures, picture, or mesh.
+
+    Parameters
+    ----------
+    names
+        Of the two surfaces.
+    path
+        With one of `REPORT_SUFFIXES`.
 
     Raises
     ------

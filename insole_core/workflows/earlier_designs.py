@@ -1,4 +1,4 @@
-"""What was prescribed for a patient before, among the case files that were open lately."""
+"""Find earlier prescriptions of a patient among recent case files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ log = logging.getLogger(__name__)
 
 
 def identity(patient: Patient) -> tuple[str, str] | None:
-    """Give what tells a patient from others; None while name or birth date is missing."""
+    """Return normalised name and birth date; None while either is missing."""
     name, born = " ".join(patient.name.casefold().split()), patient.born.strip()
     return (name, born) if name and born else None
 
@@ -27,14 +27,24 @@ def identity(patient: Patient) -> tuple[str, str] | None:
 def find_last_design(
     paths: Sequence[Path], patient: Patient, side: Side, progress: Progress = SILENT
 ) -> Template | None:
-    """Find the latest prescription of a patient for a side; files that cannot be read are skipped.
+    """Find the latest prescription of a patient for a side.
+
+    Parameters
+    ----------
+    paths
+        Candidates; files that are not cases or cannot be read are skipped.
+
+    Returns
+    -------
+    Template
+        None when there is none, or while the patient has no name or birth date.
 
     Raises
     ------
     Cancelled
     """
     wanted = identity(patient)
-    found: list[Template] = []
+    templates: list[Template] = []
     cases = [path for path in paths if path.suffix.lower() == CASE_SUFFIX and path.exists()]
     for number, path in enumerate(cases):
         progress.step(number / len(cases), "Looking for earlier designs")
@@ -46,5 +56,5 @@ def find_last_design(
         foot = record.of_side(side)
         template = None if foot is None else last_design(foot)
         if wanted is not None and identity(record.patient) == wanted and template is not None:
-            found.append(template)
-    return max(found, key=lambda template: prescribed_at(template.design), default=None)
+            templates.append(template)
+    return max(templates, key=lambda template: prescribed_at(template.design), default=None)

@@ -1,4 +1,4 @@
-"""An insole while its design is edited: pads and strokes move at once, and are checked at once."""
+"""An insole during editing: pads and strokes are moved and checked interactively."""
 
 from __future__ import annotations
 
@@ -19,16 +19,15 @@ from insole_core.workflows.insole_builder import BareInsole, bare_key
 
 
 class EditedInsole:
-    """The insole of a design, which follows what is edited in it.
+    """The insole of a design, updated as the design is edited.
 
-    A change of a pad changes only the part of surface and mesh that it covers; contact surface and
-    findings are those of `build_insole`, to the bit.
+    A change of a pad updates only the part of surface and mesh that it covers; contact surface and
+    findings are those of `build_insole`, bit for bit.
 
     Parameters
     ----------
     bare
         Of the same foot and an equal `bare_key`.
-    design
     """
 
     def __init__(self, bare: BareInsole, design: InsoleDesign) -> None:
@@ -36,21 +35,21 @@ class EditedInsole:
         self.design = design
         self.contact: HeightField = apply_pads(bare.base, design)
         self.mesh = replace(bare.solid, vertices=bare.solid.vertices.copy())
-        """Its vertices are written to by the next change of a pad."""
+        """Its vertices are overwritten by the next change of a pad."""
         self.normals: FloatArray = bare.solid.vertex_normals.copy()
         rows, columns = self.contact.heights_mm.shape
         self._move_vertices(Window(0, rows, 0, columns))
         self.moved: IntArray | None = None
-        """The vertices that the last change moved; None before there was one."""
+        """Indices of the vertices that the last change moved; None before the first."""
         self.problem = self._problem()
-        """Why it cannot be made, in a sentence; empty when it can."""
+        """Why the insole cannot be made, a sentence; empty when it can."""
 
     def can_follow(self, foot: Foot, design: InsoleDesign) -> bool:
-        """Whether a design differs in pads and strokes only, and is for this foot."""
+        """Return whether a design is for the same foot and differs only in pads and strokes."""
         return self.bare.key == bare_key(foot, design)
 
     def follow(self, design: InsoleDesign) -> None:
-        """Take another design, which `can_follow` allows."""
+        """Update the insole to another design, for which `can_follow` is true."""
         change = moved_pad(self.bare.base, self.contact, self.design, design)
         self.design = design
         self.contact = change.surface
@@ -64,12 +63,33 @@ class EditedInsole:
         return self.mesh.vertices[count : 2 * count, 2]
 
     def values_everywhere(self, top: FloatArray, bottom: FloatArray) -> FloatArray:
-        """Give numbers of the top's and the bottom's vertices to all vertices of the mesh."""
+        """Distribute values of the top and the bottom to all vertices of the mesh.
+
+        Parameters
+        ----------
+        top, bottom : (n,) float64
+            For the vertices of the top and those below them.
+
+        Returns
+        -------
+        (2 n + k,) float64
+            The walls' second copy of the rim included.
+        """
         rim = self.bare.rim
         return np.concatenate([top, bottom, top[rim], bottom[rim]])
 
     def heights_mm(self, xy: FloatArray) -> FloatArray:
-        """Heights of the contact surface at places (..., 2), as near as the grid has them."""
+        """Interpolate the contact surface.
+
+        Parameters
+        ----------
+        xy : (..., 2) float64, mm, insole frame
+            Points beyond the grid take the height at its edge.
+
+        Returns
+        -------
+        (...) float64, mm
+        """
         field = self.contact
         inset = 1e-6 * field.step_mm
         low = np.array([field.x_mm[0], field.y_mm[0]]) + inset
@@ -77,16 +97,16 @@ class EditedInsole:
         return field.height_at(np.clip(xy, low, high))
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
-        """Whether the contact surface lies under a place."""
+        """Return whether a point, mm, insole frame, is on the grid of the contact surface."""
         field = self.contact
         inside_x = field.x_mm[0] <= x_mm <= field.x_mm[-1]
         return bool(inside_x and field.y_mm[0] <= y_mm <= field.y_mm[-1])
 
     @cached_property
     def standing_foot(self) -> TriangleMesh:
-        """The foot as the insole holds it: turned by the posting, on the least thickness.
+        """The foot standing on the insole: rotated by the posting, raised by the least thickness.
 
-        Pads and strokes change neither.
+        Independent of pads and strokes; mm, insole frame.
         """
         turned = posted_mesh(self.bare.foot, *posting_angles(self.design))
         lift = self.design.least_thickness_mm - turned.vertices[:, 2].min()
@@ -110,7 +130,7 @@ class EditedInsole:
 
 
 def _normals_at(field: HeightField, window: Window, xy: FloatArray) -> FloatArray:
-    """Unit normals (n, 3) of a field at places near or in a window, from the nearest nodes."""
+    """Return unit normals (n, 3) of a field at points in or near a window, by nearest node."""
     first_row, first_column = max(window.first_row - 2, 0), max(window.first_column - 2, 0)
     normals = field.normals_of(
         slice(first_row, window.end_row + 2), slice(first_column, window.end_column + 2)

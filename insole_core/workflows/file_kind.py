@@ -1,4 +1,4 @@
-"""What a path on the disk is."""
+"""Classify paths: case, session, or mesh."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ CASE_SUFFIX = ".insole"
 
 
 def kind_of(path: Path) -> str:
-    """Tell a case, a session and a mesh apart by the name alone.
+    """Return "case", "manifest", "session" or "mesh", without opening the file.
 
     Raises
     ------

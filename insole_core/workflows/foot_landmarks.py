@@ -1,4 +1,4 @@
-"""The landmarks of the open foot: found by its shape, and put right by hand."""
+"""Landmarks of the open foot: detected from its shape, and corrected manually."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ SHOWN = (
     "calcaneus_lower",
     "calcaneus_upper",
 )
-"""Those that the thesis and the prescription ask for; all can be shown."""
+"""Landmarks that the thesis and the prescription need; all of them can be displayed."""
 
 
 class Marked(Protocol):
-    """A foot with what was marked on it: one of a case, or the one at hand."""
+    """A foot with annotations: that of a record, or the current one of a case."""
 
     @property
     def foot(self) -> Foot | None:
-        """The foot, once there is one."""
+        """The foot; None before there is one."""
         ...
 
     @property
     def annotations(self) -> Annotations:
-        """What was marked on it."""
+        """Marks on the foot."""
         ...
 
 
 def landmarks_of(record: Marked) -> dict[str, Landmark]:
-    """Give the landmarks of a foot; empty before there is one.
+    """Return the landmarks of a foot by name; empty before there is a foot.
 
-    A key point with the name of a landmark is that landmark, set by hand.
+    A key point with the name of a landmark replaces the detected one.
     """
     if record.foot is None:
         return {}
@@ -56,7 +56,7 @@ def landmarks_of(record: Marked) -> dict[str, Landmark]:
 
 
 def confirmed(record: CaseRecord) -> Annotations:
-    """Take all landmarks as they are shown, as if each had been set by hand."""
+    """Return the annotations with all displayed landmarks as if set manually."""
     annotations = record.annotations
     for name, landmark in landmarks_of(record).items():
         if name in SHOWN:
@@ -66,13 +66,19 @@ def confirmed(record: CaseRecord) -> Annotations:
 
 
 def found_anew(annotations: Annotations) -> Annotations:
-    """Forget what was set by hand; free points stay."""
+    """Remove the landmarks that were set manually; other key points stay."""
     kept = tuple(point for point in annotations.key_points if point.name not in NAMES)
     return replace(annotations, key_points=kept)
 
 
 def metatarsal_line(record: CaseRecord) -> FloatArray | None:
-    """Give the line of the heads 2 – 4 on the sole, (3, 3) mm; None before there is a foot."""
+    """Return the line of the metatarsal heads 2 - 4 on the sole.
+
+    Returns
+    -------
+    (3, 3) float64, mm, insole frame
+        None before there is a foot.
+    """
     landmarks = landmarks_of(record)
     if not landmarks:
         return None

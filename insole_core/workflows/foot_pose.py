@@ -1,4 +1,4 @@
-"""A foot that lies anew takes with it what was marked and prescribed on it."""
+"""Change the pose of a foot together with its annotations and prescriptions."""
 
 from __future__ import annotations
 
@@ -17,21 +17,34 @@ from insole_core.workflows.foot_landmarks import confirmed, landmarks_of
 
 
 def turned_record(record: CaseRecord, angles: PoseAngles) -> FootRecord:
-    """Let the foot at hand lie at these angles; who turns it by its landmarks has accepted them.
+    """Rotate the current foot to given angles; its landmarks count as confirmed.
+
+    Parameters
+    ----------
+    record
+        With a current foot.
+    angles
+        Against the frame of the landmarks; all 0 aligns the foot.
 
     Raises
     ------
     InputError
-        When the landmarks stand where they do on no foot.
+        When the landmarks are not plausible for a foot.
     """
     current = record.current
     assert current is not None, "only a foot can be turned"
-    anew = turned(current.foot, landmarks_of(record), angles)
-    return lying_anew(replace(current, annotations=confirmed(record)), anew)
+    foot = turned(current.foot, landmarks_of(record), angles)
+    return lying_anew(replace(current, annotations=confirmed(record)), foot)
 
 
 def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:
-    """Put the same foot in another pose in the place of the one there is."""
+    """Replace a foot by the same foot in another pose; move annotations and designs with it.
+
+    Parameters
+    ----------
+    foot
+        With the same source frame; its ``source2insole`` determines the motion.
+    """
     step = foot.source2insole @ inverse(record.foot.source2insole)
     variants = (Variant(v.name, _moved_design(v.design, step)) for v in record.variants)
     return replace(

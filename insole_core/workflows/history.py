@@ -1,4 +1,4 @@
-"""Undo and redo: a list of values with the sentences that lead from one to the next."""
+"""Undo and redo of immutable values, with a description of each change."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True)
 class Change(Generic[Value]):
-    """One step: the value before, the value after, and what was done."""
+    """One change: the value before and after it, and a description.
+
+    A non-empty `merge_key` identifies consecutive changes that are undone together.
+    """
 
     before: Value
     after: Value
@@ -19,7 +22,7 @@ class Change(Generic[Value]):
 
 
 class History(Generic[Value]):
-    """What can be undone and redone. Values are immutable, so a step only swaps them."""
+    """Undo and redo stacks. Values are immutable, so a step only swaps them."""
 
     def __init__(self) -> None:
         self._undone: list[Change[Value]] = []
@@ -27,10 +30,15 @@ class History(Generic[Value]):
         self._open_key = ""
 
     def push(self, before: Value, after: Value, sentence: str, merge_key: str = "") -> None:
-        """Record a step.
+        """Record a change, which ends the possibility to redo.
 
-        A step that follows one of the same (non-empty) `merge_key` becomes part of it, so that
-        ten clicks on a spin box are one undo.
+        Parameters
+        ----------
+        sentence
+            Description for the user.
+        merge_key
+            A change with the same non-empty key as the one before is merged into it, so that ten
+            clicks on a spin box are one step of undo.
         """
         self._undone.clear()
         if merge_key and merge_key == self._open_key:
@@ -39,7 +47,7 @@ class History(Generic[Value]):
         self._done.append(Change(before, after, sentence, merge_key))
 
     def undo(self) -> Value | None:
-        """Step back and give the value from before; None when there is nothing to undo."""
+        """Step back and return the value to restore; None when there is nothing to undo."""
         self._open_key = ""
         if not self._done:
             return None
@@ -47,7 +55,7 @@ class History(Generic[Value]):
         return self._undone[-1].before
 
     def redo(self) -> Value | None:
-        """Step forward again and give the value from after; None when there is nothing to redo."""
+        """Step forward and return the value to restore; None when there is nothing to redo."""
         self._open_key = ""
         if not self._undone:
             return None
@@ -55,23 +63,23 @@ class History(Generic[Value]):
         return self._done[-1].after
 
     def end_merging(self) -> None:
-        """Let the next step be one of its own, whatever its key."""
+        """Do not merge the next change into the last one, whatever its key."""
         self._open_key = ""
 
     def clear(self) -> None:
-        """Forget all steps."""
+        """Discard all changes."""
         self._undone.clear()
         self._done.clear()
         self._open_key = ""
 
     @property
     def undo_sentence(self) -> str:
-        """What the next undo takes back; empty when nothing."""
+        """Description of the change that the next undo reverts; empty when there is none."""
         return self._done[-1].sentence if self._done else ""
 
     @property
     def redo_sentence(self) -> str:
-        """What the next redo does again; empty when nothing."""
+        """Description of the change that the next redo repeats; empty when there is none."""
         return self._undone[-1].sentence if self._undone else ""
 
     def __len__(self) -> int:

@@ -1,4 +1,4 @@
-"""The steps from a design to an insole, those that take long kept: base, pads, check, solid."""
+"""The steps from a design to an insole, with the slow ones cached: base, pads, check, solid."""
 
 from __future__ import annotations
 
@@ -19,28 +19,26 @@ from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.solid import insole_solid
 
-_KEPT = 4  # so that the other foot, another variant or a step of undo is there at once
+_KEPT = 4  # enough for the other foot, another variant and an undo to be immediate
 
 BareKey: TypeAlias = tuple[Any, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class BareInsole:
-    """An insole without its pads: what stays the same while they come, go and move.
+    """An insole without pads: everything that adding, removing or moving pads leaves unchanged.
 
     Parameters
     ----------
     key
-        Of foot and design, `bare_key`: equal keys, equal bare insole.
-    foot
-    base
+        `bare_key` of foot and design; equal keys mean equal bare insoles.
     solid : mm, insole frame
-        Its vertices are the top, the bottom below it, and those of the walls once more, so that
-        light falls on them as on walls.
+        Vertices of the top, those of the bottom below them, and a second copy of the walls'
+        vertices, so that the walls are shaded with normals of their own.
     top_count
-        Number of vertices that follow the contact surface; as many are below them.
+        Number of vertices on the top; as many are below them on the bottom.
     rim : (k,) int64
-        Which of them the walls begin at.
+        Indices of the top's vertices at which the walls begin.
     """
 
     key: BareKey
@@ -52,7 +50,13 @@ class BareInsole:
 
     @classmethod
     def of(cls, key: BareKey, foot: Foot, base: ContactBase, solid: TriangleMesh) -> BareInsole:
-        """Take a closed solid whose first half of vertices is the top."""
+        """Return the bare insole of a closed solid.
+
+        Parameters
+        ----------
+        solid : mm, insole frame
+            The first half of its vertices is the top, the second half the bottom in the same order.
+        """
         count = len(solid.vertices) // 2
         on_top = solid.triangles < count
         is_wall = on_top.any(axis=1) & ~on_top.all(axis=1)
@@ -68,7 +72,7 @@ class BareInsole:
 
     @cached_property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh]:
-        """Top and bottom, without the walls."""
+        """Top and bottom as meshes of all vertices, without the walls."""
         corners, count = self.solid.triangles, self.top_count
         top = (corners < count).all(axis=1)
         bottom = ((corners >= count) & (corners < 2 * count)).all(axis=1)
@@ -77,16 +81,16 @@ class BareInsole:
         )
 
     def vertices_in(self, window: Window) -> IntArray:
-        """Give the indices (n,) of the top's vertices that the nodes of a window decide."""
+        """Return the indices (n,) of the top's vertices that depend on the nodes of a window."""
         field = self.base.surface
         low = field.y0_mm + (window.first_row - 1) * field.step_mm
         high = field.y0_mm + window.end_row * field.step_mm
         order, y = self._by_y
-        found = order[slice(*np.searchsorted(y, [low, high]))]
-        x = self.solid.vertices[found, 0]
+        in_rows = order[slice(*np.searchsorted(y, [low, high]))]
+        x = self.solid.vertices[in_rows, 0]
         left = field.x0_mm + (window.first_column - 1) * field.step_mm
         right = field.x0_mm + window.end_column * field.step_mm
-        return np.asarray(found[(x > left) & (x < right)])
+        return np.asarray(in_rows[(x > left) & (x < right)])
 
     @cached_property
     def _by_y(self) -> tuple[IntArray, FloatArray]:
@@ -96,27 +100,32 @@ class BareInsole:
 
 
 class InsoleBuilder:
-    """Builds insoles as `build_insole` does, and keeps the steps that take long.
+    """Builds insoles as `build_insole` does, and caches the slow steps; thread-safe.
 
-    Any thread may ask. Several designs of the same feet share what they have in common.
+    Several designs of the same feet share the steps that they have in common.
     """
 
     def __init__(self) -> None:
         self._memo = Memo(_KEPT)
 
     def base(self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
-        """Give the contact surface before pads.
+        """Return the contact surface before pads.
+
+        Parameters
+        ----------
+        progress
+            Reports nothing when the surface is cached.
 
         Raises
         ------
         DesignError
-            When nothing of the foot faces the ground.
+            When no part of the foot faces the ground.
         Cancelled
         """
         return _base(self._memo, foot, design, progress)
 
     def insole(self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> Insole:
-        """Give the insole with its pads, checked.
+        """Return the insole with its pads, checked.
 
         Raises
         ------
@@ -129,7 +138,13 @@ class InsoleBuilder:
     def solid(
         self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT
     ) -> tuple[Insole, TriangleMesh]:
-        """Give the insole and what a shop makes of it by default.
+        """Return the insole and its solid with the default options.
+
+        Returns
+        -------
+        insole : Insole
+        solid : TriangleMesh
+            Closed, mm, insole frame.
 
         Raises
         ------
@@ -142,12 +157,12 @@ class InsoleBuilder:
         return insole, insole_solid(insole)
 
     def bare(self, foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> BareInsole:
-        """Give the insole without its pads, closed, for pads to be moved on.
+        """Return the closed insole without its pads, to move pads on.
 
         Raises
         ------
         DesignError
-            As `build_insole` but for the pads, or when the outline leaves no insole.
+            As `build_insole` except for pads, or when the outline leaves no insole.
         Cancelled
         """
         check_design_for(foot, design)
@@ -156,12 +171,12 @@ class InsoleBuilder:
         return memo.get("bare", bare_key(foot, design), make)
 
     def known_bare(self, foot: Foot, design: InsoleDesign) -> BareInsole | None:
-        """Give a bare insole that was built lately; None where it has to be built."""
+        """Return the cached bare insole of a foot and design; None when it has to be built."""
         known: BareInsole | None = self._memo.known("bare", bare_key(foot, design))
         return known
 
     def forget(self) -> None:
-        """Keep nothing of what was built, nor of what is being built."""
+        """Clear the cache; results that are still being computed are not cached either."""
         self._memo = Memo(_KEPT)
 
 
@@ -178,11 +193,11 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
 
 
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
-    """Give all that a bare insole depends on."""
+    """Return everything that the bare insole of a foot and design depends on, as a hashable key."""
     return foot, base_key(design), design.outline, design.bottom
 
 
 def without_added(design: InsoleDesign) -> InsoleDesign:
-    """Leave out the pads and strokes."""
+    """Return the design without pads and strokes."""
     added = {correction.id for correction in added_corrections(design)}
     return replace(design, corrections=tuple(c for c in design.corrections if c.id not in added))

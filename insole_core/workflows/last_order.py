@@ -1,4 +1,4 @@
-"""Remembers how this workplace orders; whose piece it was and what stood on it is forgotten."""
+"""Remember the settings of the last order, without patient data."""
 
 from __future__ import annotations
 
@@ -15,13 +15,12 @@ _FORGOTTEN = ("both", "pseudonym", "text", "block")
 
 
 class LastOrder:
-    """Keeps the last order beside the settings; a bad entry costs a warning, never the start.
+    """Storage of the last order beside the settings; a bad entry costs only a warning.
 
     Parameters
     ----------
-    path
     shop
-        Knows the blocks by their names.
+        Its blocks are found by name.
     """
 
     def __init__(self, path: Path, shop: Shop) -> None:
@@ -29,14 +28,14 @@ class LastOrder:
         self._blocks = {block.name: block for block in shop.blocks}
 
     def load(self) -> OrderChoice:
-        """Give the order to begin with."""
+        """Return the settings of the last order, or the defaults."""
         stored = read_remembered(self._path)
         kept = {name: stored[name] for name in _kept_names() if name in stored}
         block = self._blocks.get(str(stored.get("block")))
         return OrderChoice(**understood(kept, OrderChoice, self._path), block=block)
 
     def save(self, choice: OrderChoice) -> None:
-        """Remember an order.
+        """Store the settings of an order.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""From a recorded session to a foot, for window, command line and case files alike."""
+"""Make a foot from a recorded session, for window, command line and case files alike."""
 
 from __future__ import annotations
 
@@ -30,17 +30,16 @@ from insole_core.workflows.scanned_foot import ScannedFoot, session_source
 
 @dataclass(frozen=True, eq=False)
 class MeasuredSession:
-    """A session and what its views measured, which no correction by hand changes.
+    """A session and the measurements of its views, which do not depend on manual corrections.
 
     Parameters
     ----------
-    path
     session
-        With the corrections of now.
+        With its current corrections.
     measured
-        By the name of the view; a view that is missing has not been looked at yet.
+        By the name of the view; views not measured yet are absent.
     refused
-        Why a view measured nothing that can be used, by its name.
+        Why a view has no usable measurement, by its name.
     """
 
     path: Path
@@ -50,32 +49,45 @@ class MeasuredSession:
 
     @property
     def edits(self) -> HandEdits:
-        """What was corrected by hand."""
+        """Manual corrections of the session."""
         return self.session.edits
 
     @property
     def box(self) -> Box:
-        """The volume of interest."""
+        """Volume of interest, reference frame."""
         return volume_of_interest(self.session)
 
     def with_edits(self, edits: HandEdits) -> MeasuredSession:
-        """Correct something else."""
+        """Replace the manual corrections; the measurements stay."""
         return replace(self, session=replace(self.session, edits=edits))
 
     def measure(self, view: View) -> MeasuredView:
-        """Give what a view measured; quick where the session was measured as a whole.
+        """Return the measurement of a view, computed now unless the whole session was measured.
 
         Raises
         ------
         ReconstructionError
-            When that is nothing that can be used.
+            When the view has no usable measurement.
         """
         if view.name in self.refused:
             raise self.refused[view.name]
         return self.measured.get(view.name) or measure_view(view)
 
     def placed(self, name: str, limits: RegistrationLimits) -> ViewResult:
-        """Find where one sensor stood, or why that cannot be said; quick."""
+        """Find the pose of the sensor of one view; quick.
+
+        Parameters
+        ----------
+        name
+            Of a view that was measured.
+        limits
+            Beyond which the pose is refused.
+
+        Returns
+        -------
+        ViewResult
+            Refused, with the reason, where the pose cannot be determined.
+        """
         edits = self.edits.of(name)
         if name in self.refused:
             return refused_result(name, self.refused[name])
@@ -90,18 +102,17 @@ class MeasuredSession:
 
 @dataclass(frozen=True, eq=False)
 class MadeFoot:
-    """A foot that can be designed on, and how it came about.
+    """A foot ready for design, and how it was made.
 
     Parameters
     ----------
     mesh : mm, reference frame
-    scan
     edits, limits
-        The corrections and limits that it was made with.
+        Corrections and limits that it was made with.
     reconstruction
-        Without its depth views, which are large; None for the coarse foot that comes first.
+        Without its depth views, which are large; None for the coarse preview.
     agreement
-        None where it was not asked for.
+        None where it was not requested.
     """
 
     mesh: TriangleMesh
@@ -113,24 +124,34 @@ class MadeFoot:
 
 
 def open_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
-    """Read a session, whose frames are averaged when they are asked for.
+    """Read a session; its frames are averaged on demand.
+
+    Parameters
+    ----------
+    path
+        Folder or zip archive.
 
     Raises
     ------
     InputError
-        When the session breaks the format.
+        When the session violates the format.
     """
     progress.step(0.0, "Reading the session")
     return MeasuredSession(path, read_session(path), {}, {})
 
 
 def measure_session(path: Path, progress: Progress = SILENT) -> MeasuredSession:
-    """Read a session and average its frames now, so that it can be reconstructed several times.
+    """Read a session and average its frames, so that it can be reconstructed several times.
+
+    Parameters
+    ----------
+    path
+        Folder or zip archive.
 
     Raises
     ------
     InputError
-        When the session breaks the format.
+        When the session violates the format.
     Cancelled
     """
     opened = open_session(path, progress)
@@ -156,20 +177,23 @@ def reconstruct_session(
     method: Method = "fused",
     on_preview: Callable[[TriangleMesh], None] | None = None,
 ) -> Reconstruction:
-    """Make the coloured surface of a session, where it lies in the reference frame.
+    """Reconstruct the coloured surface of a session, in the reference frame.
 
-    It is the first half of `make_foot`, for those who want the surface and no foot.
+    It is the first half of `make_foot`, for callers that need only the surface.
 
     Parameters
     ----------
     opened
-        Its frames are averaged here where that has not been done.
+        Views that were not measured yet are measured here.
     limits
-        When the pose of a view is refused.
-    progress
-    method
+        Beyond which the pose of a view is refused.
     on_preview
-        Is given a coarse surface as soon as there is one; of the fused method only.
+        Called once with a coarse surface, by the fused method only.
+
+    Returns
+    -------
+    Reconstruction
+        Its mesh is in mm, reference frame.
 
     Raises
     ------
@@ -193,20 +217,21 @@ def make_foot(
 ) -> MadeFoot:
     """Reconstruct the foot of a session, and find heel and toes.
 
-    Window, command line and case files all come to their foot here.
-
     Parameters
     ----------
-    opened
     limits
-        When the pose of a view is refused.
-    progress
+        Beyond which the pose of a view is refused.
     on_preview
-        Is given a coarse foot as soon as there is one.
+        Called once with a coarse foot, before the fine one is made.
     compare_views
-        Whether to say how far the views differ on the foot.
+        Whether to measure how far the views deviate from each other on the foot.
     force
-        Go on although the shape looks like the other foot.
+        Continue although the shape looks like the other foot.
+
+    Returns
+    -------
+    MadeFoot
+        Its foot is in the insole frame.
 
     Raises
     ------
@@ -227,7 +252,7 @@ def make_foot(
         try:
             coarse = placed(mesh, (), certain=True)
         except InsoleError:
-            return  # whether the foot is one is judged by the fine mesh
+            return  # the fine mesh decides whether it is a foot
         on_preview(coarse)
 
     result = reconstruct_session(

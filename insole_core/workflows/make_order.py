@@ -1,4 +1,4 @@
-"""What the user orders for the open case, and how the core is asked for it."""
+"""Make and write what the user orders for the open case."""
 
 from __future__ import annotations
 
@@ -28,22 +28,30 @@ _SIDE_WORDS = ("left", "right", "pair")
 
 @dataclass(frozen=True)
 class OrderChoice:
-    """What the fields of the export stage say.
+    """The values of the export form.
 
     Parameters
     ----------
     both
         Whether the other foot of the case is made too.
     suffix, ascii_stl
-        The format.
+        The file format.
+    layered
+        Whether the layers are separate parts; only in 3MF.
+    draft_deg, chamfer_mm
+        Of the walls.
     most_triangles
-        None for no target.
+        None for no limit.
+    most_deviation_mm
+        Largest deviation that reducing the triangles may cause.
     relief
-        None for no letters.
+        How the text is applied; None for no text.
     pseudonym, text
-        Whose it is, for the shop; what is written on it, by default pseudonym, side and date.
+        Identifies the patient to the shop; text on the solid, by default pseudonym, side and date.
     block
-        None for pieces that lie as they were designed.
+        None for parts that stay where they were designed.
+    job_sheet, prescription, checks
+        Which papers are written.
     """
 
     kind: Kind = "insole"
@@ -65,7 +73,7 @@ class OrderChoice:
     checks: bool = False
 
     def makes_alike(self, other: OrderChoice) -> bool:
-        """Whether the same solids come of both: papers and formats do not matter."""
+        """Return whether both give the same solids; papers and formats do not matter."""
         return self._of_the_solid == other._of_the_solid
 
     @property
@@ -79,19 +87,19 @@ class OrderChoice:
 
 
 def feet_of(record: CaseRecord, choice: OrderChoice) -> tuple[FootRecord, ...]:
-    """Give the feet that are ordered: the one at hand, or both, the left one first."""
+    """Return the feet to make: the current one, or both, the left one first."""
     if choice.both and len(record.feet) == 2:
         return record.feet
     return () if record.current is None else (record.current,)
 
 
 def both_prescribed(record: CaseRecord) -> bool:
-    """Whether both feet of a case have a prescription: they are made together then."""
+    """Return whether both feet of a case have a prescription, and are then made together."""
     return len(record.feet) == 2 and all(foot.design.corrections for foot in record.feet)
 
 
 def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
-    """Give the lines that are written on a piece."""
+    """Return the lines of text on the part of a side; empty without a relief."""
     if choice.relief is None:
         return ()
     if choice.text.strip():
@@ -103,12 +111,23 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
 def make_pieces(
     record: CaseRecord, choice: OrderChoice, rules: ExportRules, progress: Progress = SILENT
 ) -> tuple[Part, ...]:
-    """Build, make and check what is ordered.
+    """Build, make and check the ordered parts.
+
+    Parameters
+    ----------
+    rules
+        Limits of the checks; the block of `choice` replaces theirs.
+
+    Returns
+    -------
+    tuple of Part
+        The left one first.
 
     Raises
     ------
     DesignError
-        When one of the pieces cannot be had.
+        When one of the parts cannot be made.
+    Cancelled
     """
     feet = feet_of(record, choice)
     if choice.block is not None:
@@ -143,23 +162,29 @@ def write_order(
     override: Override | None = None,
     progress: Progress = SILENT,
 ) -> tuple[Path, ...]:
-    """Write the pieces with their papers: all of it or nothing.
+    """Write the parts with their papers: all of them or nothing.
 
     Parameters
     ----------
+    pieces
+        From `make_pieces`, with a choice that `makes_alike`.
     path
-        As the user chose it; each name says its side once.
+        As the user chose it; the side is inserted into each name once.
+    patient
+        For the prescription.
     override
-        Is recorded in the file of the checks, which is written whenever there is one.
+        Accepts failed checks. It is recorded in the file of the checks, which is then always
+        written.
 
     Returns
     -------
-    The files of the solids.
+    tuple of Path
+        The files of the solids.
 
     Raises
     ------
     DesignError
-        When a blocking check failed and nobody overrides it, or a pair does not fit its block.
+        When a blocking check failed without an override, or a pair does not fit its block.
     OutputError
         When a place cannot be written.
     """
@@ -172,7 +197,7 @@ def write_order(
         for group, place, temporary, part in zip(
             groups, places, beside, progress.parts(len(groups)), strict=True
         ):
-            delivery = ExportJob(
+            job = ExportJob(
                 tuple(group),
                 shop,
                 identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
@@ -182,25 +207,31 @@ def write_order(
                 override=override,
                 ascii_stl=choice.ascii_stl,
             )
-            run_export_job(delivery, place, temporary, part)
+            run_export_job(job, place, temporary, part)
     return tuple(place.solid for place in places)
 
 
 def files_of(
     pieces: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
 ) -> tuple[Path, ...]:
-    """Name all files that `write_order` would write."""
+    """Return all files that `write_order` would write.
+
+    Parameters
+    ----------
+    overridden
+        Whether failed checks are overridden, which adds the file of the checks.
+    """
     places = _all_places(pieces, choice, path, overridden)
     return tuple(file for place in places for file in vars(place).values() if file is not None)
 
 
 def word_of(pieces: Sequence[Part], choice: OrderChoice) -> str:
-    """Say which word stands in the name of the first file: left, right or pair."""
+    """Return the word in the name of the first file: left, right or pair."""
     return _word(_groups(pieces, choice)[0])
 
 
 def _groups(pieces: Sequence[Part], choice: OrderChoice) -> list[Sequence[Part]]:
-    """The pieces of each file."""
+    """Return the parts of each file."""
     return [pieces] if choice.block is not None else [[piece] for piece in pieces]
 
 
@@ -215,7 +246,7 @@ def _word(group: Sequence[Part]) -> str:
 
 
 def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> ExportPaths:
-    """Name the files; left or right stands in each name."""
+    """Return the paths of one export; left, right or pair is part of each name."""
     stem = path.stem if path.suffix.lower() == choice.suffix else path.name
     stem = "-".join([*(part for part in stem.split("-") if part not in _SIDE_WORDS), word])
 
@@ -236,7 +267,13 @@ def _patient_facts(patient: Patient) -> dict[str, str]:
 
 
 def block_edges(block: Block) -> list[FloatArray]:
-    """Give the edges of a block whose corner is the origin and whose length runs along y, mm."""
+    """Return the edges of a block, to draw it.
+
+    Returns
+    -------
+    list of (n, 3) float64, mm
+        Polylines; the block has a corner at the origin, its length along +y and its width along +x.
+    """
     length, width = sorted(block.size_mm[:2], reverse=True)
     rings = [
         np.array([(0, 0, z), (width, 0, z), (width, length, z), (0, length, z), (0, 0, z)], float)

@@ -1,4 +1,4 @@
-"""From a path on the disk to a foot: a session reconstructed, or a mesh brought into its place."""
+"""Make a foot from a path: reconstruct a session, or place a mesh in the insole frame."""
 
 from __future__ import annotations
 
@@ -18,15 +18,14 @@ from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 def open_scan(
     path: Path, side: Side | None = None, *, force: bool = False, progress: Progress = SILENT
 ) -> ScannedFoot:
-    """Make a foot of a recorded session, or of a surface from a mesh file in any pose.
+    """Make a foot from a recorded session, or from a mesh file in any pose.
 
     Parameters
     ----------
-    path
     side
-        A mesh needs it; a session knows its own.
+        Required for a mesh; a session states its own.
     force
-        Go on although the shape looks like the other foot.
+        Continue although the shape looks like the other foot.
 
     Raises
     ------
@@ -34,7 +33,10 @@ def open_scan(
         When the side is missing or contradicts the session.
     SideMismatchError
         When the shape is that of the other foot, unless `force`.
-    InputError, ReconstructionError
+    InputError
+        When the file cannot be read.
+    ReconstructionError
+        When no view of a session can be used.
     Cancelled
     """
     scan = _session_foot if is_session(path) else _mesh_foot

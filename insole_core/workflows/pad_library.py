@@ -1,4 +1,4 @@
-"""The pads that a clinic keeps: data, not code."""
+"""The pad library of the clinic, which is data, not code."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class LibraryPad:
     size
         Its size within the group: "S", "M", "L".
     template
-        The pad, without a place.
+        The pad, without a position.
     place
-        Where it usually lies: one of `pad_places.PLACES`.
+        Where it is usually placed: one of `pad_places.PLACES`.
     """
 
     kind: str
@@ -41,7 +41,7 @@ def load_pads() -> tuple[LibraryPad, ...]:
     Raises
     ------
     InputError
-        When the file breaks its format.
+        When the file violates its format.
     """
     library = JsonObject.read(resource_path("pads/library.json"))
     library.check_format("insole-pad-library")

@@ -1,4 +1,4 @@
-"""What a pen drew on the skin of the foot at hand, and what it may mean."""
+"""Pen marks on the skin of the current foot, and the landmarks they may stand for."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from insole_core.foot.skin_marks import SkinMark, skin_marks
 from insole_core.workflows.foot_landmarks import SHOWN, landmarks_of
 
 MEANINGS = 2
-"""So many of the nearest landmarks are offered for a mark."""
+"""Number of nearest landmarks offered for a mark."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,22 +25,22 @@ class PenMark:
 
 
 class PenMarks:
-    """Finds the marks once for each foot: that takes a moment."""
+    """Finds the marks of feet, once for each foot, since it takes a moment."""
 
     def __init__(self) -> None:
         self._found: WeakKeyDictionary[Foot, tuple[SkinMark, ...]] = WeakKeyDictionary()
 
     def of(self, record: CaseRecord) -> tuple[PenMark, ...]:
-        """Give the marks on the foot at hand, the largest first."""
+        """Return the marks on the current foot, the largest first."""
         if record.foot is None:
             return ()
         landmarks = landmarks_of(record)
-        found = self._found.get(record.foot)
-        if found is None:
-            found = self._found[record.foot] = skin_marks(record.foot, landmarks)
+        marks = self._found.get(record.foot)
+        if marks is None:
+            marks = self._found[record.foot] = skin_marks(record.foot, landmarks)
         places = {name: mark.point for name, mark in landmarks.items() if name in SHOWN}
         return tuple(
-            PenMark(mark, tuple(_nearest(mark.point, places)[:MEANINGS])) for mark in found
+            PenMark(mark, tuple(_nearest(mark.point, places)[:MEANINGS])) for mark in marks
         )
 
 

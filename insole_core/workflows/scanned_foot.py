@@ -1,4 +1,4 @@
-"""A foot and the scan it was made of."""
+"""A foot and the scan that it was made from."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MANIFEST = "manifest.json"
 
 @dataclass(frozen=True, eq=False)
 class ScannedFoot:
-    """A foot and where it came from; `warnings` are sentences for the user."""
+    """A foot and its scan; `warnings` are sentences for the user."""
 
     foot: Foot
     source: ScanSource
@@ -24,20 +24,20 @@ class ScannedFoot:
 
 
 def session_source(path: Path, session: Session) -> ScanSource:
-    """Name a session as the scan of a foot."""
+    """Return the scan record of a session that was read from `path`."""
     return _source("session", path, session.manifest.recorded_at)
 
 
 def mesh_source(path: Path) -> ScanSource:
-    """Name a mesh file as the scan of a foot."""
+    """Return the scan record of a mesh file."""
     return _source("mesh", path)
 
 
 def change_of_source(source: ScanSource) -> str:
-    """Say in a sentence what has become of a scan since it was read; empty when nothing has."""
+    """Return a sentence on how a scan changed since it was read; empty when it did not."""
     path = Path(source.path)
     if not path.is_absolute():
-        return ""  # a case that was made elsewhere, as the example
+        return ""  # a case made on another machine, such as the example
     try:
         if _sha256(_signed_file(path)) == source.sha256:
             return ""
@@ -59,7 +59,7 @@ def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:
 
 
 def _signed_file(path: Path) -> Path:
-    """Give the file whose bytes stand for a scan."""
+    """Return the file whose hash identifies a scan."""
     return path / MANIFEST if path.is_dir() else path
 
 

@@ -1,4 +1,4 @@
-"""What the hand corrects in a session, with its undo, and where that puts the sensors."""
+"""Manual corrections of a session with undo, and the resulting poses of its sensors."""
 
 from __future__ import annotations
 
@@ -15,15 +15,14 @@ from insole_core.workflows.make_foot import MeasuredSession
 
 
 class SessionEditor:
-    """The corrections of one session. They are kept beside it at every step.
+    """The corrections of one session, saved beside it after every step.
 
     Parameters
     ----------
-    opened
     limits
-        When the pose of a view is refused.
+        Beyond which the pose of a view is refused.
     changed
-        Is told the names of the views that may stand elsewhere now.
+        Called with the names of the views whose pose may have changed.
     """
 
     def __init__(
@@ -37,7 +36,7 @@ class SessionEditor:
         self.limits = limits
         self.history: History[HandEdits] = History()
         self.trouble = ""
-        """Why the corrections could not be kept; empty when they are."""
+        """Why the corrections could not be saved; empty when they are."""
         self.results: dict[str, ViewResult] = {}
         self._changed = changed
         for number, name in enumerate(self.names):
@@ -48,41 +47,49 @@ class SessionEditor:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The views, in the session's order."""
+        """Names of the views, in the session's order."""
         return tuple(view.name for view in self.opened.session.views)
 
     @property
     def edits(self) -> HandEdits:
-        """What was corrected."""
+        """The current corrections."""
         return self.opened.edits
 
     @property
     def box(self) -> Box:
-        """The volume of interest."""
+        """Volume of interest, reference frame."""
         return self.opened.box
 
     def apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
-        """Make other corrections one step of undo; steps of the same key that follow are one."""
+        """Replace the corrections, save them and update the poses.
+
+        Parameters
+        ----------
+        sentence
+            Description of the change, for undo.
+        merge_key
+            Consecutive changes with the same non-empty key are one step of undo.
+        """
         if edits != self.edits:
             self.history.push(self.edits, edits, sentence, merge_key)
             self._set(edits)
 
     def preview(self, view: str, edits: ViewEdits) -> None:
-        """Show where a correction would put a view, without making it."""
+        """Update the pose of a view as if it had these corrections; record and save nothing."""
         shown = self.opened.with_edits(self.edits.with_view(view, edits))
         self.results[view] = shown.placed(view, self.limits)
         self._changed(frozenset([view]))
 
     def undo(self) -> None:
-        """Take the last correction back."""
+        """Undo the last correction."""
         self._step_to(self.history.undo())
 
     def redo(self) -> None:
-        """Do the last undone correction again."""
+        """Redo the last undone correction."""
         self._step_to(self.history.redo())
 
     def set_limits(self, limits: RegistrationLimits) -> None:
-        """Refuse poses from other limits on."""
+        """Change the limits beyond which poses are refused, and update all poses."""
         self.limits = limits
         self._place(frozenset(self.names))
 

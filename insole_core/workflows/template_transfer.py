@@ -1,4 +1,4 @@
-"""A prescription of one foot on another: an earlier scan, the other foot, another patient's."""
+"""Transfer of a prescription to another scan, the other foot, or another patient."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 
 
 def template_of(foot: FootRecord) -> Template:
-    """Keep the chosen prescription of a foot for another.
+    """Return the chosen prescription of a foot as a template for another foot.
 
     Raises
     ------
     DesignError
-        When the landmarks lie in an impossible order.
+        When the landmarks are in an impossible order.
     """
     return make_template(foot.chosen, foot.design, landmarks_of(foot))
 
@@ -27,14 +27,19 @@ def template_of(foot: FootRecord) -> Template:
 def fitted(
     template: Template, foot: FootRecord, stamp: Callable[[Correction], Correction]
 ) -> InsoleDesign:
-    """Bring a prescription to a foot by its landmarks, mirrored where it is of the other side.
+    """Fit a prescription to a foot by its landmarks, mirrored where it is of the other side.
 
-    It is prescribed anew: every correction gets an id of its own, and a new stamp.
+    It counts as a new prescription: every correction gets a new id and a new stamp.
+
+    Parameters
+    ----------
+    stamp
+        Returns a correction with author and time of the new prescription.
 
     Raises
     ------
     DesignError
-        When the landmarks lie in an impossible order.
+        When the landmarks are in an impossible order.
     """
     design = apply_template(template, foot.side, landmarks_of(foot))
     fresh = (stamp(replace(c, id=CorrectionBase().id)) for c in design.corrections)
@@ -42,7 +47,7 @@ def fitted(
 
 
 def last_design(foot: FootRecord) -> Template | None:
-    """Give what was prescribed last for a foot, on this scan or on the one before."""
+    """Return the last prescription for a foot, on this scan or the previous one."""
     if not foot.design.corrections:
         return foot.earlier
     try:
@@ -52,5 +57,5 @@ def last_design(foot: FootRecord) -> Template | None:
 
 
 def prescribed_at(design: InsoleDesign) -> str:
-    """Give the time (ISO 8601) of the latest correction; empty where none was noted."""
+    """Return the time (ISO 8601) of the latest correction; empty where none is recorded."""
     return max((correction.created_at for correction in design.corrections), default="")

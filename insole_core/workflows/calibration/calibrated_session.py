@@ -1,4 +1,4 @@
-"""A recorded session with the calibrations that are kept of its sensors."""
+"""Apply the stored calibrations of its sensors to a recorded session."""
 
 from __future__ import annotations
 
@@ -20,26 +20,27 @@ def calibrated_session(
     correction: DisparityCorrection | None = None,
     insist: bool = False,
 ) -> tuple[Session, tuple[str, ...]]:
-    """Give every view its sensor as it is kept, or a correction that was named.
+    """Replace the sensor of every view by its stored calibration, or apply a given correction.
 
     Parameters
     ----------
-    session
-    store
-    correction
-        For all views instead of what is kept.
+    correction : optional
+        For all views, in place of the stored calibrations.
     insist
-        Use a correction of another sensor all the same.
+        Use a correction of another sensor nevertheless.
 
     Returns
     -------
-    Session, tuple of str
-        And what the user must be told.
+    session : Session
+    warnings : tuple of str
+        For the user.
 
     Raises
     ------
     CalibrationError
         When a sensor was never calibrated, or the correction is that of another sensor.
+    InputError
+        When a stored calibration is damaged.
     """
     now = datetime.now(UTC)
     views: list[View] = []

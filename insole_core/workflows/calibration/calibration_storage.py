@@ -1,4 +1,4 @@
-"""Keeping the result of a calibration step: the sensor, and the report of the step beside it."""
+"""Save the result of a calibration step: the sensor, and the report of the step."""
 
 from __future__ import annotations
 
@@ -13,14 +13,12 @@ from insole_core.workflows.calibration.steps import StepResult
 
 
 def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = ()) -> Path:
-    """Save the sensor and its reports, named after the step, as a whole or not at all.
+    """Save the sensor and its reports, named after the step, atomically.
 
     Parameters
     ----------
-    result
-    store
     further
-        Where the report is to be written beside that.
+        Additional files for the report.
 
     Returns
     -------
@@ -29,7 +27,10 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
 
     Raises
     ------
+    UsageError
+        When the serial number is not one.
     OutputError
+        When a place cannot be written.
     """
     doubt = (result.doubt,) if result.doubt else ()
     said = dict.fromkeys((*doubt, *result.sentences, *result.section.sentences, *result.advice))
@@ -43,7 +44,18 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
 
 
 def step_date(store: SensorStore, serial: str, key: str) -> str:
-    """Give the day a step was done last, by its report; empty when it never was."""
+    """Return the date (ISO 8601) a step was last done, from its report; empty when it never was.
+
+    Parameters
+    ----------
+    key
+        Of the step's section in the report.
+
+    Raises
+    ------
+    UsageError
+        When the serial number is not one.
+    """
     path = store.folder_of(serial) / f"{key}.json"
     try:
         values = json.loads(path.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""The steps that calibrate one camera from pictures of a board."""
+"""Calibration step for one camera, from pictures of a board."""
 
 from __future__ import annotations
 
@@ -44,34 +44,45 @@ def calibrate_camera_step(
 ) -> StepResult:
     """Calibrate the colour camera (thesis 5.1), or the depth camera with covered emitter (5.4).
 
+    Parameters
+    ----------
+    folder
+        With pictures ``color_…`` for the colour camera, ``ir_…`` for the depth camera.
+    sensor
+        Its camera is replaced.
+
     Raises
     ------
-    CalibrationError, InputError
+    CalibrationError
+        When the pictures do not suffice, or are of another size than the sensor's.
+    InputError
+        When the folder or a picture cannot be read.
+    Cancelled
     """
     paths = board_pictures(folder, _KINDS[which])
-    sightings, without = find_boards(paths, board, progress.part(0, 0.7))
-    found = calibrate_camera(sightings, options, progress.part(0.7, 1))
-    found = replace(found, left_out=without | found.left_out)
-    _check_size(found, which)
+    detections, without = find_boards(paths, board, progress.part(0, 0.7))
+    calibration = calibrate_camera(detections, options, progress.part(0.7, 1))
+    calibration = replace(calibration, left_out=without | calibration.left_out)
+    _check_size(calibration, which)
     if which == "color":
-        better = replace(sensor, color_camera=found.camera)
-        section = camera_section(found, "Colour camera")
+        better = replace(sensor, color_camera=calibration.camera)
+        section = camera_section(calibration, "Colour camera")
     else:
-        better = replace(sensor, depth_camera=with_shift(found.camera, IR_TO_DEPTH_PX))
-        section = replace(camera_section(found, "Depth camera"), key="depth_camera")
-    return StepResult(better, section, _sentences(found, _WORDS[which]), found.advice)
+        better = replace(sensor, depth_camera=with_shift(calibration.camera, IR_TO_DEPTH_PX))
+        section = replace(camera_section(calibration, "Depth camera"), key="depth_camera")
+    return StepResult(better, section, _sentences(calibration, _WORDS[which]), calibration.advice)
 
 
-def _sentences(found: CameraCalibration, kind: str) -> tuple[str, ...]:
-    count, out = len(found.pictures), len(found.left_out)
-    camera, deviations = found.camera, found.deviations
+def _sentences(calibration: CameraCalibration, kind: str) -> tuple[str, ...]:
+    count, out = len(calibration.pictures), len(calibration.left_out)
+    camera, deviations = calibration.camera, calibration.deviations
     return (
         Message(
             "{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.",
             count=count,
             taken=count + out,
             kind=kind,
-            rms_px=found.rms_px,
+            rms_px=calibration.rms_px,
         ),
         Message(
             "The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.",
@@ -81,13 +92,13 @@ def _sentences(found: CameraCalibration, kind: str) -> tuple[str, ...]:
         ),
         *(
             Message("{picture} was left out: {reason}", picture=name, reason=reason)
-            for name, reason in found.left_out.items()
+            for name, reason in calibration.left_out.items()
         ),
     )
 
 
-def _check_size(found: CameraCalibration, which: Which) -> None:
-    size, sizes = (found.camera.width, found.camera.height), _SIZES[which]
+def _check_size(calibration: CameraCalibration, which: Which) -> None:
+    size, sizes = (calibration.camera.width, calibration.camera.height), _SIZES[which]
     if size not in sizes:
         allowed = joined((f"{w}×{h}" for w, h in sizes), " or ")
         raise CalibrationError(

@@ -1,4 +1,4 @@
-"""The markers that recorded sessions show, for the survey of a built reference system."""
+"""Markers in recorded sessions, for the survey of a built reference system."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
 
 _NEAR_PLAN_MM = 10.0
-"""Half as far as two markers stand apart at least."""
+"""Half of the least distance between two markers."""
 
 
 def read_marker_views(
@@ -30,20 +30,20 @@ def read_marker_views(
     rigid: bool = False,
     progress: Progress = SILENT,
 ) -> tuple[list[MarkerView], tuple[str, ...]]:
-    """Find the markers in every view of recorded sessions, on whatever face.
+    """Find the markers in every view of recorded sessions, on all faces.
 
     Parameters
     ----------
-    sessions
     system
+        As planned.
     rigid
-        All sensors stood still to each other in all sessions.
-    progress
+        Whether all sensors kept their relative poses in all sessions.
 
     Returns
     -------
-    list of MarkerView, tuple of str
-        And a sentence for every view that could not be used.
+    views : list of MarkerView
+    left_out : tuple of str
+        A sentence for every view that could not be used.
 
     Raises
     ------
@@ -51,8 +51,9 @@ def read_marker_views(
         When a session cannot be read.
     CalibrationError
         When no view shows the system.
+    Cancelled
     """
-    found: list[MarkerView] = []
+    usable: list[MarkerView] = []
     left_out: list[str] = []
     views = list(_views(sessions))
     for done, (session, name, view) in enumerate(views):
@@ -65,10 +66,10 @@ def read_marker_views(
             )
         else:
             capture = (view.sensor.serial, session) if rigid else ("", "")
-            found.append(MarkerView(name, pixels, view.sensor.color_camera, *capture))
-    if not found:
+            usable.append(MarkerView(name, pixels, view.sensor.color_camera, *capture))
+    if not usable:
         raise CalibrationError(left_out[0])
-    return found, tuple(left_out)
+    return usable, tuple(left_out)
 
 
 def _views(sessions: Sequence[Path]) -> Iterator[tuple[str, str, View]]:
@@ -81,26 +82,26 @@ def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, FloatArray]
     frames = (view.read_depth(index) for index in range(view.depth_count))
     depth = view.sensor.depth_mm(capture_from_frames(view.name, frames).raw)
     blobs = find_blobs(view.read_color(0))
-    sightings = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
-    registration = PoseSearch(system, view.sensor).by_places(sightings)
+    detections = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
+    registration = PoseSearch(system, view.sensor).by_places(detections)
     own = {fix.id: np.array(fix.pixel) for fix in registration.fixes if fix.used}
-    return own | _on_other_faces(sightings, system, view, registration.sensor2reference)
+    return own | _on_other_faces(detections, system, view, registration.sensor2reference)
 
 
 def _on_other_faces(
-    sightings: Detections, system: ReferenceSystem, view: View, sensor2reference: FloatArray
+    detections: Detections, system: ReferenceSystem, view: View, sensor2reference: FloatArray
 ) -> dict[str, FloatArray]:
-    """Find markers of the faces that the sensor was not put up for, where they were planned."""
+    """Find markers of faces that the sensor was not assigned to, near their planned positions."""
     others = [marker for marker in system.markers if marker.face not in view.sensor.faces]
-    if not others or not len(sightings):
+    if not others or not len(detections):
         return {}
     planned = np.array([marker.position_mm for marker in others], dtype=float)
-    seen = transform(sensor2reference, sightings.points)
+    seen = transform(sensor2reference, detections.points)
     away_mm = np.linalg.norm(planned[:, None] - seen[None], axis=-1)
     nearest = away_mm.argmin(1)
-    # Only one of them can be a spot, and the spot must be nearer to no other.
+    # A spot is at most one of them: it must be nearest to this marker.
     return {
-        marker.id: sightings.pixels[spot]
+        marker.id: detections.pixels[spot]
         for row, (marker, spot) in enumerate(zip(others, nearest, strict=True))
         if away_mm[row, spot] < _NEAR_PLAN_MM and away_mm[:, spot].argmin() == row
     }

@@ -1,4 +1,4 @@
-"""The pictures that a calibration step collects from live sensors, in the folders steps read."""
+"""Folders for the pictures that a calibration step takes with live sensors."""
 
 from __future__ import annotations
 
@@ -18,19 +18,33 @@ LiveKind = Literal["boards", "walls", "infrared"]
 
 
 def folder_of_today(root: Path, serial: str, step: str) -> Path:
-    """Name the folder of one sensor, one day and one step."""
+    """Return the folder for the pictures of one sensor, today, and one step.
+
+    Parameters
+    ----------
+    serial
+        Of the sensor.
+    step
+        Name of the folder below the date.
+    """
     return root / serial / date.today().isoformat() / step
 
 
 def keep_view(view: View, folder: Path, kind: LiveKind) -> None:
-    """Add what was captured: a position of the board, or a wall.
+    """Save a capture: one position of the board, or a wall.
 
-    Of a board the first depth frame stands beside the colour picture, as ``depth_003.png``, and all
-    of them in ``depth_003``; a wall is a folder of its frames with the serial number beside them.
+    For a board, the first depth frame is saved beside the colour picture as ``depth_003.png``, and
+    all depth frames in ``depth_003``; a wall is a folder of its frames with the serial number.
+
+    Parameters
+    ----------
+    folder
+        As `folder_of_today`.
 
     Raises
     ------
     OutputError
+        When the place cannot be written.
     """
     if kind == "walls":
         number = _next_number(folder, "wall_")
@@ -43,11 +57,18 @@ def keep_view(view: View, folder: Path, kind: LiveKind) -> None:
 
 
 def keep_infrared(picture: ByteArray, folder: Path) -> None:
-    """Add an infrared picture (height, width) uint8 of the board.
+    """Save an infrared picture of the board.
+
+    Parameters
+    ----------
+    picture : (height, width) uint8
+    folder
+        As `folder_of_today`.
 
     Raises
     ------
     OutputError
+        When the place cannot be written.
     """
     _write(folder / f"ir_{_next_number(folder, 'ir_'):03d}.png", encode_png(picture))
 
@@ -69,5 +90,5 @@ def _write(path: Path, content: bytes) -> None:
 
 def _next_number(folder: Path, prefix: str) -> int:
     names = folder.glob(f"{prefix}*") if folder.is_dir() else ()
-    found = (re.fullmatch(rf"{prefix}(\d+)", path.stem) for path in names)
-    return max((int(match[1]) for match in found if match), default=-1) + 1
+    matches = (re.fullmatch(rf"{prefix}(\d+)", path.stem) for path in names)
+    return max((int(match[1]) for match in matches if match), default=-1) + 1

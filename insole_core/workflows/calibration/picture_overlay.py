@@ -1,4 +1,4 @@
-"""What is still missing, drawn over a calibration picture."""
+"""Overlays that show what a set of calibration pictures still lacks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,18 @@ _RANGE_MM = (450.0, 1050.0)
 
 
 def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:
-    """Tint the parts of a picture (height, width, 3) that nothing has reached yet."""
+    """Tint the cells of a picture that are not covered yet.
+
+    Parameters
+    ----------
+    picture : (height, width, 3) uint8, RGB
+    cells : (6, 8) int64
+        Counts, as in `Readiness`.
+
+    Returns
+    -------
+    (height, width, 3) uint8, RGB
+    """
     height, width = picture.shape[:2]
     drawn = picture.copy()
     for row, column in np.argwhere(cells == 0).tolist():
@@ -33,7 +44,20 @@ def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:
 def draw_distances(
     picture: ByteArray, distances_mm: Sequence[float], now_mm: float | None
 ) -> ByteArray:
-    """Add a scale below a picture: which distances are there, and where the wall is now."""
+    """Add a scale below a picture, with the distances that are captured and missing.
+
+    Parameters
+    ----------
+    picture : (height, width, 3) uint8, RGB
+    distances_mm
+        Of the walls captured so far.
+    now_mm
+        Distance of the wall in view; None without one.
+
+    Returns
+    -------
+    (height + 34, width, 3) uint8, RGB
+    """
     bar = np.full((_BAR_PX, picture.shape[1], 3), _DARK, np.uint8)
     for mm in WALL_DISTANCES_MM:
         there = is_near(mm, distances_mm)

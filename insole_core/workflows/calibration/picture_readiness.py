@@ -1,4 +1,4 @@
-"""What a folder of calibration images shows, and what is still missing."""
+"""Inspection of a folder of calibration images, and what is still to be captured."""
 
 from __future__ import annotations
 
@@ -41,16 +41,14 @@ _GREEN = (60, 200, 60)
 
 @dataclass(frozen=True, eq=False)
 class PictureInspection:
-    """One picture or wall as it was looked at.
+    """Inspection of one picture or wall.
 
     Parameters
     ----------
-    name
-    usable
     sentence
         What it shows, or why it cannot be used.
     picture : (height, width, 3) uint8, RGB
-        Small, with what was found.
+        Reduced, with the detected corners or wall.
     """
 
     name: str
@@ -61,15 +59,16 @@ class PictureInspection:
 
 @dataclass(frozen=True, eq=False)
 class Readiness:
-    """Whether a folder will do.
+    """Whether the images of a folder suffice.
 
     Parameters
     ----------
     looks
+        Of every image.
     missing
-        What is still to be captured, in sentences; empty when all is there.
-    cells : (6, 8) int
-        How often each part of the picture was reached.
+        Sentences on what is still to be captured; empty when the images suffice.
+    cells : (6, 8) int64
+        Number of times each part of the picture was covered.
     distances_mm
         Of the walls.
     """
@@ -81,60 +80,63 @@ class Readiness:
 
     @property
     def usable(self) -> int:
-        """How many can be used."""
+        """Number of usable images."""
         return sum(look.usable for look in self.looks)
 
 
 def inspect_boards(
     folder: Path, kind: str, board: Board, memo: Memo, progress: Progress = SILENT
 ) -> Readiness:
-    """Look for the board in every picture of a kind.
+    """Find the board in every picture of a kind.
 
     Parameters
     ----------
-    folder, kind, board
+    kind
+        Prefix of their names: `COLOR` or `INFRARED`.
     memo
-        Keeps what was seen: a folder grows while pictures are taken, and each is looked at once.
-    progress
+        Caches the inspections: the folder grows while pictures are taken, and each is inspected
+        once.
 
     Raises
     ------
     InputError
         When the folder or a picture cannot be read.
+    Cancelled
     """
-    looks, sightings = _look_at_boards(folder, kind, board, memo, progress)
-    return Readiness(looks, _missing_boards(sightings), count_corners(sightings))
+    looks, detections = _look_at_boards(folder, kind, board, memo, progress)
+    return Readiness(looks, _missing_boards(detections), count_corners(detections))
 
 
 def inspect_pairs(folder: Path, board: Board, memo: Memo, progress: Progress = SILENT) -> Readiness:
-    """Look for the board in every colour picture of a folder that has depth or infrared as well.
+    """Find the board in every colour picture of a folder that holds depth or infrared as well.
 
     Parameters
     ----------
-    folder, board, memo, progress
+    memo
         As for `inspect_boards`.
 
     Raises
     ------
     InputError
         When the folder or a picture cannot be read.
+    Cancelled
     """
-    looks, sightings = _look_at_boards(folder, COLOR, board, memo, progress)
+    looks, detections = _look_at_boards(folder, COLOR, board, memo, progress)
     each = EACH_WITH_INFRARED if has_infrared(folder) else EACH_WITH_DEPTH
-    return Readiness(looks, _missing_pairs(sightings, each), count_corners(sightings))
+    return Readiness(looks, _missing_pairs(detections, each), count_corners(detections))
 
 
 def _look_at_boards(
     folder: Path, kind: str, board: Board, memo: Memo, progress: Progress
 ) -> tuple[tuple[PictureInspection, ...], list[BoardDetection]]:
     paths = board_pictures(folder, kind)
-    found: list[tuple[PictureInspection, BoardDetection | None]] = []
+    inspections: list[tuple[PictureInspection, BoardDetection | None]] = []
     for done, path in enumerate(paths):
         progress.step(done / len(paths), "Looking at {picture}", picture=path.name)
         key = path, path.stat().st_mtime_ns, board
-        found.append(memo.get("board", key, partial(_look_at_file, path, board)))
-    sightings = [sighting for _, sighting in found if sighting is not None]
-    return tuple(look for look, _ in found), sightings
+        inspections.append(memo.get("board", key, partial(_look_at_file, path, board)))
+    detections = [detection for _, detection in inspections if detection is not None]
+    return tuple(look for look, _ in inspections), detections
 
 
 def _look_at_file(path: Path, board: Board) -> tuple[PictureInspection, BoardDetection | None]:
@@ -144,26 +146,34 @@ def _look_at_file(path: Path, board: Board) -> tuple[PictureInspection, BoardDet
 def look_at_board(
     name: str, grey: ByteArray, board: Board, picture: ByteArray | None = None
 ) -> tuple[PictureInspection, BoardDetection | None]:
-    """Look for the board in one picture.
+    """Find the board in one picture.
 
     Parameters
     ----------
     name
+        Of the picture, for messages.
     grey : (height, width) uint8
-    board
     picture : (height, width, 3) uint8, RGB, optional
         Shown in place of the grey one.
+
+    Returns
+    -------
+    inspection : PictureInspection
+    detection : BoardDetection
+        None when the picture cannot be used.
     """
     shown = rgb(grey) if picture is None else picture
     try:
-        sighting = board.find(name, grey)
+        detection = board.find(name, grey)
     except CalibrationError as error:
         return PictureInspection(name, False, str(error), small(shown)), None
-    return PictureInspection(name, True, _told(sighting), _with_corners(shown, sighting)), sighting
+    return PictureInspection(
+        name, True, _description(detection), _with_corners(shown, detection)
+    ), detection
 
 
-def _told(sighting: BoardDetection) -> str:
-    count, (turn_deg, side) = len(sighting.pixels), turn_of(sighting)
+def _description(detection: BoardDetection) -> str:
+    count, (turn_deg, side) = len(detection.pixels), turn_of(detection)
     if turn_deg < _FRONT_DEG:
         return Message("{count} corners, seen from the front", count=count)
     return Message(
@@ -175,28 +185,46 @@ def _told(sighting: BoardDetection) -> str:
 
 
 def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> Readiness:
-    """Look for the wall in every capture.
+    """Find the wall in every capture.
+
+    Parameters
+    ----------
+    sensor
+        That recorded them.
 
     Raises
     ------
     InputError
         When the folder or an image cannot be read.
+    Cancelled
     """
     captures = read_captures(folder, progress.part(0, 0.5))
-    found: list[tuple[PictureInspection, WallFit | None]] = []
+    inspections: list[tuple[PictureInspection, WallFit | None]] = []
     for done, capture in enumerate(captures):
         progress.step(
             0.5 + 0.5 * done / len(captures), "Finding the wall in {capture}", capture=capture.name
         )
-        found.append(look_at_wall(capture, sensor))
-    walls = [wall for _, wall in found if wall is not None]
+        inspections.append(look_at_wall(capture, sensor))
+    walls = [wall for _, wall in inspections if wall is not None]
     distances = tuple(wall_distance_mm(wall) for wall in walls)
-    looks = tuple(look for look, _ in found)
+    looks = tuple(look for look, _ in inspections)
     return Readiness(looks, _missing_walls(walls), wall_cells(walls), distances)
 
 
 def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspection, WallFit | None]:
-    """Look for the wall in one capture."""
+    """Find the wall in one capture.
+
+    Parameters
+    ----------
+    sensor
+        That recorded it.
+
+    Returns
+    -------
+    inspection : PictureInspection
+    wall : WallFit
+        None when the capture cannot be used.
+    """
     try:
         wall = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
     except CalibrationError as error:
@@ -210,39 +238,39 @@ def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspectio
 
 
 def wall_distance_mm(wall: WallFit) -> float:
-    """Give the distance of a wall along the axis of the sensor."""
+    """Return the distance of a wall along the optical axis."""
     return float(1 / wall.plane[2])
 
 
 def is_near(distance_mm: float, distances_mm: Sequence[float]) -> bool:
-    """Tell whether a wall was captured at about a distance."""
+    """Return whether a wall was captured at roughly a distance (within 60 mm)."""
     return any(abs(distance_mm - one) < _NEAR_MM for one in distances_mm)
 
 
-def _missing_boards(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
+def _missing_boards(detections: Sequence[BoardDetection]) -> tuple[str, ...]:
     missing = []
-    if len(sightings) < GOOD_PICTURES:
+    if len(detections) < GOOD_PICTURES:
         missing.append(
             Message(
                 "Take {count} more pictures, the board tilted by 20 to 40° to another side each "
                 "time.",
-                count=GOOD_PICTURES - len(sightings),
+                count=GOOD_PICTURES - len(detections),
             )
         )
-    return (*missing, *_missing_parts(sightings))
+    return (*missing, *_missing_parts(detections))
 
 
-def _missing_pairs(sightings: Sequence[BoardDetection], each: int) -> tuple[str, ...]:
+def _missing_pairs(detections: Sequence[BoardDetection], each: int) -> tuple[str, ...]:
     missing = []
-    if turns := missing_turns(sightings, each):
+    if turns := missing_turns(detections, each):
         missing.append(
             Message("Turn the board strongly, by 40 to 55°: {sides}.", sides=turns_text(turns))
         )
-    return (*missing, *_missing_parts(sightings))
+    return (*missing, *_missing_parts(detections))
 
 
-def _missing_parts(sightings: Sequence[BoardDetection]) -> tuple[str, ...]:
-    regions = missing_regions(count_corners(sightings))
+def _missing_parts(detections: Sequence[BoardDetection]) -> tuple[str, ...]:
+    regions = missing_regions(count_corners(detections))
     if not regions:
         return ()
     return (
@@ -273,7 +301,7 @@ def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
 
 
 def wall_cells(walls: Sequence[WallFit]) -> IntArray:
-    """Count the walls that fill each of 6 x 8 cells of the image."""
+    """Count the walls (6, 8) that fill more than half of each cell of the image."""
     counts = np.zeros(CELLS, dtype=np.int64)
     for wall in walls:
         height, width = (size // cells for size, cells in zip(wall.wall.shape, CELLS, strict=True))
@@ -282,16 +310,16 @@ def wall_cells(walls: Sequence[WallFit]) -> IntArray:
     return counts
 
 
-def _with_corners(shown: ByteArray, sighting: BoardDetection) -> ByteArray:
+def _with_corners(shown: ByteArray, detection: BoardDetection) -> ByteArray:
     picture = small(shown)
     scale = picture.shape[1] / shown.shape[1]
-    for u, v in np.round(sighting.pixels * scale).astype(int).tolist():
+    for u, v in np.round(detection.pixels * scale).astype(int).tolist():
         cv2.circle(picture, (u, v), 3, _GREEN, 1, cv2.LINE_AA)
     return picture
 
 
 def _depth_picture(capture: WallCapture, wall: BoolArray | None = None) -> ByteArray:
-    """Grey by distance; the wall is tinted green."""
+    """Draw a capture in grey by distance, with the wall in green."""
     known: FloatArray = np.nan_to_num(capture.raw, nan=np.nanmax(capture.raw))
     low, high = np.nanpercentile(capture.raw, [2, 98])
     grey = 220 - 160 * np.clip((known - low) / max(high - low, 1), 0, 1)
@@ -302,12 +330,12 @@ def _depth_picture(capture: WallCapture, wall: BoolArray | None = None) -> ByteA
 
 
 def rgb(grey: ByteArray) -> ByteArray:
-    """Give a grey picture as (height, width, 3)."""
+    """Return a grey picture (height, width) as (height, width, 3)."""
     return np.repeat(grey[..., None], 3, axis=-1)
 
 
 def small(picture: ByteArray) -> ByteArray:
-    """Give a picture as wide as it is shown."""
+    """Resize a picture (height, width, 3) to the width at which it is shown."""
     height, width = picture.shape[:2]
     size = (_WIDTH_PX, round(height * _WIDTH_PX / width))
     return np.ascontiguousarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA))

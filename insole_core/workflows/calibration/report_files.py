@@ -1,4 +1,4 @@
-"""Reports of calibrations and evaluations as files."""
+"""Write reports of calibrations and evaluations to files."""
 
 from __future__ import annotations
 
@@ -16,16 +16,23 @@ from insole_core.messages import joined
 
 
 def make_report(title: str, serial: str, sections: Sequence[ReportSection]) -> Report:
-    """Give a report of now."""
+    """Return a report with the current time (UTC).
+
+    Parameters
+    ----------
+    serial
+        Of the sensor.
+    """
     return Report(title, serial, datetime.now(UTC).isoformat(timespec="seconds"), tuple(sections))
 
 
 def check_report_paths(paths: Sequence[Path]) -> None:
-    """Refuse suffixes in which no report is written.
+    """Check that each suffix is one in which reports are written.
 
     Raises
     ------
     UsageError
+        Names the first path that has another suffix.
     """
     for path in paths:
         if path.suffix.lower() not in WRITERS:
@@ -37,11 +44,17 @@ def check_report_paths(paths: Sequence[Path]) -> None:
 
 
 def write_reports(report: Report, paths: Sequence[Path]) -> None:
-    """Write a report in the form that each name ends in: all of them or none.
+    """Write a report in the form that the suffix of each path selects: all of them or none.
+
+    Parameters
+    ----------
+    paths
+        As `check_report_paths` accepts them.
 
     Raises
     ------
     OutputError
+        When a place cannot be written; files that were there before are untouched.
     """
     written: dict[str, Path] = {}
     with ExitStack() as outputs:
@@ -56,5 +69,5 @@ def write_reports(report: Report, paths: Sequence[Path]) -> None:
 
 
 def report_paths(folder: Path, stem: str) -> list[Path]:
-    """Name a report in every form."""
+    """Return the path of a report in every form, named `stem`."""
     return [folder / f"{stem}{suffix}" for suffix in WRITERS]

@@ -1,4 +1,4 @@
-"""The sensors of this clinic as they were calibrated last: a folder for each serial number."""
+"""Storage of the calibrated sensors of this clinic: one folder for each serial number."""
 
 from __future__ import annotations
 
@@ -23,29 +23,29 @@ _SERIAL = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 
 
 def sensors_folder_of_user() -> Path:
-    """Give the folder in which this user's sensors are kept."""
+    """Return the folder of this user's calibrated sensors."""
     return platformdirs.user_data_path("insole-studio", appauthor=False) / "sensors"
 
 
 class SensorStore:
-    """Keeps ``sensor.json``, ``correction.npz`` and the reports of every sensor.
+    """Storage of ``sensor.json``, ``correction.npz`` and the reports of every sensor.
 
     Parameters
     ----------
     folder
-        Holds one folder for each serial number; made when the first sensor is saved.
+        Holds one folder for each serial number; created when the first sensor is saved.
     """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
     def folder_of(self, serial: str) -> Path:
-        """Give the folder of a sensor, whether it is there or not.
+        """Return the folder of a sensor, which need not exist.
 
         Raises
         ------
         UsageError
-            When it cannot be a serial number.
+            When the serial number is not one.
         """
         if not _SERIAL.fullmatch(serial):
             raise UsageError(
@@ -56,7 +56,7 @@ class SensorStore:
         return self._folder / serial
 
     def serials(self) -> list[str]:
-        """List the sensors that were saved."""
+        """Return the serial numbers of the saved sensors, sorted."""
         return sorted(path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
 
     def load(self, serial: str) -> Sensor | None:
@@ -64,6 +64,8 @@ class SensorStore:
 
         Raises
         ------
+        UsageError
+            When the serial number is not one.
         InputError
             When its files are damaged, or are those of another sensor.
         """
@@ -82,13 +84,12 @@ class SensorStore:
         return sensor
 
     def save(self, sensor: Sensor, attach: Callable[[Path], None] = lambda _folder: None) -> Path:
-        """Replace what is kept of a sensor, as a whole or not at all; other files stay.
+        """Replace the stored files of a sensor atomically; other files in its folder stay.
 
         Parameters
         ----------
-        sensor
         attach
-            Writes further files, for example reports, into the folder it is given.
+            Writes further files, such as reports, into the folder that it is called with.
 
         Returns
         -------
@@ -97,7 +98,10 @@ class SensorStore:
 
         Raises
         ------
+        UsageError
+            When the serial number is not one.
         OutputError
+            When the place cannot be written; what was there before is untouched.
         """
         folder = self.folder_of(sensor.serial)
         try:

@@ -1,7 +1,7 @@
-"""What all steps of a calibration share: the pictures of a folder, and the form of a result.
+"""Parts common to all calibration steps: the pictures of a folder, and the form of a result.
 
-The command line and the window run the same steps. A step takes the sensor as it is known so far
-and gives it back better, with a section of the report and the result in plain words.
+Command line and window run the same steps. A step takes the sensor as calibrated so far and returns
+it improved, with a section of the report and the result in plain words.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from insole_core.sensing.nominal_kinect import COLOR_CAMERA
 from insole_core.sensing.sensor import Sensor
 
 COLOR, INFRARED, DEPTH = "color", "ir", "depth"
-"""How the names of the pictures of a folder begin."""
+"""Prefixes of the names of the pictures in a folder."""
 _WORDS = {
     COLOR: "colour pictures of the board",
     INFRARED: "infrared pictures of the board, taken with the emitter covered",
@@ -30,20 +30,20 @@ _WORDS = {
 
 @dataclass(frozen=True, eq=False)
 class StepResult:
-    """What one step found.
+    """Result of one calibration step.
 
     Parameters
     ----------
     sensor
-        With what is known now.
+        With the new calibration.
     section
         Of the report.
     sentences
         The result in plain words; the first is the most important.
     advice
-        What would improve it, in sentences.
+        Sentences on what would improve it.
     doubt
-        Why the result can hardly be right, a sentence; it is kept only when the user insists.
+        Why the result is implausible, a sentence; it is then saved only after confirmation.
     """
 
     sensor: Sensor
@@ -54,7 +54,12 @@ class StepResult:
 
 
 def board_pictures(folder: Path, kind: str) -> list[Path]:
-    """List the pictures of a kind; a folder that names no kinds holds pictures of one camera.
+    """List the pictures of one kind; in a folder without kinds, all pictures.
+
+    Parameters
+    ----------
+    kind
+        Prefix of their names: `COLOR`, `INFRARED` or `DEPTH`.
 
     Raises
     ------
@@ -75,7 +80,7 @@ def board_pictures(folder: Path, kind: str) -> list[Path]:
 
 
 def has_infrared(folder: Path) -> bool:
-    """Tell whether a folder holds infrared pictures by their names."""
+    """Return whether a folder holds infrared pictures, by their names."""
     return any(path.name.startswith(INFRARED) for path in picture_paths(folder))
 
 
@@ -93,17 +98,20 @@ def depth_images(folder: Path) -> list[Path]:
 def find_infrared_pairs(
     folder: Path, board: Board, progress: Progress = SILENT
 ) -> list[tuple[BoardDetection, BoardDetection]]:
-    """Find the board in ``ir_003`` and ``color_003`` …: the corners that both show.
+    """Find the board in ``ir_003`` and ``color_003`` …; keep the corners that both show.
 
     Returns
     -------
-    list
-        Of each position the board in pixels of the depth image, and in the colour picture.
+    list of (BoardDetection, BoardDetection)
+        For each position the board in pixels of the depth image, and in the colour picture.
 
     Raises
     ------
     CalibrationError
-        When no position is seen by both cameras.
+        When no position is visible to both cameras.
+    InputError
+        When the folder or a picture cannot be read.
+    Cancelled
     """
     depth, _ = find_boards(board_pictures(folder, INFRARED), board, progress.part(0, 0.5))
     color, _ = find_boards(board_pictures(folder, COLOR), board, progress.part(0.5, 1))
@@ -123,11 +131,17 @@ def find_infrared_pairs(
 
 
 def check_color_camera(sensor: Sensor, color: Sequence[BoardDetection]) -> None:
-    """Refuse pictures that the colour camera was not calibrated for.
+    """Check that the colour camera is calibrated for these pictures.
+
+    Parameters
+    ----------
+    color
+        The board in the colour pictures; at least one.
 
     Raises
     ------
     CalibrationError
+        When it is not calibrated, or at another image size.
     """
     camera = sensor.color_camera
     if camera == COLOR_CAMERA:
@@ -147,5 +161,5 @@ def check_color_camera(sensor: Sensor, color: Sequence[BoardDetection]) -> None:
         )
 
 
-def _number(sighting: BoardDetection, kind: str) -> str:
-    return Path(sighting.name).stem.removeprefix(kind)
+def _number(detection: BoardDetection, kind: str) -> str:
+    return Path(detection.name).stem.removeprefix(kind)

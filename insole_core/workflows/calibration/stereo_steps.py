@@ -1,4 +1,4 @@
-"""The steps that say where the colour camera stands beside the depth camera."""
+"""Calibration steps for the pose of the colour camera relative to the depth camera."""
 
 from __future__ import annotations
 
@@ -38,21 +38,31 @@ from insole_core.workflows.calibration.steps import (
 )
 
 _GOOD_MM = 0.5
-"""How well the place of the depth camera is to be known."""
+"""Wanted standard deviation of the position of the depth camera."""
 
 
 def calibrate_stereo_step(
     folder: Path, board: Board, sensor: Sensor, progress: Progress = SILENT
 ) -> StepResult:
-    """Find the colour camera beside the depth camera (thesis limitation 10.3).
+    """Calibrate the pose of the colour camera against the depth camera (thesis limitation 10.3).
 
-    From infrared and colour pictures where the folder has infrared ones, else from colour pictures
-    and the raw depth of each.
+    From infrared and colour pictures where the folder has infrared ones, otherwise from colour
+    pictures and the raw depth of each.
+
+    Parameters
+    ----------
+    folder
+        With pictures ``color_…``, and ``ir_…`` or ``depth_…`` of the same numbers.
+    sensor
+        With a calibrated colour camera.
 
     Raises
     ------
-    CalibrationError, InputError
-        Also when the colour camera was not calibrated before.
+    CalibrationError
+        When the pictures do not suffice, or the colour camera is not calibrated.
+    InputError
+        When the folder or a picture cannot be read.
+    Cancelled
     """
     if has_infrared(folder):
         return _from_infrared(folder, board, sensor, progress)
@@ -63,20 +73,22 @@ def _from_infrared(folder: Path, board: Board, sensor: Sensor, progress: Progres
     pairs = find_infrared_pairs(folder, board, progress.part(0, 0.8))
     check_color_camera(sensor, [in_color for _, in_color in pairs])
     progress.step(0.8, "Fitting both cameras to {count} boards", count=len(pairs))
-    found = calibrate_stereo(
+    calibration = calibrate_stereo(
         [in_depth for in_depth, _ in pairs],
         [in_color for _, in_color in pairs],
         sensor.depth_camera,
         sensor.color_camera,
     )
-    depth_camera, color_camera = found.depth_camera, found.color_camera
+    depth_camera, color_camera = calibration.depth_camera, calibration.color_camera
     better = replace(sensor, depth_camera=depth_camera, color_camera=color_camera)
-    numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
-    result = _stereo_result(better, found.stereo, "infrared and colour pictures", numbers)
+    numbers = [
+        (name, value, calibration.deviations[name]) for name, value in calibration.values.items()
+    ]
+    result = _stereo_result(better, calibration.stereo, "infrared and colour pictures", numbers)
     color = [in_color for _, in_color in pairs]
     return replace(
         result,
-        advice=_advice(found.stereo, color, EACH_WITH_INFRARED),
+        advice=_advice(calibration.stereo, color, EACH_WITH_INFRARED),
         doubt=find_misfit(result.sensor, board.square_mm, None),
     )
 
@@ -87,29 +99,31 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
     progress.step(0.5, "Reading the depth of the boards")
     boards = read_boards_in_depth(folder, color, sensor.correction)
     progress.step(0.6, "Fitting the depth camera to {count} boards", count=len(boards))
-    # Without a correction there is no map that a tilt of all raw numbers could be added to.
-    found = calibrate_board_depth(
+    # Without a correction there is no map to which a tilt of all raw numbers could be added.
+    calibration = calibrate_board_depth(
         boards,
         sensor.depth_camera,
         sensor.color_camera,
         sensor.disparity,
         BoardDepthOptions(tilt=sensor.correction is not None),
     )
-    depth, correction = found.depth, sensor.correction
+    depth, correction = calibration.depth, sensor.correction
     better = replace(sensor, depth_camera=depth.camera, disparity=depth.disparity)
     if correction is not None:
         better = replace(
             better, correction=add_tilt(correction, sensor.depth_camera, depth.tilt_raw)
         )
-    numbers = [(name, value, found.deviations[name]) for name, value in found.values.items()]
-    result = _stereo_result(better, found.stereo, "colour pictures and depth", numbers)
-    advice = _advice(found.stereo, color, EACH_WITH_DEPTH)
+    numbers = [
+        (name, value, calibration.deviations[name]) for name, value in calibration.values.items()
+    ]
+    result = _stereo_result(better, calibration.stereo, "colour pictures and depth", numbers)
+    advice = _advice(calibration.stereo, color, EACH_WITH_DEPTH)
     if correction is None:
         advice += (
             "The distortion of the depth was not corrected yet, which turns the cameras by a "
             "degree or two; calibrate the distortion first.",
         )
-    scale = LinearInverseDisparity(found.values["a"], found.values["b"])
+    scale = LinearInverseDisparity(calibration.values["a"], calibration.values["b"])
     doubt = find_misfit(result.sensor, board.square_mm, scale)
     return replace(result, advice=advice, doubt=doubt)
 
@@ -117,7 +131,7 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
 def _advice(
     stereo: StereoCalibration, color: Sequence[BoardDetection], each: int
 ) -> tuple[str, ...]:
-    """Say which positions would help, where the place is not known well enough."""
+    """Return advice on further positions while the position is not known well enough."""
     known_mm = float(np.linalg.norm(stereo.translation_deviation_mm))
     missing = missing_turns(color, each)
     if known_mm <= _GOOD_MM or not missing:
@@ -135,7 +149,14 @@ def _advice(
 
 
 def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepResult:
-    """Put colour on depth by a constant pixel shift, as the thesis did (5.4).
+    """Align colour with depth by a constant pixel shift, as the thesis did (5.4).
+
+    Parameters
+    ----------
+    points
+        The same points in depth and colour.
+    sensor
+        The principal point of its colour camera is shifted.
 
     Raises
     ------
@@ -145,9 +166,9 @@ def shift_color_step(points: Sequence[Correspondence], sensor: Sensor) -> StepRe
     better = shift_color(sensor, points)
     x = better.color_camera.cx - sensor.color_camera.cx
     y = better.color_camera.cy - sensor.color_camera.cy
-    left = evaluate_alignment(better, points)
-    worst = max(max(abs(row.x_px), abs(row.y_px)) for row in left)
-    section = alignment_section(left)
+    residuals = evaluate_alignment(better, points)
+    worst = max(max(abs(row.x_px), abs(row.y_px)) for row in residuals)
+    section = alignment_section(residuals)
     return StepResult(
         sensor=better,
         section=replace(section, key="shift", title="Colour on depth, after a constant shift"),

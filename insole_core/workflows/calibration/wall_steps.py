@@ -1,4 +1,4 @@
-"""The steps that learn the depth from walls: its distortion, and its millimetres."""
+"""Calibration steps that use captures of walls: distortion of the depth, and its scale in mm."""
 
 from __future__ import annotations
 
@@ -29,15 +29,23 @@ from insole_core.workflows.calibration.steps import StepResult
 def calibrate_distortion_step(
     captures: Sequence[WallCapture], sensor: Sensor, progress: Progress = SILENT
 ) -> StepResult:
-    """Learn the distortion of the depth from walls (thesis 5.2, the default map).
+    """Estimate the distortion of the depth from walls (thesis 5.2, the default map).
+
+    Parameters
+    ----------
+    captures
+        Recorded with this sensor.
+    sensor
+        Its correction is replaced.
 
     Raises
     ------
     CalibrationError
-        Also when the captures were recorded with another sensor.
+        When the captures do not suffice, or were recorded with another sensor.
+    Cancelled
     """
     check_recorded_with(sensor.serial, captures)
-    found = calibrate_distortion(
+    calibration = calibrate_distortion(
         captures,
         sensor.depth_camera,
         sensor.disparity,
@@ -45,21 +53,21 @@ def calibrate_distortion_step(
         progress=progress.part(0, 0.9),
     )
     progress.step(0.9, "Drawing the walls before and after")
-    names = {wall.name for wall in found.walls}
+    names = {wall.name for wall in calibration.walls}
     used = [capture for capture in captures if capture.name in names]
-    corrections: dict[str, Correction] = {"before": NoCorrection(), "after": found.correction}
+    corrections: dict[str, Correction] = {"before": NoCorrection(), "after": calibration.correction}
     pictures = wall_pictures(used, corrections, sensor.depth_camera, sensor.disparity)
-    section = distortion_section(found)
-    figures = found.correction.record.figures
+    section = distortion_section(calibration)
+    figures = calibration.correction.record.figures
     return StepResult(
-        sensor=replace(sensor, correction=found.correction),
+        sensor=replace(sensor, correction=calibration.correction),
         section=replace(section, plots=section.plots + pictures),
         sentences=(
             Message(
                 "{used} of {taken} walls were used; they cover {share:.0%} of the image.",
-                used=len(found.walls),
+                used=len(calibration.walls),
                 taken=len(captures),
-                share=found.covered_share,
+                share=calibration.covered_share,
             ),
             Message(
                 "The walls were off by {before_raw:.1f} raw units and are now off by "
@@ -70,43 +78,46 @@ def calibrate_distortion_step(
             "A bulge that all walls share is taken for distortion; if they were one wall, check it "
             "with a straightedge.",
         ),
-        advice=found.advice,
+        advice=calibration.advice,
     )
 
 
 def calibrate_disparity_step(
     captures: Sequence[WallCapture], sensor: Sensor, model: str, progress: Progress = SILENT
 ) -> StepResult:
-    """Fit raw number to mm to captures at known distances, thesis (12) or (17).
+    """Fit the conversion of raw numbers to mm to walls at known distances, thesis (12) or (17).
 
     Parameters
     ----------
     captures
         With their distances.
     sensor
+        Its disparity model is replaced.
     model
         ``linear-inverse`` or ``tangent``.
 
     Raises
     ------
     CalibrationError
+        When the captures do not suffice, or were recorded with another sensor.
+    Cancelled
     """
     check_recorded_with(sensor.serial, captures)
     progress.step(0.1, "Fitting the disparity model")
     raw, depth_mm = centre_pairs(captures, sensor.correction)
     fit = {"linear-inverse": fit_linear_inverse, "tangent": fit_tangent}[model]
-    found = fit(raw, depth_mm)
-    low, high = found.range_mm
+    calibration = fit(raw, depth_mm)
+    low, high = calibration.range_mm
     return StepResult(
-        sensor=replace(sensor, disparity=found.model),
-        section=disparity_section(found),
+        sensor=replace(sensor, disparity=calibration.model),
+        section=disparity_section(calibration),
         sentences=(
             Message(
                 "Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within "
                 "{error_mm:.1f} mm.",
                 low_mm=low,
                 high_mm=high,
-                error_mm=found.rms_mm,
+                error_mm=calibration.rms_mm,
             ),
         ),
     )
@@ -115,14 +126,20 @@ def calibrate_disparity_step(
 def read_walls(
     folder: Path, distances_mm: Sequence[float] = (), progress: Progress = SILENT
 ) -> list[WallCapture]:
-    """Read wall captures, and their measured distances in the same order where they are given.
+    """Read wall captures, with their measured distances where these are given.
+
+    Parameters
+    ----------
+    distances_mm
+        One for each capture, in the order of their names; empty to keep what is stored.
 
     Raises
     ------
     InputError
         When the folder cannot be read.
     UsageError
-        When there are more or fewer distances than captures.
+        When the number of distances is not that of the captures.
+    Cancelled
     """
     captures = read_captures(folder, progress)
     if not distances_mm:
@@ -148,11 +165,29 @@ def place_walls(
     sensor: Sensor,
     progress: Progress = SILENT,
 ) -> list[WallCapture]:
-    """Give walls their planes from a board that the calibrated colour camera sees on each.
+    """Add the plane of each wall, from a board on it in the picture of the colour camera.
+
+    Parameters
+    ----------
+    captures
+        Read from `folder`.
+    folder
+        Holds the colour picture of each capture too.
+    sensor
+        With a calibrated colour camera and ``depth2color``.
+
+    Returns
+    -------
+    list of WallCapture
+        With their planes.
 
     Raises
     ------
-    CalibrationError, InputError
+    CalibrationError
+        When the colour camera is not calibrated, or a board cannot be used.
+    InputError
+        When a picture cannot be read.
+    Cancelled
     """
     if sensor.color_camera == COLOR_CAMERA:
         raise CalibrationError(
@@ -163,11 +198,17 @@ def place_walls(
 
 
 def check_recorded_with(serial: str, captures: Sequence[WallCapture]) -> None:
-    """Refuse captures whose own sensor.json names another device, or that are of several.
+    """Check that captures come from one device, and from the one with this serial number.
+
+    Parameters
+    ----------
+    serial
+        Empty when unknown.
 
     Raises
     ------
     CalibrationError
+        When their own sensor.json names another device, or they come from several.
     """
     other = next((c for c in captures if serial and c.serial not in ("", serial)), None)
     if other is not None:
