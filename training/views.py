@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_about
 from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 from insole_core.sensing.frames import average_raw
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.device import Device, make_device

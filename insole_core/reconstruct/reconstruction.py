@@ -45,7 +45,8 @@ from insole_core.reconstruct.views.range_mesh import (
 )
 from insole_core.reconstruct.volume import check_any_inside, is_inside, volume_of_interest
 from insole_core.reconstruct.warnings import misfits, warnings_of
-from insole_core.recording.session import Box, Session, View
+from insole_core.recording.box import Box
+from insole_core.recording.session import Session, View
 
 _Part = TypeVar("_Part")
 

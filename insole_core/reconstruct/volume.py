@@ -6,7 +6,8 @@ import numpy as np
 
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.recording.session import Box, ReferenceSystem, Session
+from insole_core.recording.box import Box
+from insole_core.recording.session import ReferenceSystem, Session
 
 _BLOCK_MM = 24.0
 """A marker's block, its mounting and a little air; the foot keeps so far inside of them."""

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from insole_core.messages import Message, joined
-
-if TYPE_CHECKING:
-    from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 
 Pixel = tuple[float, float]
 """(u, v) in a view's colour image, px."""

@@ -8,13 +8,8 @@ from typing import Any
 
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
-from insole_core.recording.session import (
-    Box,
-    CaptureCondition,
-    Manifest,
-    Marker,
-    ReferenceSystem,
-)
+from insole_core.recording.box import Box
+from insole_core.recording.session import CaptureCondition, Manifest, Marker, ReferenceSystem
 
 FORMAT = "insole-session"
 VERSION = 1

@@ -8,6 +8,7 @@ from typing import Any
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import Side
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.sensing.sensor import Sensor
 
@@ -39,14 +40,6 @@ class ReferenceSystem:
     def facing(self, faces: tuple[str, ...]) -> tuple[Marker, ...]:
         """Return the markers of the named groups, in order."""
         return tuple(marker for marker in self.markers if marker.face in faces)
-
-
-@dataclass(frozen=True)
-class Box:
-    """An axis-aligned volume in the reference frame, mm."""
-
-    min_mm: tuple[float, float, float]
-    max_mm: tuple[float, float, float]
 
 
 @dataclass(frozen=True)

@@ -15,15 +15,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
+from insole_core.recording.box import Box
 from insole_core.recording.sensor_json import COLOR_SIZES
-from insole_core.recording.session import (
-    Box,
-    CaptureCondition,
-    Manifest,
-    ReferenceSystem,
-    Session,
-    View,
-)
+from insole_core.recording.session import CaptureCondition, Manifest, ReferenceSystem, Session, View
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.color_image import ColorRecording, record_color
 from insole_core.simulate.depth_image import record_depth

@@ -22,9 +22,10 @@ from insole_core.reconstruct.result import refused_result
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view, used_result
 from insole_core.reconstruct.views.view_consistency import ViewConsistency, view_consistency
 from insole_core.reconstruct.volume import volume_of_interest
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box, Session, View
+from insole_core.recording.session import Session, View
 from insole_core.workflows.scanned_foot import ScannedFoot, session_source
 
 

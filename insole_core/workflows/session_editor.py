@@ -7,9 +7,9 @@ from collections.abc import Callable
 from insole_core.errors import OutputError
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
-from insole_core.recording.session import Box
 from insole_core.workflows.history import History
 from insole_core.workflows.make_foot import MeasuredSession
 

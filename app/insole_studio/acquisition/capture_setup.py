@@ -10,7 +10,8 @@ from typing import Literal, Protocol
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.calibration.stored_correction import apply_correction
 from insole_core.messages import Message
-from insole_core.recording.session import Box, ReferenceSystem, Session
+from insole_core.recording.box import Box
+from insole_core.recording.session import ReferenceSystem, Session
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces

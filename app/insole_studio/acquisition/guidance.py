@@ -15,7 +15,8 @@ from insole_core.reconstruct.markers.blobs import find_blobs
 from insole_core.reconstruct.markers.detections import locate_blobs
 from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.volume import is_inside
-from insole_core.recording.session import Box, ReferenceSystem
+from insole_core.recording.box import Box
+from insole_core.recording.session import ReferenceSystem
 from insole_core.sensing.disparity import NO_READING, DisparityModel
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.factory_calibration import resized_camera

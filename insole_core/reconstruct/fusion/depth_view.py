@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.volume import check_any_inside, is_inside
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 from insole_core.sensing.sensor import Sensor
 
 _MARGIN_PX = 6

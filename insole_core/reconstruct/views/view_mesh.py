@@ -10,7 +10,7 @@ from insole_core.geometry.transforms import transform
 from insole_core.reconstruct.views.measured_view import MeasuredView
 from insole_core.reconstruct.views.range_mesh import RangeMesh, join, longest_edges, triangulate
 from insole_core.reconstruct.volume import is_inside
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 
 _STEP = 2
 

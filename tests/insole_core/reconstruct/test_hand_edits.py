@@ -17,9 +17,10 @@ from insole_core.reconstruct.views.measured_view import (
     measure_as_thesis,
     measure_view,
 )
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, HandEdits, NamedSpot, Pixel, ViewEdits
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box, Session, View
+from insole_core.recording.session import Session, View
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 NOTHING = NO_VIEW_EDITS

@@ -23,8 +23,9 @@ from insole_core.reconstruct import (
     reconstruct,
     report_json,
 )
+from insole_core.recording.box import Box
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box, Session, View
+from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.pinhole_camera import PinholeCamera
 

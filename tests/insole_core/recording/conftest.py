@@ -10,8 +10,8 @@ import pytest
 
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.recording.box import Box
 from insole_core.recording.session import (
-    Box,
     CaptureCondition,
     Manifest,
     Marker,

@@ -13,10 +13,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from insole_core.errors import InputError, OutputError
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits, NamedSpot, ViewEdits
 from insole_core.recording.hand_edits_file import edits_json, edits_path, parse_edits, write_edits
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box, Session
+from insole_core.recording.session import Session
 from insole_core.recording.writer import write_session
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"

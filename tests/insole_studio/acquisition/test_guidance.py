@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from insole_core.reconstruct.volume import volume_of_interest
+from insole_core.recording.box import Box
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box, Session
+from insole_core.recording.session import Session
 from insole_core.sensing.disparity import FactoryDisparity
 from insole_studio.acquisition.guidance import (
     FrameSnapshot,

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 from insole_studio.scene.gesture import Gesture, RunningGesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.scene_view import OfferedItem

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 from insole_studio.features.foot.box_dragger import LEAST_MM
 from insole_studio.texts import tr
 from insole_studio.widgets.number_field import NumberField

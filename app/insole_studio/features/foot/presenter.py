@@ -16,8 +16,8 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.views.view_mesh import view_mesh
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
-from insole_core.recording.session import Box
 from insole_core.workflows.make_foot import (
     MadeFoot,
     make_foot,

@@ -22,8 +22,8 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import ViewEdits
-from insole_core.recording.session import Box
 from insole_studio.features.foot.box_dragger import box_edges, box_handles
 from insole_studio.features.foot.box_fields import BoxFields
 from insole_studio.features.foot.marker_panel import MarkerPanel

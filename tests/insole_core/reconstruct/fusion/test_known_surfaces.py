@@ -21,7 +21,7 @@ from insole_core.reconstruct.fusion.observation import observe
 from insole_core.reconstruct.fusion.prepared_view import prepare
 from insole_core.reconstruct.fusion.refinement import refine
 from insole_core.reconstruct.result import Surface
-from insole_core.recording.session import Box
+from insole_core.recording.box import Box
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.frames import average_raw
 from insole_core.sensing.pinhole_camera import PinholeCamera

@@ -16,10 +16,10 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.errors import ReconstructionError
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow

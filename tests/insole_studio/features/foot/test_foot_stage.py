@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.insole.prescription.design import Pelott
+from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import Pixel
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Box
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.foot.rows import Mark
 from insole_studio.features.foot.stage import FootStage
