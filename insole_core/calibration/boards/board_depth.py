@@ -110,20 +110,20 @@ def calibrate_board_depth(
         if numbers is None:
             numbers = problem.usual[6:]
         start = problem.start(depth2color, numbers, [board2color[i] for i in seen])
-        found = least_squares(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
-        depth2color, depth = pose(found.values), problem.read(found.values)
-        numbers = found.values[6 : problem.shared]
-        errors = problem.found_errors(found)
-    found = _judged(problem, found)
+        solution = least_squares(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
+        depth2color, depth = pose(solution.values), problem.read(solution.values)
+        numbers = solution.values[6 : problem.shared]
+        errors = problem.found_errors(solution)
+    solution = _judged(problem, solution)
     return BoardDepthCalibration(
-        as_stereo(found, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
+        as_stereo(solution, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
         depth,
-        dict(zip(names, found.values[6:].tolist(), strict=False)),
-        dict(zip(names, found.deviations[6:].tolist(), strict=False)),
+        dict(zip(names, solution.values[6:].tolist(), strict=False)),
+        dict(zip(names, solution.std[6:].tolist(), strict=False)),
     )
 
 
-def _judged(problem: Problem, found: Adjustment) -> Adjustment:
+def _judged(problem: Problem, solution: Adjustment) -> Adjustment:
     """Give the standard deviations that the colour camera's own errors add to.
 
     The colour camera came from a fit to corners like these. Its errors are independent of those of
@@ -133,12 +133,14 @@ def _judged(problem: Problem, found: Adjustment) -> Adjustment:
     """
     count, colors = problem.shared, len(LENS)
     open_color = replace(problem, color_free=True)
-    values = np.concatenate([found.values[:count], problem.color_values, found.values[count:]])
-    left = open_color.residuals(values)
+    values = np.concatenate(
+        [solution.values[:count], problem.color_values, solution.values[count:]]
+    )
+    residuals = open_color.residuals(values)
     jacobian = open_color.blocks().jacobian(open_color.residuals, values)
     color = jacobian[:, count : count + colors]
     held = np.delete(jacobian, np.arange(count, count + colors), axis=1)
-    weight, noise = huber_weight(left, _OUTLIER), open_color.noise(left)
+    weight, noise = huber_weight(residuals, _OUTLIER), open_color.noise(residuals)
     solve = _solver(held, weight)
     spread = solve(held.T * (weight * noise))[:count]
     corner = open_color.kinds == CORNER
@@ -147,7 +149,7 @@ def _judged(problem: Problem, found: Adjustment) -> Adjustment:
     color_spread = _solver(across, np.ones(len(across)))(across.T * noise[corner])
     follows = solve(held.T @ (weight[:, None] * color))[:count] @ color_spread
     shared = np.sqrt((spread**2).sum(1) + (follows**2).sum(1))
-    return replace(found, deviations=np.concatenate([shared, found.deviations[count:]]))
+    return replace(solution, std=np.concatenate([shared, solution.std[count:]]))
 
 
 def _solver(jacobian: FloatArray, weight: FloatArray) -> Callable[[FloatArray], FloatArray]:

@@ -182,18 +182,22 @@ class Problem:
         lengths[-1] += self.fitted  # what is unusual depends on no board: it closes the last block
         return Blocks(tuple(lengths.tolist()), self.shared)
 
-    def found_errors(self, found: Adjustment) -> Errors:
+    def found_errors(self, solution: Adjustment) -> Errors:
         """Root mean squares of the residuals, that outliers do not reach."""
-        kinds, left = self.kinds, found.residuals
+        kinds, residuals = self.kinds, solution.residuals
         return Errors(
-            max(_typical(left[kinds == CORNER]) * self.errors.corner_px, LEAST_ERRORS.corner_px),
-            max(_typical(left[kinds == _DEPTH]) * self.errors.depth_raw, LEAST_ERRORS.depth_raw),
+            max(
+                _typical(residuals[kinds == CORNER]) * self.errors.corner_px, LEAST_ERRORS.corner_px
+            ),
+            max(
+                _typical(residuals[kinds == _DEPTH]) * self.errors.depth_raw, LEAST_ERRORS.depth_raw
+            ),
         )
 
-    def noise(self, left: FloatArray) -> FloatArray:
+    def noise(self, residuals: FloatArray) -> FloatArray:
         """Standard deviation (m,) of every residual, by what is left of its kind."""
         kinds = self.kinds
-        of_kind = [_typical(left[kinds == CORNER]), _typical(left[kinds == _DEPTH]), 1.0]
+        of_kind = [_typical(residuals[kinds == CORNER]), _typical(residuals[kinds == _DEPTH]), 1.0]
         return np.asarray(of_kind)[kinds]
 
     @cached_property
@@ -213,5 +217,5 @@ class Problem:
         return np.argsort(self._boards, kind="stable")
 
 
-def _typical(left: FloatArray) -> float:
-    return float(np.sqrt(np.median(left**2) / _CHI2_MEDIAN))
+def _typical(residuals: FloatArray) -> float:
+    return float(np.sqrt(np.median(residuals**2) / _CHI2_MEDIAN))

@@ -177,7 +177,7 @@ def calibrate_camera(
         progress.step(
             0.1 + 0.4 * bool(left_out), "Fitting the camera to {count} pictures", count=len(used)
         )
-        camera, deviations, pictures = _fit(used, options)
+        camera, std, pictures = _fit(used, options)
         outliers = _outliers(pictures, options)
         if not outliers:
             break
@@ -191,12 +191,12 @@ def calibrate_camera(
         _check_count(len(used))
     if options.fit_skew:
         progress.step(0.7, "Fitting the skew")
-        camera, deviations, pictures = _fit_skew(camera, pictures, options)
+        camera, std, pictures = _fit_skew(camera, pictures, options)
     _check_distance(pictures)
     counts = count_corners(used)
     return CameraCalibration(
         camera=camera,
-        deviations=deviations,
+        deviations=std,
         rms_px=float(np.sqrt(np.concatenate([(p.errors_px**2).sum(1) for p in pictures]).mean())),
         pictures=tuple(pictures),
         left_out=left_out,
@@ -219,13 +219,13 @@ def _fit(
         flags=flags,
     )
     camera = _camera(size, [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *lens.ravel()])
-    deviations = dict.fromkeys(PARAMETERS, 0.0)
-    deviations |= dict(zip(PARAMETERS, spread.ravel()[:9].tolist(), strict=False))
+    std = dict.fromkeys(PARAMETERS, 0.0)
+    std |= dict(zip(PARAMETERS, spread.ravel()[:9].tolist(), strict=False))
     poses = [
         rigid(cv2.Rodrigues(turn)[0], shift.ravel())
         for turn, shift in zip(turns, shifts, strict=True)
     ]
-    return camera, deviations, _pictures(camera, sightings, poses)
+    return camera, std, _pictures(camera, sightings, poses)
 
 
 def _fit_skew(
@@ -253,11 +253,11 @@ def _fit_skew(
     start = [fixed[name] for name in names]
     start += np.concatenate([pose_vector(p.board2camera) for p in pictures]).tolist()
     lengths = tuple(2 * len(sighting.pixels) for sighting in sightings)
-    found = least_squares(residuals, np.array(start), Blocks(lengths, count))
-    skewed, poses = split(found.values)
-    deviations = dict.fromkeys(PARAMETERS, 0.0)
-    deviations |= dict(zip(names, found.deviations[:count].tolist(), strict=True))
-    return skewed, deviations, _pictures(skewed, sightings, poses)
+    solution = least_squares(residuals, np.array(start), Blocks(lengths, count))
+    skewed, poses = split(solution.values)
+    std = dict.fromkeys(PARAMETERS, 0.0)
+    std |= dict(zip(names, solution.std[:count].tolist(), strict=True))
+    return skewed, std, _pictures(skewed, sightings, poses)
 
 
 def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> PinholeCamera:

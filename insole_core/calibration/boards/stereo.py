@@ -127,18 +127,18 @@ def calibrate_stereo(
             least=_LEAST_PAIRS,
         )
     problem = _Pairs(tuple(pairs), depth_camera, color_camera)
-    found = least_squares(problem.residuals, problem.start(), problem.blocks())
-    fitted_depth, fitted_color = problem.cameras(found.values)
+    solution = least_squares(problem.residuals, problem.start(), problem.blocks())
+    fitted_depth, fitted_color = problem.cameras(solution.values)
     # Of a corner, like the errors of the single cameras: two residuals each.
-    left_px = found.residuals[: -len(_SPREAD)] * _CORNER_PX
-    rms = float(np.sqrt((left_px**2).mean() * 2))
+    residuals_px = solution.residuals[: -len(_SPREAD)] * _CORNER_PX
+    rms = float(np.sqrt((residuals_px**2).mean() * 2))
     names = [f"{kind} {name}" for kind in ("depth", "color") for name in LENS]
     return PairCalibration(
-        as_stereo(found, rms, "px", tuple(a.name for a, _ in pairs)),
+        as_stereo(solution, rms, "px", tuple(a.name for a, _ in pairs)),
         fitted_depth,
         fitted_color,
-        dict(zip(names, found.values[6:_SHARED].tolist(), strict=True)),
-        dict(zip(names, found.deviations[6:_SHARED].tolist(), strict=True)),
+        dict(zip(names, solution.values[6:_SHARED].tolist(), strict=True)),
+        dict(zip(names, solution.std[6:_SHARED].tolist(), strict=True)),
     )
 
 
@@ -199,13 +199,13 @@ class _Pairs:
 
 
 def as_stereo(
-    found: Adjustment, rms: float, unit: str, pairs: tuple[str, ...]
+    solution: Adjustment, rms: float, unit: str, pairs: tuple[str, ...]
 ) -> StereoCalibration:
     """Read the pose from the first six unknowns of a fit."""
     return StereoCalibration(
-        depth2color=pose(found.values[:6]),
-        rotation_deviation_deg=np.degrees(found.deviations[:3]),
-        translation_deviation_mm=found.deviations[3:6],
+        depth2color=pose(solution.values[:6]),
+        rotation_deviation_deg=np.degrees(solution.std[:3]),
+        translation_deviation_mm=solution.std[3:6],
         rms=rms,
         unit=unit,
         pairs=pairs,

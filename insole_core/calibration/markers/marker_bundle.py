@@ -57,13 +57,13 @@ class Adjusted:
 
     Parameters
     ----------
-    points, deviations : (n, 3) float64, mm, near the frame of the plan
+    points, std : (n, 3) float64, mm, near the frame of the plan
     errors_px : (k,) float64
         All coordinates, seen minus projected.
     """
 
     points: FloatArray
-    deviations: FloatArray
+    std: FloatArray
     errors_px: FloatArray
 
 
@@ -82,12 +82,12 @@ def adjust_bundle(
         Between markers that are looked for; one or more.
     """
     bundle = _Bundle(planned, views, lengths)
-    found = least_squares(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
+    solution = least_squares(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
     count = 3 * len(planned)
     return Adjusted(
-        found.values[:count].reshape(-1, 3),
-        found.deviations[:count].reshape(-1, 3),
-        found.residuals[: bundle.image_residuals],
+        solution.values[:count].reshape(-1, 3),
+        solution.std[:count].reshape(-1, 3),
+        solution.residuals[: bundle.image_residuals],
     )
 
 

@@ -149,7 +149,7 @@ def check_survey(plan: ReferenceSystem, survey: MarkerSurvey, limit_mm: float = 
 @dataclass(frozen=True, eq=False)
 class _Measured:
     markers: dict[str, Marker]
-    deviations: dict[str, FloatArray]
+    std: dict[str, FloatArray]
     errors_px: FloatArray
     changes_mm: FloatArray
 
@@ -184,11 +184,11 @@ class _Part:
     def measured(self) -> _Measured:
         planned = positions(self._known)
         names = [marker.id for marker in self._known]
-        found = adjust_bundle(
+        solution = adjust_bundle(
             dict(zip(names, planned, strict=True)), self._known_views(names), self._lengths
         )
-        placed = transform(absolute_orientation(found.points, planned).a2b, found.points)
-        return self._told(found, placed, np.linalg.norm(placed - planned, axis=1))
+        placed = transform(absolute_orientation(solution.points, planned).a2b, solution.points)
+        return self._measured(solution, placed, np.linalg.norm(placed - planned, axis=1))
 
     def _known_views(self, names: Sequence[str]) -> list[MarkerView]:
         """Leave out what is seen once; a picture that then shows too little goes too."""
@@ -199,13 +199,15 @@ class _Part:
         ]
         return [view for view in kept if len(view.pixels) >= _LEAST_SEEN]
 
-    def _told(self, found: Adjusted, placed: FloatArray, changes_mm: FloatArray) -> _Measured:
+    def _measured(
+        self, solution: Adjusted, placed: FloatArray, changes_mm: FloatArray
+    ) -> _Measured:
         names = [marker.id for marker in self._known]
         moved = [_moved(marker, at) for marker, at in zip(self._known, placed, strict=True)]
         return _Measured(
             dict(zip(names, moved, strict=True)),
-            dict(zip(names, found.deviations, strict=True)),
-            found.errors_px,
+            dict(zip(names, solution.std, strict=True)),
+            solution.errors_px,
             changes_mm,
         )
 
@@ -214,11 +216,11 @@ def _joined(
     plan: ReferenceSystem, parts: dict[Faces, _Measured], left_out: dict[str, str]
 ) -> MarkerSurvey:
     markers = {name: marker for part in parts.values() for name, marker in part.markers.items()}
-    deviations = {name: sd for part in parts.values() for name, sd in part.deviations.items()}
+    std = {name: sd for part in parts.values() for name, sd in part.std.items()}
     errors = np.concatenate([part.errors_px for part in parts.values()])
     return MarkerSurvey(
         system=replace(plan, markers=tuple(markers.get(m.id, m) for m in plan.markers)),
-        deviation_mm={m.id: deviations.get(m.id, np.zeros(3)) for m in plan.markers},
+        deviation_mm={m.id: std.get(m.id, np.zeros(3)) for m in plan.markers},
         rms_px=float(np.sqrt((errors**2).mean() * 2)),
         largest_change_mm=float(max(part.changes_mm.max() for part in parts.values())),
         unseen=tuple(m.id for m in plan.markers if m.id not in markers),

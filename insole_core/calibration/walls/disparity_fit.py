@@ -66,13 +66,13 @@ def fit_linear_inverse(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
     columns = np.stack([1000 / depth_mm, -np.ones_like(depth_mm)], axis=-1)
     (inverse_b, a_by_b), *_ = np.linalg.lstsq(columns, raw, rcond=None)
     start = np.array([a_by_b / inverse_b, 1 / inverse_b])
-    found = least_squares(
+    solution = least_squares(
         lambda x: raw - LinearInverseDisparity(x[0], x[1]).raw(depth_mm),
         start,
         robust=_ROBUST_RAW,
     )
-    a, b = found.values.tolist()
-    return _fit_of(LinearInverseDisparity(a, b), ("a", "b"), found, raw, depth_mm)
+    a, b = solution.values.tolist()
+    return _fit_of(LinearInverseDisparity(a, b), ("a", "b"), solution, raw, depth_mm)
 
 
 def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
@@ -84,13 +84,13 @@ def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
         With fewer than three clearly different distances, or distances in another unit.
     """
     _check(raw, depth_mm, 3)
-    found = least_squares(
+    solution = least_squares(
         lambda x: raw - TangentDisparity(x[0], x[1], x[2]).raw(depth_mm),
         np.array(_TANGENT_START),
         robust=_ROBUST_RAW,
     )
-    k1, k2, k3 = found.values.tolist()
-    return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), found, raw, depth_mm)
+    k1, k2, k3 = solution.values.tolist()
+    return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), solution, raw, depth_mm)
 
 
 def centre_pairs(
@@ -139,15 +139,15 @@ def linear_inverse_near(model: DisparityModel, raw: FloatArray) -> LinearInverse
 def _fit_of(
     model: DisparityModel,
     names: tuple[str, ...],
-    found: Adjustment,
+    solution: Adjustment,
     raw: FloatArray,
     depth_mm: FloatArray,
 ) -> DisparityFit:
     left_mm = model.depth_mm(raw) - depth_mm
     return DisparityFit(
         model=model,
-        deviations=dict(zip(names, found.deviations.tolist(), strict=True)),
-        rms_raw=float(np.sqrt((found.residuals**2).mean())),
+        deviations=dict(zip(names, solution.std.tolist(), strict=True)),
+        rms_raw=float(np.sqrt((solution.residuals**2).mean())),
         rms_mm=float(np.sqrt(np.nanmean(left_mm**2))),
         range_mm=(float(depth_mm.min()), float(depth_mm.max())),
     )

@@ -205,7 +205,7 @@ def _judged(
 ) -> DistortionCalibration:
     figures = tuple(_figures(wall, correction, disparity) for wall in walls)
     covered = float(correction.covered.mean())
-    deviation = (
+    std = (
         float(np.median(correction.deviation[correction.covered]))
         if correction.deviation is not None and covered > 0
         else float("inf")
@@ -213,7 +213,7 @@ def _judged(
     numbers = {
         "walls": float(len(walls)),
         "covered_share": covered,
-        "deviation_raw": deviation,
+        "deviation_raw": std,
         "nearest_mm": min(figure.distance_mm for figure in figures),
         "farthest_mm": max(figure.distance_mm for figure in figures),
         "rms_before_raw": float(np.sqrt(np.mean([f.rms_before_raw**2 for f in figures]))),
@@ -224,7 +224,7 @@ def _judged(
         walls=figures,
         left_out=left_out,
         covered_share=covered,
-        deviation_raw=deviation,
+        deviation_raw=std,
         advice=_advice(figures, covered),
     )
 

@@ -113,9 +113,9 @@ def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
         weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
     if blocks.free_plane.all():
         offset, slope = (_without_plane(part, blocks) for part in (offset, slope))
-    unit = _unit_deviation(factor, blocks.shape, 2 * count)
-    deviation = _deviation(remaining, weight, unit)
-    return BlockMap(offset, slope, deviation, reference, noise, decay, remaining)
+    unit = _unit_std(factor, blocks.shape, 2 * count)
+    std = _std(remaining, weight, unit)
+    return BlockMap(offset, slope, std, reference, noise, decay, remaining)
 
 
 def _factor(
@@ -158,7 +158,7 @@ def _solve(
 
     Returns the map's unknowns, and a correction (n, 3) of every plane.
     """
-    pulled = weight * blocks.residual
+    weighted = weight * blocks.residual
     alone = _solve_map_alone(factor, blocks.residual, weight, t)
     planes = np.zeros((len(weight), 3))
     free = np.flatnonzero(blocks.free_plane)
@@ -178,7 +178,7 @@ def _solve(
     for place, i in enumerate(free):
         part = slice(3 * place, 3 * place + 3)
         normal[part, part] += rows.T @ (weight[i][:, None] * rows)
-        right[part] += rows.T @ pulled[i]
+        right[part] += rows.T @ weighted[i]
     solved = np.linalg.lstsq(normal, right, rcond=1e-12)[0]
     planes[free] = solved.reshape(-1, 3)
     return alone - answer @ solved, planes
@@ -188,8 +188,8 @@ def _solve_map_alone(
     factor: _Factor, residual: FloatArray, weight: FloatArray, t: FloatArray
 ) -> FloatArray:
     """Solve for the map's unknowns with the planes as they are."""
-    pulled = weight * residual
-    return factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
+    weighted = weight * residual
+    return factor.solve(np.concatenate([weighted.sum(0), (weighted * t).sum(0)]))
 
 
 def _without_plane(values: FloatArray, blocks: Blocks) -> FloatArray:
@@ -213,7 +213,7 @@ def _common_decay(offset: FloatArray, slope: FloatArray) -> float:
     return float(np.clip(-(slope @ offset) / power, 0, _MOST_DECAY)) if power > 0 else 0.0
 
 
-def _deviation(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:
+def _std(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:
     """Put together the map's own uncertainty and its lack of fit in each block."""
     power = (weight * remaining**2).sum(0)
     overall = power.sum() / weight.sum()
@@ -221,7 +221,7 @@ def _deviation(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> F
     return np.asarray(np.sqrt(overall * unit**2 + lack))
 
 
-def _unit_deviation(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
+def _unit_std(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
     """Square root of the inverse normal matrix's diagonal, probed every `_PROBE_STEP` blocks."""
     height, width = shape
     down = np.append(np.arange(0, height - 1, _PROBE_STEP), height - 1)
