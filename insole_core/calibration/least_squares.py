@@ -1,4 +1,4 @@
-"""Least squares with the standard deviation of every unknown.
+"""Nonlinear least squares with the standard deviation of every unknown.
 
 Not `scipy.optimize.least_squares`: on these problems it is 2 to 5 times slower, with a dense or a
 sparse Jacobian (with its default regularisation hundreds of times, and short of the minimum), and
@@ -25,7 +25,7 @@ _MOST_DAMPING = 1e9
 
 @dataclass(frozen=True, eq=False)
 class Adjustment:
-    """What a least squares fit found.
+    """The result of a least squares fit.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class Adjustment:
 
     @property
     def sigma(self) -> float:
-        """Standard deviation of one residual, its degrees of freedom counted."""
+        """Standard deviation of one residual, corrected for the degrees of freedom."""
         free = max(len(self.residuals) - len(self.values), 1)
         return float(np.sqrt((self.residuals**2).sum() / free))
 
@@ -56,12 +56,17 @@ def least_squares(
     Parameters
     ----------
     fun
-        Unknowns (n,) to residuals (m,).
+        Maps unknowns (n,) to residuals (m,).
     start : (n,) float64
     blocks, optional
-        Which residuals depend on which unknowns; spares most evaluations.
+        Which residuals depend on which unknowns; saves most evaluations.
     robust, optional
         Residuals beyond this count linearly only (Huber).
+
+    Returns
+    -------
+    Adjustment
+        Standard deviations are scaled by the weighted residuals.
     """
     blocks = blocks or Blocks((len(fun(start)),), len(start), 0)
     unknowns, residuals = np.asarray(start, dtype=float), fun(start)
@@ -102,7 +107,7 @@ def _judged(
 
 
 def huber_weight(residuals: FloatArray, robust: float | None) -> FloatArray:
-    """Give how much each residual counts: less the farther it lies beyond `robust`."""
+    """Return the Huber weight of each residual: 1 up to `robust` in size, less beyond it."""
     if robust is None:
         return np.ones_like(residuals)
     return np.asarray(robust / np.maximum(np.abs(residuals), robust))
@@ -117,7 +122,7 @@ def _cost(residuals: FloatArray, robust: float | None) -> float:
 
 @dataclass(frozen=True)
 class Blocks:
-    """Which residuals depend on which unknowns.
+    """The block structure of the Jacobian: which residuals depend on which unknowns.
 
     The first `shared` unknowns act on all residuals; after them, every `own` unknowns (six of a
     pose) act on one block of residuals alone.
@@ -125,8 +130,7 @@ class Blocks:
     Parameters
     ----------
     lengths
-        Residuals of each block.
-    shared, own
+        Number of residuals in each block.
     """
 
     lengths: tuple[int, ...]
@@ -134,7 +138,18 @@ class Blocks:
     own: int = 6
 
     def jacobian(self, fun: Callable[[FloatArray], FloatArray], unknowns: FloatArray) -> FloatArray:
-        """Differentiate (m, n) by central differences, the same unknown of all blocks at once."""
+        """Differentiate by central differences, the same unknown of all blocks at once.
+
+        Parameters
+        ----------
+        fun
+            Maps unknowns (n,) to residuals (m,).
+        unknowns : (n,) float64
+
+        Returns
+        -------
+        (m, n) float64
+        """
         jacobian = np.zeros((sum(self.lengths), len(unknowns)))
         step = _STEP * np.maximum(np.abs(unknowns), 1e-2)
         for column in range(self.shared):
@@ -156,7 +171,7 @@ def _slope(
     columns: list[int],
     per_unit: bool = True,
 ) -> FloatArray:
-    """Difference of the residuals when some unknowns go one step forth and back."""
+    """Return the central difference of the residuals when some unknowns move by one step."""
     move = np.zeros_like(unknowns)
     move[columns] = step[columns]
     change = fun(unknowns + move) - fun(unknowns - move)
@@ -164,10 +179,10 @@ def _slope(
 
 
 def pose(vector: FloatArray) -> FloatArray:
-    """Give the transform (4, 4) of a rotation vector (rad) and a translation (mm): (6,)."""
+    """Return the transform (4, 4) of a rotation vector (rad) and a translation (mm), (6,)."""
     return rigid(cv2.Rodrigues(np.asarray(vector[:3], dtype=float))[0], vector[3:6])
 
 
 def pose_vector(a2b: FloatArray) -> FloatArray:
-    """Invert `pose`."""
+    """Return the rotation vector (rad) and the translation (mm), (6,), of a transform (4, 4)."""
     return np.concatenate([cv2.Rodrigues(a2b[:3, :3])[0].ravel(), a2b[:3, 3]])

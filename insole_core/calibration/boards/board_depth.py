@@ -1,10 +1,10 @@
 """The pose between the cameras from colour pictures and raw depth of a board; needs no infrared.
 
-The colour camera knows the board's plane, the depth sensor measures it. A plane before the colour
-camera is a plane over the pixels of the raw image, by one projective map of space; its numbers are
-the pose, the depth camera, the disparity model, and the plane that walls cannot tell. What limits
-it: the errors of the corners, since a shift is told only as far as the boards are tilted, and a
-distortion that is left in the depth.
+The colour camera gives the board's plane, the depth sensor measures it. A plane in front of the
+colour camera is a plane over the pixels of the raw image, by one projective map of space; its
+parameters are the pose, the depth camera, the disparity model, and the plane that walls cannot
+determine. The accuracy is limited by the errors of the corners, since a translation is only
+determined by the tilt of the boards, and by distortion that remains in the depth.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _LEAST_TILT_DEG = 3.0
 
 @dataclass(frozen=True)
 class BoardDepthOptions:
-    """What is fitted beside the pose.
+    """Parameters that are fitted besides the pose.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class BoardDepthOptions:
     centre, focal
         Principal point and focal lengths of the depth camera.
     tilt
-        The plane over the image that is added to all raw numbers, which walls cannot tell.
+        The plane over the image that is added to all raw numbers, which walls cannot determine.
     """
 
     disparity: bool = True
@@ -64,13 +64,12 @@ class BoardDepthCalibration:
 
     Parameters
     ----------
-    stereo
     depth
-        As given, and as far as it was fitted.
+        As given, with the fitted numbers replaced.
     values, deviations
         The fitted numbers and their standard deviations, by name: a, b, cx, cy, fx, fy, tilt_x,
-        tilt_y. Like those of the pose, they count the colour camera as known no better than the
-        corners of these boards tell it.
+        tilt_y. Like those of the pose, they assume that the colour camera is known no better than
+        from the corners of these boards.
     """
 
     stereo: StereoCalibration
@@ -86,12 +85,26 @@ def calibrate_board_depth(
     disparity: DisparityModel,
     options: BoardDepthOptions | None = None,
 ) -> BoardDepthCalibration:
-    """Fit the pose of the depth camera beside the colour camera.
+    """Fit the pose of the depth camera relative to the colour camera.
+
+    Parameters
+    ----------
+    boards
+        At least four, tilted in different directions.
+    depth_camera, disparity
+        Initial values; kept where `options` does not fit them.
+    color_camera
+        Calibrated.
+
+    Returns
+    -------
+    BoardDepthCalibration
+        With the root mean square of the depth residuals in raw units.
 
     Raises
     ------
     CalibrationError
-        With fewer than four boards, or boards that are all parallel.
+        If there are fewer than four boards, or all are parallel.
     """
     names, errors = _names(options or BoardDepthOptions()), LEAST_ERRORS
     guess = depth = DepthSensor(depth_camera, disparity)
@@ -124,12 +137,12 @@ def calibrate_board_depth(
 
 
 def _judged(problem: Problem, solution: Adjustment) -> Adjustment:
-    """Give the standard deviations that the colour camera's own errors add to.
+    """Return the solution with the colour camera's own errors in its standard deviations.
 
     The colour camera came from a fit to corners like these. Its errors are independent of those of
-    a fit in which it is held, since they are across to all poses of the boards; so the two
+    a fit in which it is held, since they are orthogonal to all poses of the boards; so the two
     covariances add up. Corners and depth each have the noise that their residuals show, whatever
-    weight they were given.
+    their weights.
     """
     count, colors = problem.shared, len(LENS)
     open_color = replace(problem, color_free=True)
@@ -153,7 +166,7 @@ def _judged(problem: Problem, solution: Adjustment) -> Adjustment:
 
 
 def _solver(jacobian: FloatArray, weight: FloatArray) -> Callable[[FloatArray], FloatArray]:
-    """Solve the normal equations, scaled so that rad, mm and px go together."""
+    """Return a solver of the normal equations, scaled so that rad, mm and px are comparable."""
     scale = np.sqrt((weight[:, None] * jacobian**2).sum(0)) + 1e-12
     scaled = jacobian / scale
     inverse = np.linalg.pinv(scaled.T @ (weight[:, None] * scaled), rcond=1e-13, hermitian=True)
@@ -174,7 +187,7 @@ def _check(count: int, board2color: Sequence[FloatArray]) -> None:
             least=_LEAST_BOARDS,
         )
     normals = np.array([placed[:3, 2] * np.sign(placed[2, 2] or 1) for placed in board2color])
-    # The least eigenvalue: the tilt about the axis with the least tilts.
+    # The least eigenvalue measures the tilt about the axis with the least tilts.
     if np.linalg.eigvalsh(np.cov(normals[:, :2].T))[0] < np.sin(np.radians(_LEAST_TILT_DEG)) ** 2:
         raise CalibrationError(
             "The boards are tilted too little to tell where the depth camera stands; tilt the "

@@ -22,7 +22,7 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 
 PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
 LENS = PARAMETERS[:8]
-"""What is uncertain of every camera; k3 and skew are held where nobody asks for them."""
+"""The parameters that are always fitted; k3 and skew are held unless requested."""
 _LEAST_PICTURES = 3
 _GOOD_PICTURES = 10
 _LEAST_TILT_DEG = 10.0
@@ -31,7 +31,7 @@ _BOARD_MM = (150.0, 6000.0)
 
 @dataclass(frozen=True)
 class IntrinsicsOptions:
-    """Which parameters are free, and which pictures are outliers.
+    """Free parameters, and the criterion for outlying pictures.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class IntrinsicsOptions:
     fit_skew
         Thesis (B.5).
     outlier_factor, outlier_px
-        A picture is left out when its error exceeds both this many times the median of all, and
+        A picture is left out if its error exceeds both this many times the median of all, and
         this many pixels.
     """
 
@@ -52,14 +52,13 @@ class IntrinsicsOptions:
 
 @dataclass(frozen=True, eq=False)
 class PictureFit:
-    """How well one picture fits.
+    """The fit of the camera model to one picture.
 
     Parameters
     ----------
-    sighting
     board2camera : (4, 4) float64, mm
     errors_px : (n, 2) float64
-        Seen minus projected.
+        Detected minus projected.
     """
 
     sighting: BoardDetection
@@ -68,26 +67,23 @@ class PictureFit:
 
     @property
     def rms_px(self) -> float:
-        """Root of the mean squared distance of a corner."""
+        """Root mean square distance of a corner."""
         return float(np.sqrt((self.errors_px**2).sum(1).mean()))
 
 
 @dataclass(frozen=True, eq=False)
 class CameraCalibration:
-    """A camera, how well it is known, and from what.
+    """A calibrated camera, its accuracy, and the pictures it is based on.
 
     Parameters
     ----------
-    camera
     deviations
         Standard deviation of every parameter of `PARAMETERS`; 0 where it was not fitted.
-    rms_px
-    pictures
     left_out : name to reason
     coverage : (6, 8) int64
         Corners in each cell of the image.
     advice
-        What would improve it, in sentences.
+        Possible improvements, in sentences.
     """
 
     camera: PinholeCamera
@@ -100,21 +96,21 @@ class CameraCalibration:
 
 
 def parameters_of(camera: PinholeCamera) -> dict[str, float]:
-    """Name the parameters of a camera as in `PARAMETERS`."""
+    """Return the parameters of a camera by their names in `PARAMETERS`."""
     k1, k2, p1, p2, k3 = camera.distortion
     values = (camera.fx, camera.fy, camera.cx, camera.cy, k1, k2, p1, p2, k3, camera.skew)
     return dict(zip(PARAMETERS, values, strict=True))
 
 
 def with_parameters(camera: PinholeCamera, values: Mapping[str, float]) -> PinholeCamera:
-    """Give a camera with some of its `PARAMETERS` replaced."""
+    """Return a camera with some of its `PARAMETERS` replaced."""
     fx, fy, cx, cy, *lens, skew = (parameters_of(camera) | dict(values)).values()
     k1, k2, p1, p2, k3 = lens
     return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
 def nominal_normal(sighting: BoardDetection) -> FloatArray:
-    """Give the normal (3,) of a board, away from a camera with the usual field of view."""
+    """Estimate a board's normal (3,), away from a camera with a typical field of view."""
     width, height = sighting.size
     focal = 0.82 * width
     nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
@@ -126,16 +122,21 @@ def nominal_normal(sighting: BoardDetection) -> FloatArray:
 def find_boards(
     paths: Sequence[Path], board: Board, progress: Progress = SILENT
 ) -> tuple[list[BoardDetection], dict[str, str]]:
-    """Look for the board in every picture.
+    """Detect the board in every picture.
 
-    Returns the sightings, and the reason for every picture without one.
+    Returns
+    -------
+    list of BoardDetection
+        Of the pictures that show it.
+    dict
+        Name of every other picture to the reason.
 
     Raises
     ------
     InputError
-        When a picture cannot be read.
+        If a picture cannot be read.
     CalibrationError
-        When no picture shows the board, or the pictures differ in size.
+        If no picture shows the board, or the pictures differ in size.
     """
     sightings: list[BoardDetection] = []
     without: dict[str, str] = {}
@@ -160,12 +161,17 @@ def calibrate_camera(
     options: IntrinsicsOptions | None = None,
     progress: Progress = SILENT,
 ) -> CameraCalibration:
-    """Find the camera that explains all sightings of a board, and leave outlying pictures out.
+    """Fit a camera to all detections of a board, without outlying pictures (Zhang 2000).
+
+    Returns
+    -------
+    CameraCalibration
+        Focal lengths and principal point in px, board poses in mm.
 
     Raises
     ------
     CalibrationError
-        With fewer than three pictures, boards that are all parallel, or a board that would stand
+        If there are fewer than three pictures, all boards are parallel, or a board would be
         impossibly near or far (wrong unit of its square).
     """
     options = options or IntrinsicsOptions()
@@ -231,7 +237,7 @@ def _fit(
 def _fit_skew(
     camera: PinholeCamera, pictures: Sequence[PictureFit], options: IntrinsicsOptions
 ) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
-    """Refine everything once more with a skew, which OpenCV's own fit does not have."""
+    """Refine all parameters together with a skew, which OpenCV's own fit does not have."""
     names = [name for name in PARAMETERS if name != "k3" or options.fit_k3]
     fixed = parameters_of(camera)
     sightings = [picture.sighting for picture in pictures]
@@ -302,7 +308,7 @@ def _check_count(count: int) -> None:
 
 
 def _check_poses(sightings: Sequence[BoardDetection]) -> None:
-    """Boards that are all parallel leave the focal length open (Zhang 2000)."""
+    """Refuse boards that are all parallel: they leave the focal length open (Zhang 2000)."""
     normals = [nominal_normal(sighting) for sighting in sightings]
     widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
     if widest < _LEAST_TILT_DEG:
@@ -345,5 +351,5 @@ def _advice(count: int, counts: IntArray) -> tuple[str, ...]:
 
 
 def with_shift(camera: PinholeCamera, shift_px: tuple[float, float]) -> PinholeCamera:
-    """Give the same camera for an image whose pixels are shifted, for example IR to depth."""
+    """Return the same camera for an image shifted by (u, v) pixels, for example IR to depth."""
     return replace(camera, cx=camera.cx + shift_px[0], cy=camera.cy + shift_px[1])

@@ -1,4 +1,4 @@
-"""Which parts of the image the corners of the boards have reached."""
+"""Regions of the image that the corners of the boards have reached."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def count_corners(sightings: Sequence[BoardDetection]) -> IntArray:
 
 
 def missing_regions(counts: IntArray) -> tuple[str, ...]:
-    """Name the ninths of the image of which more than half was never reached."""
+    """Name the ninths of the image of which more than half was not reached."""
     rows = np.array_split(np.arange(counts.shape[0]), 3)
     columns = np.array_split(np.arange(counts.shape[1]), 3)
     return tuple(
