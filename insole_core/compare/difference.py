@@ -68,7 +68,7 @@ def measure_difference(
     pitch_mm: float = PITCH_MM,
     median_pixels: int = 1,
 ) -> Difference:
-    """Project both surfaces onto the (x, y)-plane of a and subtract their heights, thesis (27).
+    """Project both surfaces onto the (x, y)-plane of a and measure their heights there.
 
     Parameters
     ----------

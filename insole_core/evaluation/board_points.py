@@ -85,9 +85,9 @@ def board_correspondences(
     return points
 
 
-def _spread(sighting: BoardDetection) -> IntArray:
+def _spread(detection: BoardDetection) -> IntArray:
     """Choose corners near the nodes of a coarse lattice over the visible part of the board."""
-    points = sighting.points_mm[:, :2]
+    points = detection.points_mm[:, :2]
     axes = [np.linspace(points[:, i].min(), points[:, i].max(), _SIDE) for i in (0, 1)]
     nodes = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     distance = np.linalg.norm(points[:, None] - nodes[None], axis=-1)

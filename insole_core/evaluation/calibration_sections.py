@@ -37,7 +37,7 @@ def camera_section(calibration: CameraCalibration, title: str = "Colour camera")
     parameters = tuple(
         (name, f"{values[name]:.4f}", f"{calibration.deviations[name]:.4f}") for name in PARAMETERS
     )
-    pictures = tuple((p.sighting.name, f"{p.rms_px:.3f}") for p in calibration.pictures)
+    pictures = tuple((p.detection.name, f"{p.rms_px:.3f}") for p in calibration.pictures)
     return ReportSection(
         key="camera",
         title=title,
@@ -299,7 +299,7 @@ def _draw_coverage(figure: Figure, calibration: CameraCalibration) -> None:
 def _draw_boards(figure: Figure, calibration: CameraCalibration) -> None:
     axes = figure.add_subplot(projection="3d")
     for picture in calibration.pictures:
-        points = picture.sighting.points_mm
+        points = picture.detection.points_mm
         low, high = points.min(0), points.max(0)
         outline = np.array([[low[0], low[1], 0], [high[0], low[1], 0], [high[0], high[1], 0],
                             [low[0], high[1], 0], [low[0], low[1], 0]])  # fmt: skip

@@ -63,9 +63,9 @@ def measure_spots(
     system = ReferenceSystem("the known object", tuple(markers))
     blobs = find_blobs(np.ascontiguousarray(color[..., _AS_BLUE[paint]]))
     points = sensor.points(depth_mm)
-    sightings = locate_blobs(blobs, points, sensor)
+    detections = locate_blobs(blobs, points, sensor)
     try:
-        fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(sightings).fixes
+        fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(detections).fixes
     except ReconstructionError as error:
         raise CalibrationError(
             "the {paint} spots of the object are not found ({reason}); show it whole and well lit, "

@@ -57,10 +57,10 @@ def _page(report: Report) -> str:
 def _section_html(section: ReportSection, report_title: str) -> str:
     # A report of one section already shows its title.
     title = section.title if section.title != report_title else ""
-    remarks = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
+    sentences = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
     tables = "".join(_table_html(table) for table in section.tables)
     plots = "".join(_plot_html(plot) for plot in section.plots)
-    return f"{_titled('h2', title)}{remarks}{_numbers_html(section)}{tables}{plots}"
+    return f"{_titled('h2', title)}{sentences}{_numbers_html(section)}{tables}{plots}"
 
 
 def _numbers_html(section: ReportSection) -> str:

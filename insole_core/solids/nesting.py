@@ -44,7 +44,7 @@ def nest_pair(
 
     Parameters
     ----------
-    left, right : mm, insole frame
+    left, right : mm, each in its own frame
     block_mm
         Length, width, height.
     gap_mm

@@ -279,9 +279,9 @@ def _read(path: Path, flags: int) -> ByteArray:
     return np.asarray(picture)
 
 
-def shifted(sighting: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:
+def shifted(detection: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:
     """Return the same detection in an image whose pixel coordinates are shifted by (u, v)."""
-    return replace(sighting, pixels=sighting.pixels + np.asarray(shift_px))
+    return replace(detection, pixels=detection.pixels + np.asarray(shift_px))
 
 
 def _chequerboard_corners(grey: ByteArray, columns: int, rows: int) -> FloatArray | None:

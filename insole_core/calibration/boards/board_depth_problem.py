@@ -73,23 +73,23 @@ class Measured:
 
 
 def measured_of(
-    sightings: Sequence[BoardDetection], patches: Sequence[tuple[FloatArray, FloatArray]]
+    detections: Sequence[BoardDetection], patches: Sequence[tuple[FloatArray, FloatArray]]
 ) -> Measured:
     """Concatenate the corners and the depth patches of all boards.
 
     Parameters
     ----------
-    sightings
+    detections
         One for each board.
     patches
         For each board its pixels (k, 2) and raw numbers (k,), see `boards_in_depth.board_patch`.
     """
-    numbers = np.arange(len(sightings))
+    numbers = np.arange(len(detections))
     return Measured(
-        len(sightings),
-        np.repeat(numbers, [len(sighting.pixels) for sighting in sightings]),
-        np.concatenate([sighting.points_mm for sighting in sightings]),
-        np.concatenate([sighting.pixels for sighting in sightings]),
+        len(detections),
+        np.repeat(numbers, [len(detection.pixels) for detection in detections]),
+        np.concatenate([detection.points_mm for detection in detections]),
+        np.concatenate([detection.pixels for detection in detections]),
         np.repeat(numbers, [len(raw) for _, raw in patches]),
         np.concatenate([pixels for pixels, _ in patches]),
         np.concatenate([raw for _, raw in patches]),

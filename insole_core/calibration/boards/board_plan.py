@@ -22,15 +22,15 @@ EACH_WITH_DEPTH, EACH_WITH_INFRARED = 12, 4
 """Positions to each side, for an accuracy of half a millimetre."""
 
 
-def turn_of(sighting: BoardDetection) -> tuple[float, str]:
+def turn_of(detection: BoardDetection) -> tuple[float, str]:
     """Return the angle between board and picture, and the side of `SIDES` that the board faces."""
-    x, y, z = (-nominal_normal(sighting)).tolist()  # towards the camera
+    x, y, z = (-nominal_normal(detection)).tolist()  # towards the camera
     angle_deg = float(np.degrees(np.arctan2(np.hypot(x, y), abs(z))))
     across, along = ("left" if x < 0 else "right"), ("up" if y < 0 else "down")
     return angle_deg, across if abs(x) > abs(y) else along
 
 
-def missing_turns(sightings: Sequence[BoardDetection], each: int) -> dict[str, int]:
+def missing_turns(detections: Sequence[BoardDetection], each: int) -> dict[str, int]:
     """Count the missing positions to each side; sides with enough are left out.
 
     Parameters
@@ -38,7 +38,7 @@ def missing_turns(sightings: Sequence[BoardDetection], each: int) -> dict[str, i
     each
         Number of positions needed to each side, turned by `LEAST_TURN_DEG` or more.
     """
-    turns = [turn_of(sighting) for sighting in sightings]
+    turns = [turn_of(detection) for detection in detections]
     strong = [side for angle_deg, side in turns if angle_deg >= LEAST_TURN_DEG]
     return {side: each - strong.count(side) for side in SIDES if strong.count(side) < each}
 

@@ -39,7 +39,9 @@ class BoardInDepth:
 
 
 def read_boards_in_depth(
-    folder: Path, sightings: Sequence[BoardDetection], correction: DisparityCorrection | None = None
+    folder: Path,
+    detections: Sequence[BoardDetection],
+    correction: DisparityCorrection | None = None,
 ) -> list[BoardInDepth]:
     """Read the raw depth that belongs to each colour picture.
 
@@ -48,7 +50,7 @@ def read_boards_in_depth(
 
     Parameters
     ----------
-    sightings
+    detections
         In the colour pictures of `folder`, by their names.
     correction
         Of the distortion, where it is known.
@@ -59,9 +61,9 @@ def read_boards_in_depth(
         If a depth image is missing or cannot be read.
     """
     boards = []
-    for sighting in sightings:
-        raw = read_depth_beside(folder, sighting.name)
-        boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
+    for detection in detections:
+        raw = read_depth_beside(folder, detection.name)
+        boards.append(BoardInDepth(detection, correction.corrected(raw) if correction else raw))
     return boards
 
 
@@ -137,10 +139,10 @@ def _block_means(pixels: FloatArray, raw: FloatArray) -> tuple[FloatArray, Float
 
 
 def _outline(
-    sighting: BoardDetection, board2depth: FloatArray, depth_camera: PinholeCamera
+    detection: BoardDetection, board2depth: FloatArray, depth_camera: PinholeCamera
 ) -> BoolArray:
     """Fill the area between the corners as seen by the depth camera, minus a margin."""
-    corners = depth_camera.project(transform(board2depth, sighting.points_mm))
+    corners = depth_camera.project(transform(board2depth, detection.points_mm))
     mask = np.zeros((depth_camera.height, depth_camera.width), np.uint8)
     cv2.fillConvexPoly(mask, cv2.convexHull(np.round(corners).astype(np.int32)), 1)
     width = 2 * _MARGIN_PX + 1

@@ -61,7 +61,7 @@ class PictureFit:
         Detected minus projected.
     """
 
-    sighting: BoardDetection
+    detection: BoardDetection
     board2camera: FloatArray
     errors_px: FloatArray
 
@@ -103,18 +103,24 @@ def parameters_of(camera: PinholeCamera) -> dict[str, float]:
 
 
 def with_parameters(camera: PinholeCamera, values: Mapping[str, float]) -> PinholeCamera:
-    """Return a camera with some of its `PARAMETERS` replaced."""
+    """Return a camera with some of its parameters replaced.
+
+    Parameters
+    ----------
+    values
+        By their names in `PARAMETERS`.
+    """
     fx, fy, cx, cy, *lens, skew = (parameters_of(camera) | dict(values)).values()
     k1, k2, p1, p2, k3 = lens
     return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
-def nominal_normal(sighting: BoardDetection) -> FloatArray:
+def nominal_normal(detection: BoardDetection) -> FloatArray:
     """Estimate a board's normal (3,), away from a camera with a typical field of view."""
-    width, height = sighting.size
+    width, height = detection.size
     focal = 0.82 * width
     nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
-    _, turn, _ = cv2.solvePnP(sighting.points_mm, sighting.pixels, nominal, None)
+    _, turn, _ = cv2.solvePnP(detection.points_mm, detection.pixels, nominal, None)
     normal = cv2.Rodrigues(turn)[0][:, 2]
     return np.asarray(normal * np.sign(normal[2] or 1))
 
@@ -138,30 +144,35 @@ def find_boards(
     CalibrationError
         If no picture shows the board, or the pictures differ in size.
     """
-    sightings: list[BoardDetection] = []
+    detections: list[BoardDetection] = []
     without: dict[str, str] = {}
     for done, path in enumerate(paths):
         progress.step(done / len(paths), "Looking for the board in {picture}", picture=path.name)
         try:
-            sightings.append(board.find(path.name, read_grey(path)))
+            detections.append(board.find(path.name, read_grey(path)))
         except CalibrationError as error:
             without[path.name] = str(error)
-    if not sightings:
+    if not detections:
         raise CalibrationError(
             "None of the {count} pictures can be used: {reason}",
             count=len(paths),
             reason=next(iter(without.values())),
         )
-    _check_sizes(sightings)
-    return sightings, without
+    _check_sizes(detections)
+    return detections, without
 
 
 def calibrate_camera(
-    sightings: Sequence[BoardDetection],
+    detections: Sequence[BoardDetection],
     options: IntrinsicsOptions | None = None,
     progress: Progress = SILENT,
 ) -> CameraCalibration:
     """Fit a camera to all detections of a board, without outlying pictures (Zhang 2000).
+
+    Parameters
+    ----------
+    detections
+        Of the same board in at least three pictures of one size, tilted in different directions.
 
     Returns
     -------
@@ -175,10 +186,10 @@ def calibrate_camera(
         impossibly near or far (wrong unit of its square).
     """
     options = options or IntrinsicsOptions()
-    _check_sizes(sightings)
-    _check_count(len(sightings))
-    _check_poses(sightings)
-    used, left_out = list(sightings), dict[str, str]()
+    _check_sizes(detections)
+    _check_count(len(detections))
+    _check_poses(detections)
+    used, left_out = list(detections), dict[str, str]()
     while True:
         progress.step(
             0.1 + 0.4 * bool(left_out), "Fitting the camera to {count} pictures", count=len(used)
@@ -188,12 +199,12 @@ def calibrate_camera(
         if not outliers:
             break
         left_out |= {
-            p.sighting.name: Message(
+            p.detection.name: Message(
                 "its error of {error_px:.2f} px is far above that of the others", error_px=p.rms_px
             )
             for p in outliers
         }
-        used = [sighting for sighting in used if sighting.name not in left_out]
+        used = [detection for detection in used if detection.name not in left_out]
         _check_count(len(used))
     if options.fit_skew:
         progress.step(0.7, "Fitting the skew")
@@ -212,13 +223,13 @@ def calibrate_camera(
 
 
 def _fit(
-    sightings: Sequence[BoardDetection], options: IntrinsicsOptions
+    detections: Sequence[BoardDetection], options: IntrinsicsOptions
 ) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
-    size = sightings[0].size
+    size = detections[0].size
     flags = 0 if options.fit_k3 else cv2.CALIB_FIX_K3
     _, matrix, lens, turns, shifts, spread, _, _ = cv2.calibrateCameraExtended(
-        [s.points_mm.astype(np.float32) for s in sightings],
-        [s.pixels.astype(np.float32) for s in sightings],
+        [s.points_mm.astype(np.float32) for s in detections],
+        [s.pixels.astype(np.float32) for s in detections],
         size,
         None,
         None,
@@ -231,7 +242,7 @@ def _fit(
         rigid(cv2.Rodrigues(turn)[0], shift.ravel())
         for turn, shift in zip(turns, shifts, strict=True)
     ]
-    return camera, std, _pictures(camera, sightings, poses)
+    return camera, std, _pictures(camera, detections, poses)
 
 
 def _fit_skew(
@@ -240,8 +251,8 @@ def _fit_skew(
     """Refine all parameters together with a skew, which OpenCV's own fit does not have."""
     names = [name for name in PARAMETERS if name != "k3" or options.fit_k3]
     fixed = parameters_of(camera)
-    sightings = [picture.sighting for picture in pictures]
-    size, count = sightings[0].size, len(names)
+    detections = [picture.detection for picture in pictures]
+    size, count = detections[0].size, len(names)
 
     def split(unknowns: FloatArray) -> tuple[PinholeCamera, list[FloatArray]]:
         values = fixed | dict(zip(names, unknowns[:count].tolist(), strict=True))
@@ -252,18 +263,18 @@ def _fit_skew(
         return np.concatenate(
             [
                 p.errors_px.ravel()
-                for p in _pictures(split(unknowns)[0], sightings, split(unknowns)[1])
+                for p in _pictures(split(unknowns)[0], detections, split(unknowns)[1])
             ]
         )
 
     start = [fixed[name] for name in names]
     start += np.concatenate([pose_vector(p.board2camera) for p in pictures]).tolist()
-    lengths = tuple(2 * len(sighting.pixels) for sighting in sightings)
+    lengths = tuple(2 * len(detection.pixels) for detection in detections)
     solution = least_squares(residuals, np.array(start), Blocks(lengths, count))
     skewed, poses = split(solution.values)
     std = dict.fromkeys(PARAMETERS, 0.0)
     std |= dict(zip(names, solution.std[:count].tolist(), strict=True))
-    return skewed, std, _pictures(skewed, sightings, poses)
+    return skewed, std, _pictures(skewed, detections, poses)
 
 
 def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> PinholeCamera:
@@ -272,11 +283,11 @@ def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -
 
 
 def _pictures(
-    camera: PinholeCamera, sightings: Sequence[BoardDetection], poses: Sequence[FloatArray]
+    camera: PinholeCamera, detections: Sequence[BoardDetection], poses: Sequence[FloatArray]
 ) -> list[PictureFit]:
     return [
         PictureFit(s, board2camera, s.pixels - camera.project(transform(board2camera, s.points_mm)))
-        for s, board2camera in zip(sightings, poses, strict=True)
+        for s, board2camera in zip(detections, poses, strict=True)
     ]
 
 
@@ -286,8 +297,8 @@ def _outliers(pictures: Sequence[PictureFit], options: IntrinsicsOptions) -> lis
     return [picture for picture in pictures if picture.rms_px > limit]
 
 
-def _check_sizes(sightings: Sequence[BoardDetection]) -> None:
-    by_size = {sighting.size: sighting.name for sighting in sightings}
+def _check_sizes(detections: Sequence[BoardDetection]) -> None:
+    by_size = {detection.size: detection.name for detection in detections}
     if len(by_size) > 1:
         named = ", ".join(f"{name} ({w}×{h})" for (w, h), name in by_size.items())
         raise CalibrationError(
@@ -307,9 +318,9 @@ def _check_count(count: int) -> None:
         )
 
 
-def _check_poses(sightings: Sequence[BoardDetection]) -> None:
+def _check_poses(detections: Sequence[BoardDetection]) -> None:
     """Refuse boards that are all parallel: they leave the focal length open (Zhang 2000)."""
-    normals = [nominal_normal(sighting) for sighting in sightings]
+    normals = [nominal_normal(detection) for detection in detections]
     widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
     if widest < _LEAST_TILT_DEG:
         raise CalibrationError(

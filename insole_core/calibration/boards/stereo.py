@@ -228,14 +228,14 @@ def common_corners(a: BoardDetection, b: BoardDetection) -> tuple[BoardDetection
     return _taking(a, same[0]), _taking(b, same[1])
 
 
-def board_pose(sighting: BoardDetection, camera: PinholeCamera) -> FloatArray:
+def board_pose(detection: BoardDetection, camera: PinholeCamera) -> FloatArray:
     """Estimate the pose ``board2camera`` (4, 4), mm, of a board in one picture."""
-    rays = camera.normalised(sighting.pixels)
-    _, turn, shift = cv2.solvePnP(sighting.points_mm, rays, np.eye(3), None)
+    rays = camera.normalised(detection.pixels)
+    _, turn, shift = cv2.solvePnP(detection.points_mm, rays, np.eye(3), None)
     return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
 
 
-def _taking(sighting: BoardDetection, which: IntArray) -> BoardDetection:
+def _taking(detection: BoardDetection, which: IntArray) -> BoardDetection:
     return BoardDetection(
-        sighting.name, sighting.size, sighting.points_mm[which], sighting.pixels[which]
+        detection.name, detection.size, detection.points_mm[which], detection.pixels[which]
     )

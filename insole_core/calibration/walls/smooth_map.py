@@ -92,6 +92,11 @@ class _Factor(Protocol):
 def solve_map(blocks: Blocks, smoothing: Smoothing) -> BlockMap:
     """Solve for map and planes by iteratively reweighted least squares (Tukey).
 
+    Parameters
+    ----------
+    blocks
+        Residuals of all walls, from `blocks_of`.
+
     Returns
     -------
     BlockMap
@@ -229,7 +234,7 @@ def _std(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatAr
 
 
 def _unit_std(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
-    """Return the root of the inverse normal matrix's diagonal, at every `_PROBE_STEP`-th block."""
+    """Return the root of the inverse normal matrix's diagonal, interpolated between probes."""
     height, width = shape
     down = np.append(np.arange(0, height - 1, _PROBE_STEP), height - 1)
     across = np.append(np.arange(0, width - 1, _PROBE_STEP), width - 1)

@@ -45,8 +45,8 @@ def with_board_planes(
             done / len(captures), "Looking for the board on {capture}", capture=capture.name
         )
         picture = picture_paths(folder / capture.name, "color")[0]
-        sighting = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
-        board2color = board_pose(sighting, sensor.color_camera)
+        detection = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
+        board2color = board_pose(detection, sensor.color_camera)
         (plane,) = board_planes(board2color[None], sensor.depth2color)
         known.append(replace(capture, plane=plane))
     return known

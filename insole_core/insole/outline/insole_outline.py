@@ -60,6 +60,11 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
 def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
     """Compute the bounding box of an outline in its full length.
 
+    Parameters
+    ----------
+    outline
+        Its extent is ignored.
+
     Returns
     -------
     (2, 2) float64, mm, insole frame

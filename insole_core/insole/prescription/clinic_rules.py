@@ -149,6 +149,11 @@ def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
     """Return how far a pad's front edge lies behind the line of heads 2 to 4; < 0 in front of it.
 
     To snap a pad, move it ahead by the excess of this over the wanted distance.
+
+    Parameters
+    ----------
+    landmarks
+        Of the pad's foot, insole frame.
     """
     line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
     return clearance(pad, line).distance_mm

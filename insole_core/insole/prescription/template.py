@@ -39,7 +39,14 @@ class Template:
 
 
 def make_template(name: str, design: InsoleDesign, landmarks: Landmarks) -> Template:
-    """Make a template of a design on the foot with these landmarks.
+    """Make a template of a design.
+
+    Parameters
+    ----------
+    name
+        For display.
+    landmarks
+        Of the design's foot, insole frame.
 
     Raises
     ------

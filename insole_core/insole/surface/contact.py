@@ -144,6 +144,11 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
     """Compute the plantar surface of the level foot on the design's grid; cached with the foot.
 
+    Parameters
+    ----------
+    design
+        Its grid, margin, greatest height and outline are read.
+
     Returns
     -------
     ContactBase

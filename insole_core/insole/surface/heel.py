@@ -70,8 +70,8 @@ def lifted(field: HeightField, lift: HeelLift, length_mm: float) -> FloatArray:
 def cupped(field: HeightField, measured: BoolArray, cup: HeelCup, length_mm: float) -> FloatArray:
     """Bring the rim of the heel to the cup depth above the heel's lowest point.
 
-    A higher rim is lowered. Where the scan ends lower, a wall rises beside it, as steep and high as
-    the distance to the scan allows; the measured sole is never raised.
+    A higher rim is lowered. Where the scan ends lower, a steep wall rises beside it, up to that
+    height as far as the margin allows; the measured sole is never raised.
 
     Parameters
     ----------

@@ -50,6 +50,11 @@ class HeightField:
 
         They are equal to those of the full grid: central differences, one-sided at its edge.
 
+        Parameters
+        ----------
+        rows, columns
+            Slices with step 1; the window may be empty.
+
         Returns
         -------
         (k, l, 3) float64

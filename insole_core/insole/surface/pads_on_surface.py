@@ -112,6 +112,11 @@ class SurfaceChange:
 def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
     """Add the design's pads, arch raises and strokes to the base, in the design's order.
 
+    Parameters
+    ----------
+    base
+        Of this design: see `base_key`.
+
     Returns
     -------
     HeightField
