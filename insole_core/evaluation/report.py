@@ -34,7 +34,7 @@ class Number:
 
     @property
     def passed(self) -> bool | None:
-        """Whether it keeps its limit; None without one."""
+        """Whether the value keeps its limit; None without one."""
         return None if self.limit is None else bool(abs(self.value) <= self.limit)
 
     @property

@@ -27,7 +27,7 @@ _WITHOUT_LIMIT = ("watertight", "block")
 
 @dataclass(frozen=True)
 class ExportRules:
-    """How strictly each check is applied, and its limit.
+    """Policy and limit of every check.
 
     Parameters
     ----------

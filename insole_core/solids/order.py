@@ -32,7 +32,7 @@ _MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
 
 @dataclass(frozen=True)
 class Order:
-    """How a part is made.
+    """The order of one part: its kind, shape, marking and reduction.
 
     Parameters
     ----------
