@@ -1,6 +1,6 @@
-"""Whether a calibrated sensor can be a Kinect v1.
+"""Plausibility of a calibrated sensor as a Kinect v1.
 
-Sensors of this kind differ by a few per cent. What lies further off tells of a wrong input, above
+Sensors of this kind differ by a few per cent. A larger difference indicates a wrong input, above
 all of the side of the board's square: it scales every distance, and no residual shows it.
 """
 
@@ -24,11 +24,11 @@ _SLOPE = 1000 / (8 * _FOCAL_PX * _PROJECTOR_MM)
 USUAL_DEPTH = LinearInverseDisparity(a=_INFINITY_RAW * _SLOPE, b=-_SLOPE)
 """Z = 8 f b / (1090 - raw) with f = 580 px and b = 75 mm (Konolige and Mihelich, technical
 description of kinect_calibration, ROS): a = 3.132 and b = -0.002874 per metre. The toolbox of
-Herrera et al. (2012) begins with 3.112 and -0.002853; the numbers that the devices store mean 3.153
-and -0.002894; a real device was found to have 3.155 and -0.002878 (docs/calibration.md). Burrus's
-numbers, thesis (17), lie 7 % off all of these."""
+Herrera et al. (2012) starts from 3.112 and -0.002853; the numbers stored in the devices correspond
+to 3.153 and -0.002894; a real device has 3.155 and -0.002878 (docs/calibration.md). Burrus's
+numbers, thesis (17), differ from all of these by 7 %."""
 _TOLERANCE = 0.03
-"""Of the depth and of the focal lengths, as a share."""
+"""Tolerance of the depth and of the focal lengths, as a share."""
 _SLOPE_NAME, _BASELINE_NAME = "b of the depth", "the distance between the cameras"
 _BASELINE_MM = (20.0, 28.0)
 """Real devices: 23.1 to 26.7 mm; nominal 25 mm."""
@@ -38,7 +38,7 @@ _MOST_TURN_DEG = 2.0
 
 @dataclass(frozen=True)
 class _Number:
-    """A number of a sensor, and between which limits it lies with every other one."""
+    """A number of a sensor, and its limits over all devices."""
 
     name: str
     value: float
@@ -52,7 +52,7 @@ class _Number:
 
     @property
     def finding(self) -> Message:
-        """What it is, and what it usually is."""
+        """The value and its usual range, as a sentence."""
         value = f"{self.value:.{self.digits}f}{self.unit}"
         low, high = (f"{limit:.{self.digits}f}" for limit in self.usual)
         return Message(
@@ -65,7 +65,7 @@ class _Number:
 
 
 def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity | None) -> str:
-    """Say what of a sensor no Kinect v1 has, and the likely reason; empty where all fits.
+    """Report which numbers of a sensor no Kinect v1 has, and the likely reason.
 
     Parameters
     ----------
@@ -74,7 +74,12 @@ def find_misfit(sensor: Sensor, square_mm: float, depth: LinearInverseDisparity 
     square_mm
         Side of the board's squares as it was given.
     depth
-        As the board told it; None where only pictures were taken of it.
+        As measured with the board; None where only its pictures were used.
+
+    Returns
+    -------
+    str
+        A sentence; empty if everything is plausible.
     """
     found = [*_depth_numbers(depth), *_camera_numbers(sensor)]
     wrong = [number for number in found if not number.fits]
@@ -130,9 +135,9 @@ def _reason(
 def _likely_square(
     square_mm: float, depth: LinearInverseDisparity | None, wrong: Mapping[str, _Number]
 ) -> str:
-    """Give the side with which all would fit; empty where another side does not explain it.
+    """Return the side that would make all numbers fit; empty if no other side explains them.
 
-    The depth tells it well; the distance of the cameras, which differs more, to whole mm.
+    The depth determines it well; the distance of the cameras, which varies more, to whole mm.
     """
     if depth is not None and _SLOPE_NAME in wrong:
         scale = depth.b / USUAL_DEPTH.b
@@ -149,7 +154,7 @@ def _about(usual: float) -> tuple[float, float]:
 
 
 def _unlike(camera: PinholeCamera, usual_px: float) -> float:
-    """Give that of both focal lengths which lies further from the usual one."""
+    """Return the focal length that differs more from the usual one."""
     return max(camera.fx, camera.fy, key=lambda focal_px: abs(focal_px - usual_px))
 
 

@@ -1,4 +1,4 @@
-"""Giving a sensor a stored correction, and not the wrong one."""
+"""Application of a stored distortion correction to the sensor it belongs to."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_DAYS = 180.0
 
 @dataclass(frozen=True, eq=False)
 class CorrectedSensor:
-    """A sensor with its correction, and what the user must be told."""
+    """A sensor with its correction, and the warnings to show to the user."""
 
     sensor: Sensor
     warnings: tuple[str, ...]
@@ -25,21 +25,19 @@ class CorrectedSensor:
 def apply_correction(
     sensor: Sensor, correction: DisparityCorrection, now: datetime, insist: bool = False
 ) -> CorrectedSensor:
-    """Give a sensor a correction of the same serial number.
+    """Apply a correction to the sensor with the same serial number.
 
     Parameters
     ----------
-    sensor
-    correction
     now
-        Tells its age; with a time zone.
+        Time zone aware; determines the age of the correction.
     insist
-        Use a correction of another device all the same; the warning says so.
+        Apply a correction of another device all the same, with a warning.
 
     Raises
     ------
     CalibrationError
-        When it belongs to another device and the user does not insist.
+        If it belongs to another device and the user does not insist.
     """
     warnings: list[str] = []
     owner = correction.record.serial

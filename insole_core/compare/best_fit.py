@@ -1,8 +1,8 @@
 """Best fit of one surface to another: iterated closest points, point to plane, robust.
 
-Places that do not belong together (a pad that only one of the two has, an edge) lose their weight
-(Tukey's biweight on the distances, as in Chetverikov's trimming but smooth), so the rest fits as if
-they were not there.
+Points without a counterpart (on a pad that only one of the two has, or at an edge) lose their
+weight (Tukey's biweight on the distances, as in Chetverikov's trimming but smooth), so the rest
+fits as if they were absent.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ _LEAST_SHARE = 0.1
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """How surface b lies in the frame of surface a.
+    """The pose of surface b in the frame of surface a.
 
     Parameters
     ----------
     b2a : (4, 4) float64, mm
     residual_mm
-        Median distance of b's places from a's surface; of picked points the root mean square.
+        Median distance of b's points from a's surface; of picked points the root mean square.
     share
-        Part of b's places that found a partner.
+        Share of b's points with a partner on a.
     """
 
     b2a: FloatArray
@@ -49,7 +49,18 @@ class Fit:
 
 
 def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) -> Fit | None:
-    """Find the motion that lays b onto a, wherever b lies; None where they meet in no pose."""
+    """Find the rigid motion that fits b to a, from any initial pose (ICP, point to plane).
+
+    Parameters
+    ----------
+    a, b : mm
+        The sides to compare, each in its own frame.
+
+    Returns
+    -------
+    Fit or None
+        None if less than a tenth of b meets a.
+    """
     progress.step(0.0, "Trying poses")
     target = _Target(a)
     coarse = b.every(max(1, len(b.points) // _COARSE_POINTS))
@@ -63,7 +74,7 @@ def best_fit(a: SurfacePoints, b: SurfacePoints, progress: Progress = SILENT) ->
 
 
 def badness(fit: Fit) -> float:
-    """Small where much of b lies near a; 0.05 mm let the earlier candidate win a draw."""
+    """Score a fit: low if much of b lies near a; the 0.05 mm let the earlier fit win a tie."""
     return (fit.residual_mm + 0.05) / fit.share**2
 
 
@@ -75,7 +86,7 @@ class _Target:
         self.tree = KDTree(a.points)
 
     def partners(self, b: SurfacePoints, reach_mm: float) -> tuple[IntArray, IntArray]:
-        """Indices into b and a of places that face each other within reach."""
+        """Return indices into b and a of points that face each other within reach."""
         distance, nearest = self.tree.query(b.points, distance_upper_bound=reach_mm)
         of_b = np.flatnonzero(np.isfinite(distance))
         of_a = np.asarray(nearest)[of_b]
@@ -85,7 +96,7 @@ class _Target:
 
 
 def _refine(target: _Target, b: SurfacePoints, start: FloatArray, rounds: int) -> Fit | None:
-    """Iterate from a start; None where too few places meet."""
+    """Iterate from an initial pose; None if too few points meet."""
     b2a, reach = start, _START_REACH_MM
     for _ in range(rounds):
         moved = b.transformed(b2a)
@@ -110,7 +121,7 @@ def _tukey(distance: FloatArray, limit: float) -> FloatArray:
 def _step(
     points: FloatArray, normals: FloatArray, distance: FloatArray, weights: FloatArray
 ) -> FloatArray:
-    """Small motion (4, 4) that lessens the weighted distances most, about the points' centre."""
+    """Return the small motion (4, 4) about the centroid that reduces weighted distances most."""
     centre = points.mean(axis=0)
     jacobian = np.concatenate([np.cross(points - centre, normals), normals], axis=1)
     weighted = jacobian * weights[:, None]
@@ -122,7 +133,7 @@ def _step(
 
 
 def _starts(a: SurfacePoints, b: SurfacePoints) -> list[FloatArray]:
-    """As it lies; centre on centre; and the ways to lay the main axes of b onto those of a."""
+    """Return the identity, centroid on centroid, and all alignments of b's main axes with a's."""
     mean_a, mean_b = a.points.mean(axis=0), b.points.mean(axis=0)
     axes_a, axes_b = _axes(a), _axes(b)
     turns = [np.eye(3)]
@@ -133,7 +144,7 @@ def _starts(a: SurfacePoints, b: SurfacePoints) -> list[FloatArray]:
 
 
 def _axes(surface: SurfacePoints) -> FloatArray:
-    """(3, 3) main axes as columns, right-handed."""
+    """Return the main axes as columns (3, 3), right-handed."""
     centred = surface.points - surface.points.mean(axis=0)
     axes = np.linalg.eigh(centred.T @ centred)[1][:, ::-1].copy()
     axes[:, 2] *= np.sign(np.linalg.det(axes))

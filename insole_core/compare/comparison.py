@@ -1,4 +1,4 @@
-"""Compare any two surfaces: lay one on the other, then measure how far they differ."""
+"""Comparison of two surfaces: align one with the other, then measure how far they differ."""
 
 from __future__ import annotations
 
@@ -35,16 +35,22 @@ def compare_surfaces(
     Parameters
     ----------
     a, b : mm
+        Each in its own frame.
     alignment
         "best" fits b to a; "none" takes both as they lie; "dots" uses four black dots found on
         both; or points picked on a and on b.
     median_pixels
         Kernel of the spatial median filter; 1 for none, 6 as in thesis 8.3.
 
+    Returns
+    -------
+    Difference
+        In the frame of a, mm.
+
     Raises
     ------
     InputError
-        When the two do not overlap, or cannot be laid on each other.
+        If the two do not overlap or cannot be aligned.
     """
     progress.step(0.0, "Looking at both surfaces")
     fit, looks_b = _aligned(a, b, alignment, progress.part(0.1, 0.8))
@@ -55,7 +61,7 @@ def compare_surfaces(
 def _aligned(
     a: TriangleMesh, b: TriangleMesh, alignment: Alignment, progress: Progress
 ) -> tuple[Fit, FloatArray]:
-    """How b lies in the frame of a, and where its seen side looks, in its own frame."""
+    """Return the fit of b to a, and the viewing direction of b's seen side, in b's frame."""
     if alignment == "best":
         return _best(a, b, progress)
     if alignment == "none":
@@ -68,7 +74,7 @@ def _aligned(
 
 
 def _best(a: TriangleMesh, b: TriangleMesh, progress: Progress) -> tuple[Fit, FloatArray]:
-    """Fit the seen sides; where they do not meet well, b may stand in another frame than ours."""
+    """Fit the seen sides; if they meet poorly, try b from all sides: its frame may be foreign."""
     target = seen_points(a, facing(a), _FIXED_PITCH_MM)
     fits: list[tuple[Fit, FloatArray]] = []
     for number, looks in enumerate([facing(b), *np.eye(3), *-np.eye(3)]):

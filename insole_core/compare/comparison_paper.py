@@ -1,4 +1,4 @@
-"""A comparison on paper: the difference maps, their figures, table 3 of both."""
+"""A comparison as PDF: difference maps, statistics, and table 3 of both surfaces."""
 
 from __future__ import annotations
 
@@ -24,10 +24,15 @@ _FIGURES = {
 def write_report(difference: Difference, names: tuple[str, str], path: Path) -> None:
     """Write a comparison as PDF.
 
+    Parameters
+    ----------
+    names
+        Of the first and the second surface.
+
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        If the path cannot be written.
     """
     picture = io.BytesIO()
     draw_picture(difference, picture, names)

@@ -1,4 +1,4 @@
-"""The outcome of a comparison as numbers, as a picture, and as a coloured surface."""
+"""The result of a comparison as numbers, as a picture, and as a coloured surface."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LEAST_RANGE_MM = 0.1
 
 
 def report_json(difference: Difference) -> dict[str, Any]:
-    """Give the figures for `json.dump`: docs/formats/comparison.md."""
+    """Return the figures for `json.dump`: docs/formats/comparison.md."""
     fit = difference.fit
     residual = None if np.isnan(fit.residual_mm) else round(fit.residual_mm, 6)
     return {
@@ -37,7 +37,15 @@ def report_json(difference: Difference) -> dict[str, Any]:
 
 
 def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[str, str]) -> None:
-    """Draw the signed and the absolute difference side by side as PNG, to scale."""
+    """Draw the signed and the absolute difference side by side as PNG, to scale.
+
+    Parameters
+    ----------
+    path
+        A file, or a buffer in memory.
+    names
+        Of the first and the second surface.
+    """
     signed = difference.signed_mm
     limit = _limit_mm(signed)
     figure = Figure(figsize=(9, 8), layout="constrained")
@@ -63,13 +71,13 @@ def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[s
 
 
 def colored_surface(difference: Difference) -> TriangleMesh:
-    """Give surface a with the signed difference as colour, for a 3-D view; b missing is grey."""
+    """Return surface a coloured by the signed difference, for display; grey where b is missing."""
     mesh, signed = difference_surface(difference)
     return replace(mesh, colors=difference_colors(signed))
 
 
 def difference_surface(difference: Difference) -> tuple[TriangleMesh, FloatArray]:
-    """Give surface a, and the signed difference (n,) at its vertices; NaN where b is missing."""
+    """Return surface a and the signed difference (n,) at its vertices, mm; NaN if b is missing."""
     heights = difference.heights_a_mm
     known = np.isfinite(heights)
     places = np.concatenate([difference.grid.places, heights[..., None]], axis=-1).reshape(-1, 3)
@@ -84,19 +92,19 @@ def difference_surface(difference: Difference) -> tuple[TriangleMesh, FloatArray
 
 
 def span_mm(difference: Difference) -> float:
-    """End of the colour scale: what 99 % of the places stay below."""
+    """Return the end of the colour scale: the 99th percentile of the absolute difference."""
     return _limit_mm(difference.signed_mm)
 
 
 def difference_colors(signed_mm: FloatArray) -> ByteArray:
-    """(n, 3) red where a is higher, blue where b is, grey where there is no difference to tell."""
+    """Return colours (n, 3): red where a is higher, blue where b is, grey where one is missing."""
     share = 0.5 + 0.5 * signed_mm / _limit_mm(signed_mm)
     colors = colormaps[_COLOR_MAP](np.nan_to_num(np.clip(share, 0, 1), nan=0.5), bytes=True)
     return np.where(np.isfinite(signed_mm)[:, None], colors[:, :3], 128).astype(np.uint8)
 
 
 def _limit_mm(signed: FloatArray) -> float:
-    """End of the colour scale: what 99 % of the places stay below."""
+    """Return the end of the colour scale: the 99th percentile of the absolute difference."""
     size = np.abs(signed[np.isfinite(signed)])
     return max(float(np.percentile(size, 99)), _LEAST_RANGE_MM)
 

@@ -1,4 +1,4 @@
-"""What can be compared: a mesh from a file, a recorded foot, a mould or insole seen in one view."""
+"""Surfaces to compare: a mesh file, a recorded foot, or a mould or insole seen in one view."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ComparisonSource:
     mesh : mm
         In its own frame.
     notes
-        What was assumed, a sentence each.
+        Assumptions that were made, one sentence each.
     """
 
     name: str
@@ -36,15 +36,15 @@ class ComparisonSource:
 def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
     """Read a surface from a mesh file or a session.
 
-    A session of one view without the reference system in its picture is that of a mould or a
+    A session of one view without the reference system in its picture is taken for a mould or a
     finished insole on a table.
 
     Raises
     ------
     InputError
-        When it cannot be read.
+        If it cannot be read.
     ReconstructionError
-        When a session gives no surface.
+        If no surface can be reconstructed from a session.
     """
     progress.step(0.0, "Reading {file}", file=path.name)
     if not is_session(path):

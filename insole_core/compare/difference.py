@@ -19,7 +19,7 @@ _LEAST_AREA_MM2 = 100.0
 
 @dataclass(frozen=True, eq=False)
 class Difference:
-    """Two surfaces over the same pixels.
+    """Heights of two surfaces on the same pixels.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class Difference:
     heights_a_mm, heights_b_mm : (rows, columns) float64
         NaN where nothing was seen.
     fit
-        How b was laid onto a.
+        Pose of b relative to a.
     """
 
     grid: Grid
@@ -38,12 +38,12 @@ class Difference:
 
     @cached_property
     def signed_mm(self) -> FloatArray:
-        """(rows, columns) a minus b: positive where a is higher; NaN where one is missing."""
+        """(rows, columns) a minus b: positive where a is higher; NaN if either is missing."""
         return np.asarray(self.heights_a_mm - self.heights_b_mm)
 
     @cached_property
     def statistics(self) -> dict[str, float]:
-        """Figures of the report, mm; of the absolute difference unless the name says signed."""
+        """Statistics of the report, mm; of the absolute difference unless named signed."""
         signed = self.signed_mm[np.isfinite(self.signed_mm)]
         size = np.abs(signed)
         return {
@@ -68,21 +68,23 @@ def measure_difference(
     pitch_mm: float = PITCH_MM,
     median_pixels: int = 1,
 ) -> Difference:
-    """Project both surfaces into the (x, y)-plane of a and take their heights.
+    """Project both surfaces onto the (x, y)-plane of a and measure their heights there.
 
     Parameters
     ----------
     a, b : mm
         Each in its own frame.
     looks_b : (3,) float64
-        Where the seen side of b looks, in its own frame.
+        Direction in which the seen side of b faces, in its own frame.
+    pitch_mm
+        Size of a pixel.
     median_pixels
         Kernel of the spatial median filter of both; 1 for none, 6 as in the thesis.
 
     Raises
     ------
     InputError
-        When they do not lie over each other.
+        If they do not lie over each other.
     """
     turned = b.transformed(fit.b2a)
     grid = grid_over(a, pitch_mm)
@@ -103,9 +105,14 @@ def measure_difference(
 
 
 def table_3(difference: Difference) -> dict[str, dict[str, float]]:
-    """Length, widths and arch height of both, mm, where the frame of a is an insole's or a foot's.
+    """Measure length, widths and arch height of both, mm; in the frame of an insole or a foot.
 
     Heights count on the side that faces the ground; widths are those of the compared surface.
+
+    Returns
+    -------
+    dict
+        The measures by name, for "a" and "b".
     """
     rows = np.flatnonzero(np.isfinite(difference.signed_mm).any(axis=1))
     first, last = rows.min(), rows.max()
@@ -134,7 +141,7 @@ def _shape_measures(heights: FloatArray, known: BoolArray, grid: Grid) -> dict[s
 
 
 def _median_filtered(heights: FloatArray, pixels: int) -> FloatArray:
-    """Median over square neighbourhoods; NaN where less than half of one was seen."""
+    """Return the median of square neighbourhoods; NaN where less than half of one was seen."""
     if pixels <= 1:
         return heights
     before, after = pixels // 2, (pixels - 1) // 2

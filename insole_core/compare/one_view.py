@@ -1,7 +1,7 @@
-"""The surface of a mould or a finished insole that one sensor saw, without a reference system.
+"""Surface of a mould or a finished insole seen by one sensor, without a reference system.
 
-Thesis 8.2: the replica lies on a table or the floor under the sensor. What it lies on is found as
-the plane under most of the picture and taken away, with all that stands apart from it.
+Thesis 8.2: the replica lies on a table or the floor under the sensor. Its support is found as the
+dominant plane of the picture and removed, with everything that stands apart from the replica.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _LENGTH_MM = (60.0, 450.0)
 
 @dataclass(frozen=True, eq=False)
 class _Table:
-    """A plane: the unit normal (3,) towards the sensor, its distance from it, and its noise, mm."""
+    """A plane: unit normal (3,) towards the sensor, distance from the sensor, and noise, mm."""
 
     normal: FloatArray
     distance_mm: float
@@ -49,19 +49,19 @@ class _Table:
 
 
 def one_view_surface(view: View, progress: Progress = SILENT) -> TriangleMesh:
-    """Give the coloured surface of the one thing that lies before a sensor.
+    """Reconstruct the coloured surface of the single object in front of a sensor.
 
     Returns
     -------
     TriangleMesh, mm
-        Open, facing the sensor. z is the height over what it lies on, y runs along its length
-        (which end is which, nobody knows), the origin is below its middle. Where nothing flat lies
-        behind it, z runs towards the sensor.
+        Open, facing the sensor. z is the height above its support, y runs along its length (in
+        either direction), the origin is below its centre. Without a flat support, z points towards
+        the sensor.
 
     Raises
     ------
     ReconstructionError
-        When the frames differ, or nothing of the size of a foot is seen.
+        If the frames differ, or nothing of the size of a foot is seen.
     """
     progress.step(0.0, "Averaging the frames")
     try:
@@ -90,7 +90,7 @@ def one_view_surface(view: View, progress: Progress = SILENT) -> TriangleMesh:
 
 
 def _find_table(points: FloatArray) -> _Table | None:
-    """Find the plane under most of the points (n, 3), by trials; None where there is none."""
+    """Find the plane under most of the points (n, 3) by random trials; None if there is none."""
     if len(points) < 3:
         return None
     rng = np.random.default_rng(0)
@@ -124,7 +124,7 @@ def _above(table: _Table, points: FloatArray, valid: BoolArray) -> BoolArray:
 
 
 def _middle_piece(mesh: TriangleMesh, view: View) -> TriangleMesh:
-    """Keep of the pieces that may be a foot's replica the one nearest the axis of the sensor."""
+    """Keep, of the components that may be a foot's replica, the one nearest the optical axis."""
     _, piece = connected_components(mesh.links.adjacency, directed=False)
     fitting: list[tuple[float, int]] = []
     for number in np.flatnonzero(np.bincount(piece) >= 100):

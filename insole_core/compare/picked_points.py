@@ -1,4 +1,4 @@
-"""Registration by points that were picked on both surfaces, or by black dots found on them."""
+"""Registration by points picked on both surfaces, or by black dots found on them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from insole_core.geometry.transforms import transform
 from insole_core.json_object import JsonObject
 
 DOTS = 4
-"""Black dots on a mould, thesis 8.2."""
+"""Number of black dots on a mould, thesis 8.2."""
 _DARK = 0.45  # of the usual brightness
 _DOT_EXTENT_MM = (2.0, 20.0)
 _LEAST_ROUNDNESS = 0.4
@@ -29,12 +29,13 @@ def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
 
     Returns
     -------
-    two (n, 3) float64, row i of one belonging to row i of the other
+    a, b : (n, 3) float64, mm
+        Row i of one corresponds to row i of the other.
 
     Raises
     ------
     InputError
-        Names the file and what is wrong with it.
+        Naming the file and what is wrong with it.
     """
     root = JsonObject.read(path)
     a, b = (np.array(root.vectors(key, 3)).reshape(-1, 3) for key in ("a", "b"))
@@ -49,12 +50,17 @@ def read_picked_points(path: Path) -> tuple[FloatArray, FloatArray]:
 
 
 def fit_points(a: FloatArray, b: FloatArray) -> Fit:
-    """Lay points of b (n, 3) onto their partners of a, Horn's method (thesis 3.2).
+    """Fit points of b to their partners on a by Horn's method (thesis 3.2).
+
+    Parameters
+    ----------
+    a, b : (n, 3) float64, mm
+        Row i of one corresponds to row i of the other.
 
     Raises
     ------
     InputError
-        With fewer than three points, or all on one line.
+        If there are fewer than three points, or all on one line.
     """
     try:
         b2a = absolute_orientation(b, a).a2b
@@ -67,7 +73,17 @@ def fit_points(a: FloatArray, b: FloatArray) -> Fit:
 
 
 def fit_dots(a: FloatArray, b: FloatArray) -> Fit:
-    """Lay dots onto dots of which nobody said which is which."""
+    """Fit dots of b to those of a without known correspondence, by trying every order.
+
+    Parameters
+    ----------
+    a, b : (4, 3) float64, mm
+
+    Raises
+    ------
+    InputError
+        If the dots lie on one line.
+    """
     fits = (fit_points(a, b[list(order)]) for order in permutations(range(len(b))))
     return min(fits, key=lambda fit: fit.residual_mm)
 
@@ -88,7 +104,7 @@ def find_dots(mesh: TriangleMesh, name: str) -> FloatArray:
     Raises
     ------
     InputError
-        When the surface has no colours, or not just four dots.
+        If the surface has no colours, or not exactly four dots.
     """
     if mesh.colors is None:
         raise InputError(

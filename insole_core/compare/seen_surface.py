@@ -1,4 +1,4 @@
-"""What of a mesh faces the comparison: the sole of a foot, the upper side of an insole or mould."""
+"""The side of a mesh to compare: the sole of a foot, the upper side of an insole or mould."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ _BASE_SHARE = 0.6
 _FOOT_HEIGHT_MM = 60.0
 _ONE_SIDED = 0.15
 _OFF_LATTICE = 0.3137
-"""Share of the pitch by which rays pass beside round coordinates: lattices have vertices there."""
+"""Offset of rays from round coordinates, relative to the pitch: lattices have vertices there."""
 STEEPEST = 0.5
-"""Least z of a unit normal where heights are compared; steeper places (60 degrees) are walls."""
+"""Least z of a unit normal where heights are compared; steeper than 60 degrees is a wall."""
 
 
 @dataclass(frozen=True, eq=False)
 class SurfacePoints:
-    """Places on the seen side of a mesh.
+    """Points on the seen side of a mesh.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ class SurfacePoints:
     normals: FloatArray
 
     def transformed(self, a2b: FloatArray) -> SurfacePoints:
-        """Bring the places from frame a to frame b."""
+        """Transform points and normals from frame a to frame b."""
         return SurfacePoints(self.points @ a2b[:3, :3].T + a2b[:3, 3], self.normals @ a2b[:3, :3].T)
 
     def every(self, step: int) -> SurfacePoints:
-        """Give one place of `step`."""
+        """Return every `step`-th point."""
         return SurfacePoints(self.points[::step], self.normals[::step])
 
 
@@ -50,7 +50,6 @@ class Grid:
     ----------
     first_mm
         Centre of the pixel (row 0, column 0).
-    pitch_mm
     shape
         Rows (along y) and columns (along x).
     """
@@ -68,7 +67,7 @@ class Grid:
 
 
 def grid_over(mesh: TriangleMesh, pitch_mm: float) -> Grid:
-    """Lay pixels over a mesh."""
+    """Return pixels of this pitch that cover a mesh."""
     low, high = mesh.bounds_mm[:, :2]
     first = (np.floor(low / pitch_mm) - 1 + _OFF_LATTICE) * pitch_mm
     columns, rows = (int(n) for n in np.ceil((high - first) / pitch_mm) + 1)
@@ -76,11 +75,11 @@ def grid_over(mesh: TriangleMesh, pitch_mm: float) -> Grid:
 
 
 def facing(mesh: TriangleMesh) -> FloatArray:
-    """Unit vector (3,) towards which the side to compare looks.
+    """Return the unit vector (3,) in which the side to compare faces.
 
-    An open surface looks where its triangles do. A solid in one of the product's frames looks
-    upwards if it stands on a flat base (insole, block, mould) or is as flat as an insole; otherwise
-    it is a foot, whose sole looks down.
+    An open surface faces as its triangles do. A solid in one of the product's frames faces upwards
+    if it stands on a flat base (insole, block, mould) or is as flat as an insole; otherwise it is a
+    foot, whose sole faces down.
     """
     areas = np.linalg.norm(np.cross(*_sides(mesh)), axis=1)
     mean = (areas[:, None] * mesh.triangle_normals).sum(axis=0) / areas.sum()
@@ -104,7 +103,19 @@ def _has_flat_base(mesh: TriangleMesh, areas: FloatArray) -> bool:
 
 
 def height_map(mesh: TriangleMesh, grid: Grid, from_above: bool) -> FloatArray:
-    """Heights (rows, columns) of what is seen along z; NaN beside the mesh and on its walls."""
+    """Compute the heights of the surface seen along z.
+
+    Parameters
+    ----------
+    mesh : mm, frame of `grid`
+    from_above
+        Whether to look down; otherwise up from below.
+
+    Returns
+    -------
+    (rows, columns) float64, mm
+        NaN beside the mesh and on its walls.
+    """
     points, normals, ray = _cast(mesh, grid, from_above)
     heights = np.full(grid.shape[0] * grid.shape[1], np.nan)
     flat = np.abs(normals[:, 2]) >= STEEPEST
@@ -113,7 +124,20 @@ def height_map(mesh: TriangleMesh, grid: Grid, from_above: bool) -> FloatArray:
 
 
 def seen_points(mesh: TriangleMesh, direction: FloatArray, pitch_mm: float) -> SurfacePoints:
-    """Sample the side of a mesh that looks in a direction (3,), evenly as seen from there."""
+    """Sample the side of a mesh that faces a direction, evenly as seen from there.
+
+    Parameters
+    ----------
+    direction : (3,)
+        In the frame of the mesh.
+    pitch_mm
+        Of the samples, across the direction.
+
+    Returns
+    -------
+    SurfacePoints
+        In the frame of the mesh; walls are left out.
+    """
     up = _frame_looking_up(direction)
     turned = TriangleMesh(mesh.vertices @ up.T, mesh.triangles)
     points, normals, _ = _cast(turned, grid_over(turned, pitch_mm), from_above=True)
@@ -125,7 +149,7 @@ def seen_points(mesh: TriangleMesh, direction: FloatArray, pitch_mm: float) -> S
 def _cast(
     mesh: TriangleMesh, grid: Grid, from_above: bool
 ) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Points and normals (n, 3) that rays along z meet first, and the pixel of each."""
+    """Return points and normals (n, 3) where rays along z first hit, and the pixel of each."""
     sign = 1.0 if from_above else -1.0
     start = (mesh.vertices[:, 2] * sign).max() + 10.0
     places = grid.places.reshape(-1, 2)
@@ -137,7 +161,7 @@ def _cast(
 
 
 def _frame_looking_up(direction: FloatArray) -> FloatArray:
-    """Rotation (3, 3) that brings a unit vector to +z; the identity for +z itself."""
+    """Return the rotation (3, 3) that brings a unit vector to +z; the identity for +z itself."""
     up = direction / np.linalg.norm(direction)
     helper = np.array([0.0, 1.0, 0.0]) if abs(up[1]) < 0.9 else np.array([1.0, 0.0, 0.0])
     right = np.cross(helper, up)

@@ -1,4 +1,4 @@
-"""Limits that an acceptance judges by: data that a clinic may change."""
+"""Limits for acceptance: data that a clinic may change."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 
 Limits = dict[str, dict[str, float]]
-"""Section key to number key to largest absolute value."""
+"""Largest absolute value by section key and number key."""
 
 
 def bundled_limits_path() -> Path:
-    """Give the limits that come with the product."""
+    """Return the path of the limits shipped with the product."""
     return resource_path("limits/kinect-v1.json")
 
 
@@ -24,7 +24,7 @@ def load_limits(path: Path) -> Limits:
     Raises
     ------
     InputError
-        Names the file and the key of the first violation.
+        Naming the file and the key of the first violation.
     """
     sections = JsonObject.read(path).object("limits")
     return {
@@ -35,11 +35,17 @@ def load_limits(path: Path) -> Limits:
 
 
 def judged(section: ReportSection, limits: Limits) -> ReportSection:
-    """Judge a section; a limit without its number is an error, since it cannot have been kept.
+    """Return a section judged by its limits.
+
+    Parameters
+    ----------
+    limits
+        May hold limits of other sections too.
 
     Raises
     ------
     InputError
+        If a limit refers to a number that the section lacks: it could not be checked.
     """
     named = limits.get(section.key, {})
     missing = named.keys() - {number.key for number in section.numbers}

@@ -1,4 +1,4 @@
-"""How well colour lies on depth (thesis 5.4, table 2), and the shift that puts it right."""
+"""Alignment of colour and depth (thesis 5.4, table 2), and the pixel shift that corrects it."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Correspondence:
 
 @dataclass(frozen=True)
 class Misalignment:
-    """Colour pixel seen minus colour pixel expected from depth, at one distance, px."""
+    """Marked minus expected colour pixel at one distance: mean and standard deviation, px."""
 
     distance_mm: float
     x_px: float
@@ -46,12 +46,22 @@ class Misalignment:
 
 
 def evaluate_alignment(sensor: Sensor, points: Sequence[Correspondence]) -> list[Misalignment]:
-    """Measure the misalignment at every distance (table 2): points within 50 mm belong together.
+    """Measure the misalignment at every distance (table 2).
+
+    Parameters
+    ----------
+    points
+        Those within 50 mm of depth are taken as one distance.
+
+    Returns
+    -------
+    list of Misalignment
+        In order of distance.
 
     Raises
     ------
     InputError
-        Without points.
+        If there are no points.
     """
     if not points:
         raise InputError("No point is marked in both images; mark the targets in colour and depth.")
@@ -65,7 +75,18 @@ def evaluate_alignment(sensor: Sensor, points: Sequence[Correspondence]) -> list
 
 
 def shift_color(sensor: Sensor, points: Sequence[Correspondence]) -> Sensor:
-    """Give the sensor with the thesis's constant pixel shift applied to its colour camera."""
+    """Return the sensor with the thesis's constant pixel shift applied to its colour camera.
+
+    Parameters
+    ----------
+    points
+        Their median offset is the shift.
+
+    Raises
+    ------
+    InputError
+        If there are no points.
+    """
     if not points:
         raise InputError("No point is marked in both images; mark the targets in colour and depth.")
     x, y = np.median(_offsets(sensor, points), axis=0).tolist()
@@ -81,7 +102,7 @@ def _misalignment(sensor: Sensor, points: Sequence[Correspondence]) -> Misalignm
 
 
 def _offsets(sensor: Sensor, points: Sequence[Correspondence]) -> FloatArray:
-    """(n, 2) seen minus expected colour pixels, thesis (13) - (15)."""
+    """Return marked minus expected colour pixels (n, 2), thesis (13) - (15)."""
     rays = sensor.depth_camera.normalised(np.array([point.depth_px for point in points]))
     rows = np.column_stack([rays, np.ones(len(rays))])
     space = rows * np.array([[point.depth_mm] for point in points])

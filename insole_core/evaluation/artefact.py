@@ -1,7 +1,7 @@
 """Acceptance with an artefact in the manner of VDI/VDE 2634: spheres and a plane.
 
 It follows the guideline's quantities (probing error, sphere spacing, flatness) but is no certified
-test. As a range grows with the number of points, the 95 % value stands beside each.
+test. As a range grows with the number of points, the 95 % value is given beside each.
 """
 
 from __future__ import annotations
@@ -15,21 +15,20 @@ from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 
 _DROPPED = 0.003
-"""Share of the points that the guideline lets go."""
+"""Share of the points that the guideline allows to discard."""
 _ROUNDS = 30
 _LEAST_POINTS = 50
 
 
 @dataclass(frozen=True, eq=False)
 class SphereFit:
-    """A sphere of free radius through measured points, mm.
+    """A sphere of free radius fitted to measured points, mm.
 
     Parameters
     ----------
     center_mm : (3,) float64, frame of the points
-    radius_mm
     form_mm
-        Probing error, form: range of the radial residuals, three per mille dropped.
+        Probing error, form: range of the radial residuals without three per mille of them.
     form_95_mm
         The range that holds 95 % of them.
     """
@@ -40,13 +39,13 @@ class SphereFit:
     form_95_mm: float
 
     def size_error_mm(self, true_diameter_mm: float) -> float:
-        """Probing error, size: measured minus true diameter."""
+        """Return the probing error, size: measured minus true diameter."""
         return 2 * self.radius_mm - true_diameter_mm
 
 
 @dataclass(frozen=True)
 class PlaneFit:
-    """Flatness: range of the distances from the plane that fits best, mm."""
+    """Flatness: range of the distances from the best-fitting plane, mm."""
 
     form_mm: float
     form_95_mm: float
@@ -55,7 +54,7 @@ class PlaneFit:
 
 @dataclass(frozen=True)
 class ArtefactEvaluation:
-    """The worst of all positions, mm."""
+    """The worst values over all positions, mm."""
 
     probing_form_mm: float
     probing_form_95_mm: float
@@ -75,10 +74,10 @@ def fit_sphere(points: FloatArray) -> SphereFit:
     Raises
     ------
     InputError
-        With fewer than 50 points, or points that lie on no sphere.
+        If there are fewer than 50 points, or they lie on no sphere.
     """
     _check(points, "sphere")
-    # Start from the algebraic sphere, linear in the centre and r² - |c|².
+    # Start from the algebraic sphere, which is linear in the centre and r² - |c|².
     columns = np.column_stack([2 * points, np.ones(len(points))])
     solved = np.linalg.lstsq(columns, (points**2).sum(1), rcond=None)[0]
     center, radius = solved[:3], np.sqrt(max(solved[3] + solved[:3] @ solved[:3], 1e-12))
@@ -95,7 +94,13 @@ def fit_sphere(points: FloatArray) -> SphereFit:
 
 
 def fit_plane(points: FloatArray) -> PlaneFit:
-    """Fit a plane by total least squares to points (n, 3), mm."""
+    """Fit a plane by total least squares to points (n, 3), mm.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than 50 points.
+    """
     _check(points, "plane")
     centred = points - points.mean(0)
     off = centred @ np.linalg.eigh(centred.T @ centred)[1][:, 0]
@@ -122,7 +127,7 @@ def evaluate_artefact(
     Raises
     ------
     InputError
-        Without a position of the bar or of the plate.
+        If there is no position of the bar or of the plate.
     """
     if not sphere_pairs or not planes:
         raise InputError("Measure the bar and the plate at one position at least.")

@@ -1,4 +1,4 @@
-"""The spheres and the plate of an artefact, found in captures of it."""
+"""Detection of the spheres and the plate of an artefact in captures."""
 
 from __future__ import annotations
 
@@ -13,18 +13,23 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray
 from insole_core.sensing.sensor import Sensor
 
 _JUMP_MM = 6.0
-"""Neighbouring pixels that differ by more do not lie on one surface."""
+"""Neighbouring pixels that differ by more are on different surfaces."""
 _SIZE_SHARE = 0.25
-"""How far a fitted sphere may be from the true diameter, and still be it."""
+"""Permitted relative difference of a fitted sphere from the true diameter."""
 _DISC_SHARE = (0.2, 1.3)
-"""Of the disc that the sphere fills in the image."""
+"""Permitted area of a region, relative to the disc of the sphere in the image."""
 _RIM_PX = 5
 
 
 def sphere_points(
     capture: WallCapture, sensor: Sensor, true_diameter_mm: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Find the two spheres of a bar.
+    """Find the points of the two spheres of a bar.
+
+    Parameters
+    ----------
+    sensor
+        Converts and corrects the raw numbers of the capture.
 
     Returns
     -------
@@ -34,7 +39,7 @@ def sphere_points(
     Raises
     ------
     InputError
-        When not exactly two spheres of about this diameter are seen.
+        If not exactly two spheres of about this diameter are seen.
     """
     depth = sensor.depth_mm(capture.raw)
     space = sensor.points(depth)
@@ -61,12 +66,21 @@ def sphere_points(
 
 
 def plate_points(capture: WallCapture, sensor: Sensor) -> FloatArray:
-    """Find the plate, less its rim: (n, 3) float64, mm, depth camera frame.
+    """Find the points of the plate, without its border.
+
+    Parameters
+    ----------
+    sensor
+        Converts and corrects the raw numbers of the capture.
+
+    Returns
+    -------
+    (n, 3) float64, mm, depth camera frame
 
     Raises
     ------
     CalibrationError
-        When no plane fills at least 4 % of the image.
+        If no plane fills at least 4 % of the image.
     """
     raw = sensor.corrected(capture.raw)
     flat = WallCapture(capture.name, raw)
@@ -76,7 +90,7 @@ def plate_points(capture: WallCapture, sensor: Sensor) -> FloatArray:
 
 
 def _smooth_regions(depth: FloatArray) -> list[BoolArray]:
-    """Split the image where the depth jumps."""
+    """Split the image at depth discontinuities."""
     known = np.isfinite(depth)
     filled = np.where(known, depth, 0).astype(np.float32)
     square = np.ones((3, 3), np.uint8)

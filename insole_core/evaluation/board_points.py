@@ -1,4 +1,4 @@
-"""A board as a known object: its corners are found by themselves, no point need be marked."""
+"""A board as a known object: its corners are detected automatically, without marking points."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 _SIDE = 3
-"""Corners used along each side of a board, so that near ones do not outnumber far ones."""
+"""Corners used along each side of a board, so that short distances do not outnumber long ones."""
 
 
 def evaluate_boards(sensor: Sensor, boards: Sequence[BoardInDepth]) -> ObjectEvaluation:
@@ -32,14 +32,13 @@ def evaluate_boards(sensor: Sensor, boards: Sequence[BoardInDepth]) -> ObjectEva
 
     Parameters
     ----------
-    sensor
     boards
-        With raw numbers that are corrected already.
+        With raw numbers that are already corrected.
 
     Raises
     ------
     CalibrationError
-        When no board has depth at two corners.
+        If no board has depth at two corners.
     """
     distances: list[DistanceError] = []
     for board in boards:
@@ -59,14 +58,18 @@ def evaluate_boards(sensor: Sensor, boards: Sequence[BoardInDepth]) -> ObjectEva
 def board_correspondences(
     pairs: Sequence[tuple[BoardDetection, BoardDetection]], depth_camera: PinholeCamera
 ) -> list[Correspondence]:
-    """Give the corners that both cameras show (thesis 5.4).
+    """Return the corners that both cameras detect (thesis 5.4).
 
     Parameters
     ----------
     pairs
         The same board position in the depth camera (`board.shifted` infrared) and in colour, with
         the same corners in the same order.
-    depth_camera
+
+    Returns
+    -------
+    list of Correspondence
+        Depths are those of the board's pose in the depth camera.
     """
     points = []
     for depth, color in pairs:
@@ -82,9 +85,9 @@ def board_correspondences(
     return points
 
 
-def _spread(sighting: BoardDetection) -> IntArray:
-    """Choose corners near the nodes of a coarse lattice over what is seen of the board."""
-    points = sighting.points_mm[:, :2]
+def _spread(detection: BoardDetection) -> IntArray:
+    """Choose corners near the nodes of a coarse lattice over the visible part of the board."""
+    points = detection.points_mm[:, :2]
     axes = [np.linspace(points[:, i].min(), points[:, i].max(), _SIDE) for i in (0, 1)]
     nodes = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     distance = np.linalg.norm(points[:, None] - nodes[None], axis=-1)

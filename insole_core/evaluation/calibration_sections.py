@@ -1,4 +1,4 @@
-"""What a report says and shows about a calibration (thesis table 1, figures 10 - 12, C.2 - C.5)."""
+"""Report sections on calibrations (thesis table 1, figures 10 - 12, C.2 - C.5)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def camera_section(calibration: CameraCalibration, title: str = "Colour camera")
     parameters = tuple(
         (name, f"{values[name]:.4f}", f"{calibration.deviations[name]:.4f}") for name in PARAMETERS
     )
-    pictures = tuple((p.sighting.name, f"{p.rms_px:.3f}") for p in calibration.pictures)
+    pictures = tuple((p.detection.name, f"{p.rms_px:.3f}") for p in calibration.pictures)
     return ReportSection(
         key="camera",
         title=title,
@@ -71,17 +71,16 @@ _FITTED = {
     "tilt_x": "tilt of the depth to the right, raw units",
     "tilt_y": "tilt of the depth downwards, raw units",
 }
-"""What the numbers of `board_depth` are called."""
+"""Display names of the numbers of `board_depth`."""
 
 
 def stereo_section(
     stereo: StereoCalibration, fitted: Sequence[tuple[str, float, float]] = ()
 ) -> ReportSection:
-    """Report the pose between the two cameras, and what was fitted with it.
+    """Report the pose between the two cameras, and the numbers fitted with it.
 
     Parameters
     ----------
-    stereo
     fitted
         Name, value and standard deviation of each further number.
     """
@@ -197,7 +196,7 @@ def _likeness(check: FaceCheck) -> str:
 
 
 def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> ReportSection:
-    """Report where the markers of a built system really are, and which were bumped."""
+    """Report the true marker positions of a built system, and which markers have moved."""
     rows = tuple(
         (m.id, *(f"{value:.2f}" for value in m.position_mm),
          f"{np.linalg.norm(survey.deviation_mm[m.id]):.2f}",
@@ -221,7 +220,7 @@ def survey_section(survey: MarkerSurvey, bump: BumpCheck) -> ReportSection:
 
 
 def draw_map(figure: Figure, image: FloatArray) -> None:
-    """Draw an image of numbers with its scale; of signed numbers zero is white."""
+    """Draw an image (height, width) with its scale; signed values have white at zero."""
     axes = figure.subplots()
     low, high = np.nanpercentile(image, [1, 99])
     signed = low < 0 < high
@@ -233,7 +232,7 @@ def draw_map(figure: Figure, image: FloatArray) -> None:
 
 
 def draw_reference(figure: Figure, system: ReferenceSystem) -> None:
-    """Draw every face across the direction in which its sensor looks."""
+    """Draw every face as seen from its sensor."""
     faces = list(dict.fromkeys(marker.face for marker in system.markers))
     for axes, face in zip(np.atleast_1d(figure.subplots(1, len(faces))), faces, strict=True):
         markers = system.facing((face,))
@@ -262,7 +261,7 @@ def _draw_errors(figure: Figure, calibration: CameraCalibration) -> None:
 
 
 def _draw_lens(figure: Figure, camera: PinholeCamera) -> None:
-    """Radial, tangential and complete displacement of the lens: figures C.3 and C.4."""
+    """Draw radial, tangential and total displacement of the lens: figures C.3 and C.4."""
     k1, k2, p1, p2, k3 = camera.distortion
     lenses = {
         "radial": (k1, k2, 0.0, 0.0, k3),
@@ -288,7 +287,7 @@ def _geometry(camera: PinholeCamera) -> tuple[int, int, float, float, float, flo
 
 
 def _draw_coverage(figure: Figure, calibration: CameraCalibration) -> None:
-    """As the picture lies: the number of corners in each part."""
+    """Draw the number of corners in each part of the image."""
     axes, counts = figure.subplots(), calibration.coverage
     axes.imshow(counts, cmap="viridis", vmin=0)
     axes.set(xticks=[], yticks=[])
@@ -300,7 +299,7 @@ def _draw_coverage(figure: Figure, calibration: CameraCalibration) -> None:
 def _draw_boards(figure: Figure, calibration: CameraCalibration) -> None:
     axes = figure.add_subplot(projection="3d")
     for picture in calibration.pictures:
-        points = picture.sighting.points_mm
+        points = picture.detection.points_mm
         low, high = points.min(0), points.max(0)
         outline = np.array([[low[0], low[1], 0], [high[0], low[1], 0], [high[0], high[1], 0],
                             [low[0], high[1], 0], [low[0], low[1], 0]])  # fmt: skip

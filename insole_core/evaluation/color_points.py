@@ -1,4 +1,4 @@
-"""Where points that the colour image shows lie in space, measured by the depth image."""
+"""Positions in space of points marked in an image, measured by the depth image."""
 
 from __future__ import annotations
 
@@ -12,19 +12,18 @@ from insole_core.sensing.sensor import Sensor
 
 _NEIGHBOURS = 25
 _FAR_PX = 5 / 640
-"""Of the image width: farther from every depth pixel than this, a point was not measured."""
+"""Of the image width: a point farther than this from every depth pixel was not measured."""
 _SAME_SURFACE_MM = 20.0
 
 
 def points_at_color(sensor: Sensor, depth_mm: FloatArray, color_px: FloatArray) -> FloatArray:
     """Measure points that are marked in the colour image.
 
-    The 25 depth pixels that fall nearest to a point in colour are fitted by a plane, on which the
-    point's ray ends.
+    A plane is fitted to the 25 depth pixels that project nearest to a point in colour, and
+    intersected with the point's ray.
 
     Parameters
     ----------
-    sensor
     depth_mm : (480, 640) float64, mm, NaN = no reading
     color_px : (n, 2) float64, px
 
@@ -35,7 +34,7 @@ def points_at_color(sensor: Sensor, depth_mm: FloatArray, color_px: FloatArray) 
     Raises
     ------
     InputError
-        When the depth image is almost empty.
+        If the depth image is almost empty.
     """
     space = sensor.points(depth_mm)
     seen = transform(sensor.depth2color, space[np.isfinite(depth_mm)])
@@ -52,9 +51,22 @@ def points_at_color(sensor: Sensor, depth_mm: FloatArray, color_px: FloatArray) 
 
 
 def points_at_depth(sensor: Sensor, depth_mm: FloatArray, depth_px: FloatArray) -> FloatArray:
-    """Measure points (n, 2) that are marked in the depth image; (n, 3) mm, depth camera frame.
+    """Measure points that are marked in the depth image.
 
-    The depth is the median of 3 x 3 pixels; NaN where they have no reading.
+    Parameters
+    ----------
+    depth_mm : (480, 640) float64, mm, NaN = no reading
+    depth_px : (n, 2) float64, px
+
+    Returns
+    -------
+    (n, 3) float64, mm, depth camera frame
+        At the median depth of 3 x 3 pixels; NaN where they have no reading.
+
+    Raises
+    ------
+    InputError
+        If a point lies at the border of the image or outside it.
     """
     column, row = np.round(depth_px).astype(int).T
     height, width = depth_mm.shape
@@ -75,7 +87,7 @@ def points_at_depth(sensor: Sensor, depth_mm: FloatArray, depth_px: FloatArray) 
 
 
 def _plane_value(offsets: FloatArray, depth_mm: FloatArray) -> FloatArray:
-    """(n,) 1/Z at the offset zero, of a plane in 1/Z through (n, k) neighbours."""
+    """Return 1/Z at offset zero, (n,), of a plane in 1/Z through (n, k) neighbours."""
     middle = np.median(depth_mm, axis=1, keepdims=True)
     weight = (np.abs(depth_mm - middle) < _SAME_SURFACE_MM).astype(float)
     rows = np.concatenate([offsets, np.ones((*offsets.shape[:2], 1))], axis=-1)

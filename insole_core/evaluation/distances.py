@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 
 AXES = ("x", "y", "z", "space")
 _ALONG = 0.999
-"""Cosine from which a distance counts as one along an axis of the object."""
+"""Least cosine of a distance that counts as along an axis of the object."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class DistanceError:
 
 @dataclass(frozen=True)
 class ObjectEvaluation:
-    """All distances, and their summary in mm."""
+    """All distances of an object, and their summary in mm."""
 
     distances: tuple[DistanceError, ...]
     mean_abs_mm: float
@@ -64,7 +64,7 @@ def evaluate_object(
     Raises
     ------
     InputError
-        When fewer than two points were seen, or the numbers do not belong together.
+        If fewer than two points were seen, or the lists differ in length.
     """
     if true_mm.shape != (len(names), 3) or measured_mm.shape != true_mm.shape:
         raise InputError(
@@ -90,12 +90,12 @@ def evaluate_object(
 
 
 def summarise(distances: Iterable[DistanceError]) -> ObjectEvaluation:
-    """Summarise distances, of one object or of several positions of it.
+    """Summarise distances of one object, or of several positions of it.
 
     Raises
     ------
     InputError
-        Without any.
+        If there are none.
     """
     listed = tuple(distances)
     if not listed:

@@ -1,4 +1,4 @@
-"""What a report says and shows about an evaluation (thesis chapter 5)."""
+"""Report sections on evaluations (thesis chapter 5)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from insole_core.evaluation.resolution import Resolution
 from insole_core.evaluation.wall import WallError
 
 _LISTED, _LARGEST = 105, 20
-"""All distances of up to fifteen points are listed, as in the thesis; of more the worst."""
+"""All distances of up to fifteen points are listed, as in the thesis; of more, the worst."""
 
 
 def wall_section(errors: Mapping[str, Sequence[WallError]]) -> ReportSection:
@@ -149,7 +149,7 @@ def artefact_section(result: ArtefactEvaluation) -> ReportSection:
 
 
 def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> ReportSection:
-    """Report temporal noise and, where it was followed, the warm-up."""
+    """Report temporal noise and, if it was recorded, the warm-up."""
     numbers = [
         Number("sd_raw", "Noise of one frame", noise.sd_raw, "raw units"),
         Number("sd_mm", "Noise of one frame", noise.sd_mm, "mm"),
@@ -166,7 +166,7 @@ def noise_section(noise: Noise, warm_up: WarmUp | None = None) -> ReportSection:
 
 
 def _pair(first: str, second: str) -> str:
-    """Name two points; the picture that both are in only once."""
+    """Name two points; a picture that contains both is named only once."""
     picture, found, point = first.rpartition(":")
     other, _, other_point = second.rpartition(":")
     return (

@@ -1,4 +1,4 @@
-"""What a distortion correction is worth: each wall is judged by what the other walls taught."""
+"""Cross-validation of distortion corrections: each wall is corrected by a fit to all others."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_WALLS = 5
-"""Algorithm 2 fits a cubic, which needs four other walls."""
+"""Algorithm 2 fits a cubic, which takes four other walls."""
 
 
 def leave_one_out(
@@ -24,7 +24,7 @@ def leave_one_out(
     disparity: DisparityModel,
     progress: Progress = SILENT,
 ) -> dict[str, list[WallError]]:
-    """Correct every capture by what all the others say, and measure what is left.
+    """Correct every capture by a fit to all the others, and measure the remaining error.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def leave_one_out(
     camera
         The depth camera.
     disparity
-        Raw number to depth.
+        Converts raw numbers to depth.
 
     Returns
     -------
@@ -44,7 +44,7 @@ def leave_one_out(
     Raises
     ------
     CalibrationError
-        With fewer than five captures.
+        If there are fewer than five captures.
     """
     if len(captures) < _LEAST_WALLS:
         raise CalibrationError(

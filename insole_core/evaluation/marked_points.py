@@ -1,4 +1,4 @@
-"""Points that a person marked in the images, as JSON."""
+"""Points marked by hand in the images, as JSON."""
 
 from __future__ import annotations
 
@@ -20,10 +20,9 @@ class ObjectPoints:
 
     Parameters
     ----------
-    names
     true_mm : (n, 3) float64, mm, the object's own axes
     pixels : (n, 2) float64, px, optional
-        None where they are coloured spots that are found by themselves.
+        None for coloured spots, which are detected automatically.
     in_color
         Whether they are marked in the colour image rather than in the depth image.
     """
@@ -34,7 +33,21 @@ class ObjectPoints:
     in_color: bool
 
     def measured_mm(self, sensor: Sensor, depth_mm: FloatArray) -> FloatArray:
-        """(n, 3) float64, mm, in the frame of the camera they are marked in; NaN where unseen."""
+        """Measure the marked points.
+
+        Parameters
+        ----------
+        depth_mm : (480, 640) float64, mm, NaN = no reading
+
+        Returns
+        -------
+        (n, 3) float64, mm, frame of the camera in whose image they are marked; NaN where unseen
+
+        Raises
+        ------
+        InputError
+            If the depth image is almost empty, or a point is outside the image.
+        """
         assert self.pixels is not None
         measure = points_at_color if self.in_color else points_at_depth
         return measure(sensor, depth_mm, self.pixels)
@@ -48,7 +61,7 @@ def load_object_points(path: Path) -> ObjectPoints:
     Raises
     ------
     InputError
-        Names the key of the first violation.
+        Naming the key of the first violation.
     """
     items = _points(path)
     key = "color_px" if items[0].has("color_px") else "depth_px"
@@ -67,7 +80,7 @@ def load_correspondences(path: Path) -> list[Correspondence]:
     Raises
     ------
     InputError
-        Names the key of the first violation.
+        Naming the key of the first violation.
     """
     return [
         Correspondence(item.pair("depth_px"), item.number("depth_mm", 1), item.pair("color_px"))

@@ -13,13 +13,13 @@ from insole_core.sensing.disparity import NO_READING, DisparityModel
 
 _SETTLED_MM = 0.5
 _STILL_RAW = 10.0
-"""No sensor is as noisy; frames that differ more show different scenes."""
+"""Frames that differ by more show different scenes: no sensor is that noisy."""
 _CENTRE = (slice(200, 280), slice(270, 370))
 
 
 @dataclass(frozen=True)
 class Noise:
-    """Noise of one pixel over time: medians over the image."""
+    """Temporal noise of one pixel, as medians over the image."""
 
     frames: int
     sd_raw: float
@@ -38,7 +38,7 @@ class WarmUp:
     drift_mm
         From the first to the last moment.
     settled_after_s
-        From when on the depth stays within 0.5 mm of the last; infinite when it never settles.
+        Time after which the depth stays within 0.5 mm of the last; infinite if it never does.
     """
 
     seconds: tuple[float, ...]
@@ -48,12 +48,18 @@ class WarmUp:
 
 
 def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Noise:
-    """Measure the noise over time of every pixel of a still scene, in one pass (Welford).
+    """Measure the temporal noise of every pixel of a still scene, in one pass (Welford).
+
+    Parameters
+    ----------
+    frames : each (480, 640) uint16, raw units
+    disparity
+        Converts the noise to mm.
 
     Raises
     ------
     InputError
-        With fewer than two frames, or frames of different scenes.
+        If there are fewer than two frames, or they show different scenes.
     """
     count, total = np.zeros((480, 640)), 0
     mean, squares = np.zeros((480, 640)), np.zeros((480, 640))
@@ -82,12 +88,17 @@ def measure_noise(frames: Iterable[RawArray], disparity: DisparityModel) -> Nois
 
 
 def measure_warm_up(moments: Iterable[tuple[float, RawArray]], disparity: DisparityModel) -> WarmUp:
-    """Follow the depth at the image centre over (seconds, frame) pairs in order of time.
+    """Measure the depth at the image centre over time.
+
+    Parameters
+    ----------
+    moments
+        Seconds and frame (480, 640), raw units, in order of time.
 
     Raises
     ------
     InputError
-        With fewer than three moments.
+        If there are fewer than three moments with readings.
     """
     seconds, depths = [], []
     for time_s, frame in moments:

@@ -1,4 +1,4 @@
-"""Finding the coloured spots of a known object by themselves (thesis 5.5)."""
+"""Automatic detection of the coloured spots of a known object (thesis 5.5)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _AS_BLUE: dict[Paint, tuple[int, int, int]] = {
     "red": (2, 1, 0),
     "green": (0, 2, 1),
 }
-"""Channels of the picture in which spots of a paint are as blue ones (thesis 24)."""
+"""Order of the picture's channels that makes spots of a paint blue (thesis 24)."""
 _FACE = "object"
 
 
@@ -39,17 +39,16 @@ def measure_spots(
 ) -> FloatArray:
     """Measure the spots of an object in one position.
 
-    The spots may be placed freely, as long as no turn of the object maps them onto themselves: who
-    is who follows from their distances.
+    The spots may be placed freely, as long as no rotation of the object maps them onto themselves:
+    they are identified by their distances.
 
     Parameters
     ----------
-    sensor
     depth_mm : (480, 640) float64, mm, NaN = no reading
     color : (height, width, 3) uint8, RGB
     names
+        Of the n spots.
     true_mm : (n, 3) float64, mm, the object's own axes
-    paint
 
     Returns
     -------
@@ -58,15 +57,15 @@ def measure_spots(
     Raises
     ------
     CalibrationError
-        When the object is not found, as the end of a sentence.
+        If the object is not found; its message is the end of a sentence.
     """
     markers = (Marker(n, _place(p), _FACE) for n, p in zip(names, true_mm, strict=True))
     system = ReferenceSystem("the known object", tuple(markers))
     blobs = find_blobs(np.ascontiguousarray(color[..., _AS_BLUE[paint]]))
     points = sensor.points(depth_mm)
-    sightings = locate_blobs(blobs, points, sensor)
+    detections = locate_blobs(blobs, points, sensor)
     try:
-        fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(sightings).fixes
+        fixes = PoseSearch(system, replace(sensor, faces=(_FACE,))).by_places(detections).fixes
     except ReconstructionError as error:
         raise CalibrationError(
             "the {paint} spots of the object are not found ({reason}); show it whole and well lit, "

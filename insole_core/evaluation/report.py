@@ -1,4 +1,4 @@
-"""What a report of calibrations and evaluations holds."""
+"""Contents of a report on calibrations and evaluations."""
 
 from __future__ import annotations
 
@@ -14,16 +14,14 @@ from matplotlib.figure import Figure
 
 @dataclass(frozen=True)
 class Number:
-    """One measured number and, where it is judged, its limit.
+    """One measured number and, if it is judged, its limit.
 
     Parameters
     ----------
     key
         In the JSON.
     label
-        For people.
-    value
-    unit
+        For display.
     limit
         The largest absolute value that passes.
     """
@@ -36,7 +34,7 @@ class Number:
 
     @property
     def passed(self) -> bool | None:
-        """Whether it keeps its limit; nothing when there is none."""
+        """Whether the value keeps its limit; None without one."""
         return None if self.limit is None else bool(abs(self.value) <= self.limit)
 
     @property
@@ -52,33 +50,32 @@ class Number:
         return f"{'passed' if self.passed else 'failed'} (limit {self.said(self.limit)})"
 
     def said(self, value: float) -> str:
-        """Write a value of this number for people."""
+        """Format a value of this number with its unit."""
         space = "" if self.unit == "°" else " "
         return f"{value:.4g}{space}{self.unit}".strip()
 
 
 @dataclass(frozen=True)
 class Share(Number):
-    """A part of a whole, which people read in percent."""
+    """A share, displayed in percent."""
 
     def said(self, value: float) -> str:
-        """Write it in percent."""
+        """Format a share in percent."""
         return f"{100 * value:.3g} %"
 
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of texts under headings.
+    """Rows of text under headings.
 
     Parameters
     ----------
     title
-        For people, and the table's key in the JSON.
+        For display, and the table's key in the JSON.
     headings
-        For people, and the keys of a row in the JSON.
-    rows
+        For display, and the keys of a row in the JSON.
     unit
-        Of what stands in it, for people.
+        Of the entries, for display.
     """
 
     title: str
@@ -93,7 +90,7 @@ class Table:
 
     @property
     def numeric(self) -> tuple[bool, ...]:
-        """Which columns hold numbers alone, so that they are set to the right."""
+        """Which columns hold numbers only, to be aligned right."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.headings)
         return tuple(bool(column) and all(map(_is_number, column)) for column in columns)
 
@@ -108,7 +105,7 @@ class Plot:
 
 @dataclass(frozen=True)
 class ReportSection:
-    """One calibration or evaluation."""
+    """The report on one calibration or evaluation."""
 
     key: str
     title: str
@@ -124,12 +121,10 @@ class Report:
 
     Parameters
     ----------
-    title
     serial
-        Of the device; empty where it is about none, or is not known.
+        Of the device; empty if there is none, or it is unknown.
     made_at
         ISO 8601.
-    sections
     """
 
     title: str
@@ -149,13 +144,19 @@ class Report:
 
 
 def with_limits(section: ReportSection, limits: dict[str, float]) -> ReportSection:
-    """Give a section whose numbers are judged by limits, number key to largest absolute value."""
+    """Return a section with limits for its numbers.
+
+    Parameters
+    ----------
+    limits
+        Largest absolute value by number key; other numbers keep their limits.
+    """
     numbers = tuple(replace(n, limit=limits.get(n.key, n.limit)) for n in section.numbers)
     return replace(section, numbers=numbers)
 
 
 def report_json(report: Report) -> dict[str, Any]:
-    """Give the numbers of a report; what is not finite is null."""
+    """Return the numbers of a report for `json.dump`; values that are not finite become None."""
     return {
         "title": report.title,
         "serial": report.serial,
@@ -176,7 +177,7 @@ def report_json(report: Report) -> dict[str, Any]:
 
 
 def head_line(report: Report) -> str:
-    """Say which sensor, when, and whether the limits are kept."""
+    """Return a line with sensor, date, and whether the limits are kept."""
     verdict = ""
     if any(n.limit is not None for s in report.sections for n in s.numbers):
         names = ", ".join(number.label for number in report.failed)
@@ -186,7 +187,7 @@ def head_line(report: Report) -> str:
 
 
 def numbers_table(section: ReportSection) -> Table:
-    """Give the numbers of a section, and how they were judged, as a table."""
+    """Return the numbers of a section and their verdicts as a table."""
     rows = tuple((n.label, n.text, n.verdict) for n in section.numbers)
     return Table("", ("", "", ""), rows)
 
@@ -196,7 +197,7 @@ def _is_number(text: str) -> bool:
 
 
 def _day_and_time(made_at: str) -> str:
-    """2026-11-21T15:54:12+00:00 as people write it, to the minute."""
+    """Format an ISO time such as 2026-11-21T15:54:12+00:00 for display, to the minute."""
     try:
         return datetime.fromisoformat(made_at).astimezone(UTC).strftime("%Y-%m-%d %H:%M UTC")
     except ValueError:
@@ -210,7 +211,7 @@ def _json_number(number: Number) -> dict[str, Any]:
 
 
 def section_lines(section: ReportSection) -> list[str]:
-    """Give what a section says as lines of text, for paper and terminal."""
+    """Return a section as lines of text, for print and terminal."""
     lines = [section.title, *section.sentences]
     lines += [f"{n.label}: {n.text}   {n.verdict}".rstrip() for n in section.numbers]
     for table in section.tables:

@@ -1,4 +1,4 @@
-"""Reports as files, in the form that their names end in."""
+"""Report files in the format of their suffix."""
 
 from __future__ import annotations
 
@@ -15,11 +15,12 @@ __all__ = ["WRITERS", "write_html", "write_json", "write_pdf"]
 
 
 def write_json(report: Report, path: Path) -> None:
-    """Write the numbers.
+    """Write the numbers of a report.
 
     Raises
     ------
     OutputError
+        If the path cannot be written.
     """
     with replacing_file(path) as beside:
         text = json.dumps(report_json(report), indent=1, ensure_ascii=False)
@@ -31,4 +32,4 @@ WRITERS: dict[str, Callable[[Report, Path], None]] = {
     ".pdf": write_pdf,
     ".json": write_json,
 }
-"""How a report is written, by the suffix of its file."""
+"""Writer of a report by the suffix of its file."""

@@ -1,4 +1,4 @@
-"""A report as one HTML page that holds everything, pictures included."""
+"""A report as a single HTML page with embedded pictures."""
 
 from __future__ import annotations
 
@@ -32,11 +32,12 @@ img{max-width:100%;height:auto}figure{margin:1.5em 0;break-inside:avoid}
 
 
 def write_html(report: Report, path: Path) -> None:
-    """Write one page that holds everything, pictures included.
+    """Write a report as a single page with embedded pictures.
 
     Raises
     ------
     OutputError
+        If the path cannot be written.
     """
     with replacing_file(path) as beside:
         beside.write_text(_page(report), encoding="utf-8")
@@ -54,12 +55,12 @@ def _page(report: Report) -> str:
 
 
 def _section_html(section: ReportSection, report_title: str) -> str:
-    # A report of one section bears its title.
+    # A report of one section already shows its title.
     title = section.title if section.title != report_title else ""
-    remarks = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
+    sentences = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in section.sentences)
     tables = "".join(_table_html(table) for table in section.tables)
     plots = "".join(_plot_html(plot) for plot in section.plots)
-    return f"{_titled('h2', title)}{remarks}{_numbers_html(section)}{tables}{plots}"
+    return f"{_titled('h2', title)}{sentences}{_numbers_html(section)}{tables}{plots}"
 
 
 def _numbers_html(section: ReportSection) -> str:
@@ -105,7 +106,7 @@ def plot_png(plot: Plot) -> bytes:
     canvas = FigureCanvasAgg(figure)
     plot.draw(figure)
     figure.suptitle(plot.title)
-    # Figure.savefig draws a figure with a layout twice.
+    # Figure.savefig would draw a figure with a layout twice.
     canvas.draw()  # type: ignore[no-untyped-call]
     drawn = np.asarray(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
     return encode_png(np.ascontiguousarray(drawn[..., :3]))

@@ -33,15 +33,16 @@ _QUIET_BODY = ParagraphStyle("quiet", parent=BODY, textColor=QUIET)
 
 
 def write_pdf(report: Report, path: Path) -> None:
-    """Write the report for print, A4.
+    """Write a report for print, A4.
 
     Raises
     ------
     OutputError
+        If the path cannot be written.
     """
     story = [paragraph(report.title, _BOLD_TITLE), paragraph(head_line(report), _QUIET_BODY)]
     for section in report.sections:
-        # A report of one section bears its title.
+        # A report of one section already shows its title.
         titled = section.title != report.title
         story += _section(section, [paragraph(section.title, _CHAPTER)] * titled)
     sensor = f"Sensor {report.serial} · " if report.serial else ""
@@ -49,7 +50,7 @@ def write_pdf(report: Report, path: Path) -> None:
 
 
 def _section(section: ReportSection, heading: list[Flowable]) -> list[Flowable]:
-    """Lay out a section; heading and sentences stay with what follows them."""
+    """Lay out a section; heading and sentences are kept with the next element."""
     lead = heading + [paragraph(sentence) for sentence in section.sentences]
     story: list[Flowable] = []
     for table in (numbers_table(section), *section.tables):
@@ -64,7 +65,7 @@ def _section(section: ReportSection, heading: list[Flowable]) -> list[Flowable]:
 
 
 def _grid(table: Table) -> Grid:
-    """Lay out a table, its headings again on every page."""
+    """Lay out a table, with its headings repeated on every page."""
     headings = [table.headings] * any(table.headings)
     rows = [*headings, *table.rows]
     style = [

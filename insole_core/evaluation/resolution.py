@@ -12,7 +12,7 @@ from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _VIEW_DEG = (58.0, 45.0)
-"""Field of view of the infrared camera that the thesis puts into (22)."""
+"""Field of view of the infrared camera used for (22) in the thesis."""
 _WINDOW = (slice(200, 280), slice(270, 370))
 
 
@@ -22,7 +22,6 @@ class Resolution:
 
     Parameters
     ----------
-    distance_mm
     x_mm, y_mm
         Spacing of neighbouring pixels on the surface.
     theory_x_mm, theory_y_mm
@@ -45,12 +44,19 @@ class Resolution:
 def evaluate_resolution(
     capture: WallCapture, camera: PinholeCamera, disparity: DisparityModel
 ) -> Resolution:
-    """Measure the resolution in the middle of a capture of a flat surface.
+    """Measure the resolution in the centre of a capture of a flat surface.
+
+    Parameters
+    ----------
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
 
     Raises
     ------
     CalibrationError
-        When there is no reading in the middle.
+        If there is no reading in the centre.
     """
     window = np.full(capture.raw.shape, np.nan)
     window[_WINDOW] = capture.raw[_WINDOW]
@@ -63,7 +69,7 @@ def evaluate_resolution(
         )
     rays = camera.pixel_rays()
     points = rays * depth[..., None]
-    # One capture of one frame holds whole raw numbers; averaged frames are rounded back to them.
+    # A single frame holds integer raw numbers; averaged frames are rounded to integers again.
     levels = disparity.depth_mm(np.unique(np.round(window[known])))
     distance = float(np.median(depth[known]))
     raw = disparity.raw(np.array([distance]))

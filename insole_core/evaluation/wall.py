@@ -23,25 +23,25 @@ _CENTRE = (slice(238, 243), slice(318, 323))
 
 
 class Correction(Protocol):
-    """Anything that turns raw numbers into corrected depths."""
+    """A correction that converts raw numbers to depths."""
 
     def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
-        """Give the corrected depth of a raw image (480, 640)."""
+        """Return the corrected depth (480, 640), mm, of a raw image of that shape."""
         ...
 
 
 @dataclass(frozen=True)
 class NoCorrection:
-    """The sensor as it comes out of the box."""
+    """The uncorrected sensor."""
 
     def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
-        """Convert only."""
+        """Return the depth (480, 640), mm, by the disparity model alone."""
         return disparity.depth_mm(raw)
 
 
 @dataclass(frozen=True)
 class WallError:
-    """How far one corrected capture of a wall is from flat, mm.
+    """Deviation of one corrected capture of a wall from flat, mm.
 
     Parameters
     ----------
@@ -49,14 +49,13 @@ class WallError:
         Depth of the fitted plane at the image centre.
     mean_abs_mm
         Thesis (19) over the valid pixels, against the fitted plane.
-    rms_mm, p95_mm
     mean_abs_raw
         Thesis (18), raw units.
     perpendicular_mean_abs_mm
         Thesis (19) as printed: against the distance at the image centre, which holds for a
         perpendicular wall only.
     pixels
-        How many were valid.
+        Number of valid pixels.
     """
 
     distance_mm: float
@@ -71,12 +70,19 @@ class WallError:
 def wall_error(
     capture: WallCapture, correction: Correction, camera: PinholeCamera, disparity: DisparityModel
 ) -> WallError:
-    """Measure a corrected capture against the plane that fits it best.
+    """Measure a corrected capture against its best-fitting plane.
+
+    Parameters
+    ----------
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
 
     Raises
     ------
     CalibrationError
-        When too few pixels are left.
+        If too few pixels remain.
     """
     depth = correction.depth_mm(capture.raw, disparity)
     rows = plane_rows(camera)
@@ -98,12 +104,24 @@ def wall_error(
 def wall_deviation_mm(
     capture: WallCapture, correction: Correction, camera: PinholeCamera, disparity: DisparityModel
 ) -> FloatArray:
-    """(480, 640) mm a corrected capture lies behind its best plane; NaN off the wall (figure 10).
+    """Compute how far each pixel lies behind the best-fitting plane of a capture (figure 10).
+
+    Parameters
+    ----------
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
+
+    Returns
+    -------
+    (480, 640) float64, mm
+        NaN off the wall.
 
     Raises
     ------
     CalibrationError
-        When too few pixels are left.
+        If too few pixels remain.
     """
     depth = correction.depth_mm(capture.raw, disparity)
     plane_depth, valid = _fitted_depth(depth, plane_rows(camera), capture.name)
@@ -116,7 +134,27 @@ def wall_errors(
     camera: PinholeCamera,
     disparity: DisparityModel,
 ) -> dict[str, list[WallError]]:
-    """Measure every capture with every correction: the curves of figure 11, by name."""
+    """Measure every capture with every correction: the curves of figure 11.
+
+    Parameters
+    ----------
+    corrections
+        By name.
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
+
+    Returns
+    -------
+    dict
+        The errors in the order of `captures`, by the name of the correction.
+
+    Raises
+    ------
+    CalibrationError
+        If too few pixels of a capture remain.
+    """
     listed = list(captures)
     return {
         name: [wall_error(capture, correction, camera, disparity) for capture in listed]
@@ -125,9 +163,9 @@ def wall_errors(
 
 
 def _fitted_depth(depth: FloatArray, rows: FloatArray, name: str) -> tuple[FloatArray, BoolArray]:
-    """Depth of the total least squares plane at every pixel, and the pixels that belong to it."""
+    """Return the depth of the total least squares plane at every pixel, and the pixels on it."""
     points = rows * depth[..., None]
-    # Which pixels belong to it, every fourth one tells; the plane itself is of all of them.
+    # Every fourth pixel suffices to find those on the wall; the plane is then fitted to all.
     coarse = points[::_COARSE_STEP, ::_COARSE_STEP]
     near = np.isfinite(coarse[..., 2])
     for _ in range(_ROUNDS):
@@ -141,7 +179,7 @@ def _fitted_depth(depth: FloatArray, rows: FloatArray, name: str) -> tuple[Float
 def _plane(
     points: FloatArray, name: str, least: int = _LEAST_POINTS
 ) -> tuple[FloatArray, FloatArray]:
-    """Centre and normal of the plane through points (n, 3), of which there must be some."""
+    """Return centre and normal of the plane through points (n, 3), at least `least` of them."""
     if len(points) < least:
         raise CalibrationError(
             "{name} has no flat surface left to evaluate; capture a flat wall.", name=name

@@ -24,15 +24,24 @@ def wall_pictures(
     camera: PinholeCamera,
     disparity: DisparityModel,
 ) -> tuple[Plot, ...]:
-    """Show the first, the middle and the last capture, each with every correction.
+    """Plot the first, the middle and the last capture, each with every correction.
 
-    A wall is shown by how far it lies from its best plane; the scale is the same in all pictures
-    of a capture, and white is flat.
+    A wall is shown by its distance from its best-fitting plane; the scale is the same in all
+    pictures of a capture, and white is flat.
+
+    Parameters
+    ----------
+    corrections
+        By name, which is the title of a picture.
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
 
     Raises
     ------
     CalibrationError
-        When a capture shows no wall.
+        If a capture shows no wall.
     """
     chosen = np.unique(np.linspace(0, len(captures) - 1, _SHOWN).round().astype(int)).tolist()
     plots = []

@@ -1,4 +1,7 @@
-"""From foot and design to the insole's surface: pure, so that a design can be replayed."""
+"""Build the surface of an insole from a foot and a design.
+
+The functions are pure, so that a design can be replayed on another scan.
+"""
 
 from __future__ import annotations
 
@@ -29,19 +32,17 @@ __all__ = [
 ]
 
 LEAST_MATERIAL_MM = 0.3
-"""A contact surface lower than this over the bottom cannot be made."""
+"""Least height of the contact surface over the bottom plane that can be manufactured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Insole:
-    """A design realised on one foot.
+    """An insole design realised on one foot.
 
     Parameters
     ----------
-    design
-    foot
     contact
-        The surface that touches the foot; insole frame, z = 0 the bottom plane.
+        The surface that touches the foot; insole frame, z = 0 is the bottom plane.
     measured : (ny, nx) bool
         Nodes of `contact` where the foot was measured.
     """
@@ -53,7 +54,7 @@ class Insole:
 
 
 class BaseStep(Protocol):
-    """What gives the contact surface before pads: `contact_base`, or one that remembers."""
+    """A function that computes the contact surface before pads: `contact_base` or a cached one."""
 
     def __call__(  # noqa: D102
         self, foot: Foot, design: InsoleDesign, progress: Progress
@@ -67,18 +68,22 @@ def build_insole(
     *,
     base_of: BaseStep = contact_base,
 ) -> Insole:
-    """Derive the insole of a foot from its design: base, pads, check.
+    """Build the insole of a foot from its design: base, pads, check.
 
     Parameters
     ----------
-    foot, design, progress
     base_of
-        Gives the contact surface before pads.
+        Computes the contact surface before pads.
+
+    Returns
+    -------
+    Insole
+        Its contact surface is in the insole frame, mm.
 
     Raises
     ------
     DesignError
-        When the design is for the other side, holds a value out of range, or cannot be built on
+        If the design is for the other side, holds a value out of range, or cannot be built on
         this foot.
     """
     check_design_for(foot, design)
@@ -93,11 +98,12 @@ def build_insole(
 
 
 def check_design_for(foot: Foot, design: InsoleDesign) -> None:
-    """Refuse a design for the other foot, or with values out of their range.
+    """Check that a design is for the side of this foot and that its values are in range.
 
     Raises
     ------
     DesignError
+        If the sides differ, or naming the value that is out of range.
     """
     if design.side is not foot.side:
         raise DesignError(
@@ -110,9 +116,9 @@ def check_design_for(foot: Foot, design: InsoleDesign) -> None:
 
 
 def material_problem(contact: HeightField) -> DesignError | None:
-    """Say where an insole would be too thin to be made; None where it is thick enough everywhere.
+    """Return an error saying where the insole is too thin to be made, or None if it is nowhere.
 
-    Quick enough to be asked at every step of a drag.
+    It is fast enough to be called at every step of a drag.
     """
     row, column = np.unravel_index(contact.heights_mm.argmin(), contact.heights_mm.shape)
     lowest = contact.heights_mm[row, column]

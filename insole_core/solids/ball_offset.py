@@ -1,4 +1,4 @@
-"""What a ball can touch of a surface: shells of even thickness, and hollows too tight to mill."""
+"""Offsets of a height field by a ball: shells of even thickness, and hollows too tight to mill."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from insole_core.insole.surface.height_field import HeightField
 
 
 def parallel_below(field: HeightField, distance_mm: float) -> FloatArray:
-    """Give the highest surface that keeps a distance from the field, and stays above z = 0.
+    """Compute the highest surface that keeps a distance from the field and stays above z = 0.
 
-    A ball rolled under the field, its centre on the result, never cuts into it: no place is nearer
-    than the distance, and no loop can arise in a hollow.
+    It is the erosion of the field by a ball of that radius: no point is nearer than the distance,
+    and no loop can arise in a hollow.
 
     Returns
     -------
@@ -23,17 +23,29 @@ def parallel_below(field: HeightField, distance_mm: float) -> FloatArray:
 
 
 def left_by_cutter(heights_mm: FloatArray, step_mm: float, radius_mm: float) -> FloatArray:
-    """Height of the material (ny, nx) that a ball-nose cutter from above cannot take away.
+    """Compute the height of material that a ball-nose cutter from above cannot remove.
 
-    The cutter's centre runs on the dilation of the surface by the ball; what it leaves is the
-    closing of the surface less the surface.
+    The cutter's centre runs on the dilation of the surface by the ball; the remaining material is
+    the closing of the surface minus the surface.
+
+    Parameters
+    ----------
+    heights_mm : (ny, nx) float64
+    step_mm
+        Pitch of the grid.
+    radius_mm
+        Of the cutter.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
     """
     centres = -_eroded(-heights_mm, step_mm, radius_mm)
     return _eroded(centres, step_mm, radius_mm) - heights_mm
 
 
 def _eroded(heights_mm: FloatArray, step_mm: float, radius_mm: float) -> FloatArray:
-    """Centre height of a ball that touches the surface from below, at every node."""
+    """Return the centre height of a ball that touches the surface from below, at every node."""
     rows, columns = heights_mm.shape
     reach = int(radius_mm / step_mm)
     ring = np.pad(heights_mm, reach, mode="edge")

@@ -1,4 +1,4 @@
-"""What must hold before a solid goes to the shop: each check with its number and its place."""
+"""Checks that a solid must pass before manufacture, each with its value and worst position."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 
 _PITCH_MM = 1.0
-_OFF_LATTICE = 0.3137  # rays pass beside round coordinates, where lattices have their vertices
-_RIM_PIXELS = 3  # the rim runs out to an edge, which has no thickness
+_OFF_LATTICE = 0.3137  # rays avoid round coordinates, where lattices have their vertices
+_RIM_PIXELS = 3  # the rim tapers to an edge, which has no thickness
 _SKIN_MM = 0.01
 _DOWNWARD = -0.02
 
@@ -35,11 +35,11 @@ class Finding:
     Parameters
     ----------
     value, limit, unit
-        What was measured, and what is allowed.
+        Measured value, and the permitted one.
     place_mm
-        Where the worst place lies, in the frame of the solid; None where there is no one place.
+        Position of the worst value, in the frame of the solid; None if there is no single one.
     spots_mm : (n, 3) float64
-        All places that break the limit, about a millimetre apart, to be drawn.
+        All positions that break the limit, about a millimetre apart, for display.
     """
 
     name: CheckName
@@ -54,17 +54,17 @@ class Finding:
 
     @property
     def blocks(self) -> bool:
-        """Whether the export must stop, unless somebody answers for it."""
+        """Whether the export is refused unless someone overrides the rule."""
         return self.policy == "blocking" and not self.passed
 
     def as_json(self) -> dict[str, Any]:
-        """Give what is recorded, for `json.dump`."""
+        """Return what is recorded, for `json.dump`."""
         return {key: value for key, value in vars(self).items() if key != "spots_mm"}
 
 
 @dataclass(frozen=True)
 class Override:
-    """Somebody lets a solid pass that a blocking rule would stop."""
+    """A person's decision to export a solid against a blocking rule, with the reason."""
 
     author: str
     reason: str
@@ -78,7 +78,7 @@ def check_solid(
     *,
     unmarked: TriangleMesh | None = None,
 ) -> tuple[Finding, ...]:
-    """Make every check that is not off.
+    """Run every check that is not switched off.
 
     Parameters
     ----------
@@ -86,6 +86,11 @@ def check_solid(
         Standing on z = 0, the side to be milled upwards.
     unmarked : mm, optional
         The solid before letters were put on its bottom, which no cutter from above need reach.
+
+    Returns
+    -------
+    tuple of Finding
+        One for each check, passed or not.
     """
     survey = _Survey(solid, unmarked)
     checks = {
@@ -103,12 +108,22 @@ def check_solid(
 
 
 def require_export(findings: Sequence[Finding], override: Override | None = None) -> dict[str, Any]:
-    """Give the record of an export for `json.dump`, with the override where one was needed.
+    """Return the record of an export for `json.dump`, with the override if one was needed.
+
+    Parameters
+    ----------
+    override
+        Its reason must not be empty.
+
+    Returns
+    -------
+    dict
+        "findings", and "override" or None.
 
     Raises
     ------
     DesignError
-        When a blocking check failed and nobody overrides it.
+        If a blocking check failed and is not overridden.
     """
     blocking = [finding for finding in findings if finding.blocks]
     if blocking and (override is None or not override.reason.strip()):
@@ -123,7 +138,7 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
 
 
 def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
-    """Upper and lower side (ny, nx) of a solid on pixels of 1 mm; NaN beside it."""
+    """Return the heights (ny, nx) of the upper and lower side on pixels of 1 mm; NaN beside it."""
     below = TriangleMesh(solid.vertices * [1, 1, -1], solid.triangles)
     return _Survey(solid).seen[0], -_Survey(below).seen[0]
 
@@ -157,7 +172,7 @@ class _Survey:
 
     @cached_property
     def inner(self) -> BoolArray:
-        """(ny, nx) places away from the rim."""
+        """(ny, nx) pixels away from the rim."""
         return np.asarray(binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS))
 
     def place(self, index: tuple[int, ...]) -> Place:
@@ -181,7 +196,7 @@ def _watertight(survey: _Survey, _rules: ExportRules, policy: Policy) -> Finding
 
 
 def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    """From each place of the upper side straight into the material, until it ends."""
+    """Measure from each point of the upper side along the inward normal to the opposite side."""
     heights, normals = survey.seen
     limit = rules.limits["thickness"]
     thickness = np.full(heights.shape, np.nan)
@@ -231,7 +246,7 @@ def _graded(
     unit: str,
     least: bool = False,
 ) -> Finding:
-    """Judge the worst place of a map; with `least` the map holds the negative of what counts."""
+    """Judge the worst value of a map; with `least` the map holds the negative of the quantity."""
     if not np.isfinite(badness).any():
         sentence = Message(
             "Too little of the solid is seen from above to check its {what}.", what=name
@@ -255,7 +270,7 @@ def _graded(
 
 
 def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    """Area that looks down and is not the base: no cutter from above reaches it."""
+    """Sum the area that faces down and is not the base: no cutter from above reaches it."""
     solid, limit = survey.unmarked, rules.limits["undercut"]
     corners = solid.vertices[solid.triangles]
     lifted = corners[..., 2].max(axis=1) > solid.bounds_mm[0, 2] + _SKIN_MM

@@ -1,4 +1,4 @@
-"""What leaves for the shop in one go: the file, the checks and the papers, or nothing."""
+"""Export of an order to the workshop: solid, checks and documents, all or nothing."""
 
 from __future__ import annotations
 
@@ -27,13 +27,12 @@ _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 
 @dataclass(frozen=True)
 class ExportPaths:
-    """Where to write; None for what is not wanted.
+    """Files to write; None for those not wanted.
 
     Parameters
     ----------
-    solid
     checks
-        The outcome of the checks, JSON.
+        Outcome of the checks, JSON.
     job_sheet, prescription
         PDF.
     """
@@ -46,24 +45,22 @@ class ExportPaths:
 
 @dataclass(frozen=True, eq=False)
 class ExportJob:
-    """What is delivered.
+    """The parts to export and the facts for their documents.
 
     Parameters
     ----------
     pieces
         One, or a left and a right one.
-    shop
     identification
-        What the shop may know: a pseudonym; never the patient's name.
+        What the workshop may know: a pseudonym; never the patient's name.
     patient
         For the prescription, which stays with the patient and in the record.
-    material
     block
-        That a pair is nested in; None for pieces that lie as they were designed.
+        In which a pair is nested; None for parts that lie as they were designed.
     override
         Of blocking rules.
     ascii_stl
-        STL as text.
+        Whether STL is written as text.
     """
 
     pieces: tuple[Part, ...]
@@ -76,12 +73,12 @@ class ExportJob:
     ascii_stl: bool = False
 
     def parts(self) -> tuple[ThreeMfPart, ...]:
-        """Give the objects of the file.
+        """Return the objects of the file.
 
         Raises
         ------
         DesignError
-            When a pair does not fit the block.
+            If a pair does not fit the block.
         """
         if self.block is not None and len(self.pieces) == 2:
             return nest_parts(*self.pieces, self.block.size_mm, self.shop)
@@ -90,14 +87,24 @@ class ExportJob:
 
 @contextmanager
 def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
-    """Open every place before the work begins; nothing stays if it fails.
+    """Open temporary files for every path before the work begins; none remains if it fails.
+
+    Parameters
+    ----------
+    places
+        The final paths, which the files take when the context ends without error.
+
+    Yields
+    ------
+    ExportPaths
+        The temporary files to write.
 
     Raises
     ------
     UsageError
-        When a name has a suffix that is not written.
+        If a name has a suffix that is not supported.
     OutputError
-        When a place cannot be written.
+        If a path cannot be written.
     """
     check_suffix(places.solid)
     for paper in (places.job_sheet, places.prescription):
@@ -113,68 +120,66 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
 
 
 def run_export_job(
-    delivery: ExportJob, places: ExportPaths, beside: ExportPaths, progress: Progress = SILENT
+    job: ExportJob, places: ExportPaths, beside: ExportPaths, progress: Progress = SILENT
 ) -> None:
-    """Write what is wanted.
+    """Write the solid and the documents that are wanted.
 
     Parameters
     ----------
     places
-        The names that the shop gets.
+        The final paths, named in the documents.
     beside
-        Where they are written until all is well; of `outputs`.
+        The temporary files to write, from `outputs`.
 
     Raises
     ------
     DesignError
-        When a blocking check failed and nobody overrides it, or a pair does not fit its block.
+        If a blocking check failed and is not overridden, or a pair does not fit its block.
     """
-    records = [require_export(piece.findings, delivery.override) for piece in delivery.pieces]
+    records = [require_export(piece.findings, job.override) for piece in job.pieces]
     progress.step(0.1, "Writing the file")
-    write_solids(delivery.parts(), beside.solid, ascii_stl=delivery.ascii_stl)
+    write_solids(job.parts(), beside.solid, ascii_stl=job.ascii_stl)
     if beside.checks is not None:
-        text = json.dumps(_joined(delivery, records), indent=1, ensure_ascii=False)
+        text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
         beside.checks.write_text(text + "\n", encoding="utf-8")
     if beside.job_sheet is not None:
         progress.step(0.4, "Writing the job sheet")
-        sheets = [_job_sheet(delivery, piece, places, beside) for piece in delivery.pieces]
+        sheets = [_job_sheet(job, piece, places, beside) for piece in job.pieces]
         write_job_sheet(sheets, beside.job_sheet)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
-        _write_prescription(delivery, beside.prescription)
+        _write_prescription(job, beside.prescription)
 
 
-def _joined(delivery: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
-    """One piece: its record as it is; a pair: by side."""
-    for piece, record in zip(delivery.pieces, records, strict=True):
+def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the record of a single part as it is, those of a pair by side."""
+    for piece, record in zip(job.pieces, records, strict=True):
         record["deviation_mm"] = round(piece.deviation_mm, 4)
         record["triangles"] = len(piece.solid.triangles)
     if len(records) == 1:
         return records[0]
-    return {str(piece.side): r for piece, r in zip(delivery.pieces, records, strict=True)}
+    return {str(piece.side): r for piece, r in zip(job.pieces, records, strict=True)}
 
 
-def _job_sheet(
-    delivery: ExportJob, piece: Part, places: ExportPaths, beside: ExportPaths
-) -> JobSheet:
+def _job_sheet(job: ExportJob, piece: Part, places: ExportPaths, beside: ExportPaths) -> JobSheet:
     top, bottom = survey_heights(piece.solid)
     return JobSheet(
         identification={
-            **delivery.identification,
+            **job.identification,
             "side": str(piece.side),
             "kind": piece.order.kind,
             "mark": ", ".join(piece.order.mark) or "–",
             "date": datetime.now(UTC).date().isoformat(),
         },
         measures=_measures(piece),
-        make=_make(delivery, piece),
+        make=_make(job, piece),
         sections=tuple(
             section_along(top, bottom, 1.0, share=share, across=across)
             for share, across in _SECTIONS
         ),
         checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in piece.findings)
         + piece.notes
-        + _released(delivery, piece),
+        + _released(job, piece),
         file=beside.solid,
         file_name=places.solid.name,
         height_map_mm=top,
@@ -194,36 +199,36 @@ def _measures(piece: Part) -> dict[str, str]:
     return facts
 
 
-def _make(delivery: ExportJob, piece: Part) -> dict[str, str]:
+def _make(job: ExportJob, piece: Part) -> dict[str, str]:
     facts = {
-        "material": delivery.material or "–",
-        "tolerance": f"± {delivery.shop.tolerance_mm:g} mm",
+        "material": job.material or "–",
+        "tolerance": f"± {job.shop.tolerance_mm:g} mm",
         **make_facts(piece.insole.design),
         "draft of the walls": f"{piece.order.options.draft_deg:g}°",
     }
-    if delivery.block is not None:
-        size = " × ".join(f"{length:g}" for length in delivery.block.size_mm)
-        facts["block"] = f"{delivery.block.name}, {size} mm"
+    if job.block is not None:
+        size = " × ".join(f"{length:g}" for length in job.block.size_mm)
+        facts["block"] = f"{job.block.name}, {size} mm"
     return facts
 
 
-def _released(delivery: ExportJob, piece: Part) -> tuple[str, ...]:
-    by = delivery.override
+def _released(job: ExportJob, piece: Part) -> tuple[str, ...]:
+    by = job.override
     if by is None or not any(finding.blocks for finding in piece.findings):
         return ()
     return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)
 
 
-def _write_prescription(delivery: ExportJob, path: Path) -> None:
+def _write_prescription(job: ExportJob, path: Path) -> None:
     lines, make = [], {}
-    for piece in delivery.pieces:
+    for piece in job.pieces:
         lines += [
             f"{str(piece.side).capitalize()}. {line}"
             for line in correction_lines(piece.insole.design)
         ]
         for key, value in make_facts(piece.insole.design).items():
             make[f"{piece.side}, {key}"] = value
-    sides = " and ".join(str(piece.side) for piece in delivery.pieces)
+    sides = " and ".join(str(piece.side) for piece in job.pieces)
     today = datetime.now(UTC).date().isoformat()
-    identification = {**delivery.patient, **delivery.identification, "side": sides, "date": today}
-    write_prescription(identification, lines, {"material": delivery.material or "–", **make}, path)
+    identification = {**job.patient, **job.identification, "side": sides, "date": today}
+    write_prescription(identification, lines, {"material": job.material or "–", **make}, path)

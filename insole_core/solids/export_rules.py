@@ -1,4 +1,4 @@
-"""The shop's and the clinic's rules for what may leave the house: resources/rules/export.json."""
+"""Rules of workshop and clinic for what may be exported: resources/rules/export.json."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _WITHOUT_LIMIT = ("watertight", "block")
 
 @dataclass(frozen=True)
 class ExportRules:
-    """How strictly each check is taken, and its limit.
+    """Policy and limit of every check.
 
     Parameters
     ----------
     policies
-        A check that is not named is off.
+        Checks that are not named are off.
     limits
         Thickness: least, mm. Cutter: most material left in hollows, mm. Undercut: most area, mm².
         Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm.
@@ -48,17 +48,23 @@ class ExportRules:
     block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
 
     def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> ExportRules:
-        """Take one check more or less strictly; a check without a limit keeps having none."""
+        """Return the rules with another policy, and if given another limit, for one check.
+
+        Parameters
+        ----------
+        limit
+            In the unit of the check, see `limits`; None keeps the present one.
+        """
         limits = self.limits if limit is None else {**self.limits, name: limit}
         return replace(self, policies={**self.policies, name: policy}, limits=limits)
 
     def with_cutter(self, diameter_mm: float) -> ExportRules:
-        """Hold hollows against another cutter.
+        """Return the rules for another ball-nose cutter.
 
         Raises
         ------
         InputError
-            When no cutter is that large or small.
+            If the diameter is out of range.
         """
         if not _LEAST_CUTTER_MM <= diameter_mm <= _GREATEST_CUTTER_MM:
             raise InputError(
@@ -71,17 +77,17 @@ class ExportRules:
         return replace(self, cutter_diameter_mm=diameter_mm)
 
     def only(self, names: Collection[CheckName]) -> ExportRules:
-        """Switch the other checks off."""
+        """Return the rules with all other checks switched off."""
         return replace(self, policies={k: v for k, v in self.policies.items() if k in names})
 
 
 def read_rules(path: Path | None = None) -> ExportRules:
-    """Read rules, by default those that come with the product.
+    """Read rules, by default those shipped with the product.
 
     Raises
     ------
     InputError
-        Names the file and the key that is missing or wrong.
+        Naming the file and the key that is missing or wrong.
     """
     root = JsonObject.read(path or resource_path("rules/export.json"))
     root.check_format(FORMAT, VERSION)
@@ -107,12 +113,12 @@ def read_rules(path: Path | None = None) -> ExportRules:
 
 
 def write_rules(rules: ExportRules, path: Path) -> None:
-    """Write rules as `read_rules` reads them.
+    """Write rules in the format of `read_rules`.
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        If the path cannot be written.
     """
     content: dict[str, dict[str, Any]] = {
         name: {"policy": policy} for name, policy in rules.policies.items()

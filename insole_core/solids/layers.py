@@ -1,4 +1,4 @@
-"""An insole in layers: cover, shell and base, each a solid of its own that fits on the next."""
+"""An insole in layers: cover, shell and base, each a solid that fits on the next."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ def layer_parts(
     Parameters
     ----------
     insole
-        Its design says how thick cover and shell are; what lies below them is the base.
+        Its design gives the thickness of cover and shell; the base is below them.
     solid : mm, insole frame
-        Of this insole, in any state of its making.
+        Of this insole, with or without markings or reduction.
     makes
         Colour and density of each layer.
     name
-        Of the insole; the layers are named after it.
+        Of the insole; the names of the layers are derived from it.
 
     Returns
     -------
-    tuple of Part
+    tuple of ThreeMfPart
         From the foot down, together exactly the solid; layers without material are left out.
     """
     layers, rest = insole.design.layers, to_manifold(solid)
@@ -65,7 +65,7 @@ def layer_parts(
 
 
 def _everything_below(contact: HeightField, depth_mm: float) -> TriangleMesh:
-    """Give a block that reaches beside and below any insole of this contact surface."""
+    """Return a block that reaches beside and below any insole of this contact surface."""
     heights = parallel_below(contact, depth_mm)
     beside = int(np.ceil(_BESIDE_MM / contact.step_mm))
     wide = HeightField(

@@ -17,9 +17,9 @@ from insole_core.solids.simplification import from_manifold, to_manifold
 
 Relief: TypeAlias = Literal["engraved", "raised"]
 
-_OVERLAP_MM = 0.2  # letters reach beyond the face they stand on, so that no sliver remains
+_OVERLAP_MM = 0.2  # letters extend through the bottom face, so that no sliver remains
 _LEAST_LETTER_MM = 2.0
-_LINE_PITCH = 1.5  # of the letters' height
+_LINE_PITCH = 1.5  # relative to the letters' height
 _CLEAR_MM = 2.0
 
 
@@ -40,23 +40,29 @@ def mark(
     solid : mm
         Standing flat on z = 0.
     lines
-        Any script; letters that the font lacks get a likeness or "?".
+        In any script; letters missing from the font become a similar one or "?".
     centre_mm, room_mm
-        Place and size (x, y) of the lettering; it is made smaller until it fits.
+        Centre and size (x, y) of the area for the lettering, which is scaled down to fit.
     letter_mm
         Height of a capital letter.
+    depth_mm
+        Height of the relief.
+
+    Returns
+    -------
+    TriangleMesh, mm, frame of `solid`
 
     Raises
     ------
     DesignError
-        When nothing is left to write, it does not fit, or the bottom is not flat there.
+        If nothing is left to write, it does not fit, or the bottom is not flat there.
     """
     known = [text for text in map(with_known_letters, lines) if text]
     if not known:
         raise DesignError("The identification is empty; write a pseudonym, side or date.")
     section = _section(known)
     section = _fitted(section, letter_mm, (room_mm[1], room_mm[0]))
-    # Along y: turned a quarter. To be read from below: mirrored.
+    # Turned by 90 degrees to run along y, and mirrored to be read from below.
     section = section.mirror([1.0, 0.0]).rotate(-90.0).translate(list(centre_mm))
     bottom = float(solid.bounds_mm[0, 2])
     start = bottom - (_OVERLAP_MM if relief == "engraved" else depth_mm)
@@ -78,7 +84,7 @@ def _check_depth(
 
 
 def _section(lines: list[str]) -> manifold3d.CrossSection:
-    """Letters of unit capital height, the lines below each other, centred on the origin."""
+    """Return letters of unit capital height, the lines below each other, centred on the origin."""
     font = FontProperties(fname=str(FONT_PATH))
     polygons: list[FloatArray] = []
     for number, text in enumerate(lines):
@@ -94,10 +100,10 @@ def _section(lines: list[str]) -> manifold3d.CrossSection:
 def _fitted(
     section: manifold3d.CrossSection, letter_mm: float, room_mm: tuple[float, float]
 ) -> manifold3d.CrossSection:
-    """Scale unit letters to their height, or to what fits."""
+    """Scale unit letters to their height, or to the available area."""
     low_x, low_y, high_x, high_y = section.bounds()
     scale = min(
-        letter_mm / 0.73,  # a capital of DejaVu Sans takes 0.73 of the size
+        letter_mm / 0.73,  # a capital of DejaVu Sans is 0.73 of the font size
         (room_mm[0] - _CLEAR_MM) / max(high_x - low_x, 1e-9),
         (room_mm[1] - _CLEAR_MM) / max(high_y - low_y, 1e-9),
     )

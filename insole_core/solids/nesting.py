@@ -1,4 +1,4 @@
-"""Left and right in one block: as close as they go, the right one turned where that is closer."""
+"""Left and right in one block, as close as possible, the right one turned where that is closer."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Nest:
     Parameters
     ----------
     meshes
-        In the order they were given.
+        In the order given.
     insole2block : (4, 4) float64, mm, for each
     size_mm
         Width (x), length (y) and height they need together, with the margin.
@@ -40,19 +40,27 @@ def nest_pair(
     gap_mm: float = 12.0,
     margin_mm: float = 4.0,
 ) -> Nest:
-    """Lay two solids side by side into a block (length, width, height).
+    """Place two solids side by side in a block.
 
     Parameters
     ----------
+    left, right : mm, each in its own frame
+    block_mm
+        Length, width, height.
     gap_mm
         Between the two, for the cutter.
     margin_mm
         To the sides of the block.
 
+    Returns
+    -------
+    Nest
+        The narrower of both directions of the right solid.
+
     Raises
     ------
     DesignError
-        When the block is too small.
+        If the block is too small.
     """
     nests = [_side_by_side(left, right, turn_deg, gap_mm, margin_mm) for turn_deg in (0, 180)]
     smallest = min(nests, key=lambda nest: nest.size_mm[0])
@@ -76,7 +84,7 @@ def nest_pair(
 def _side_by_side(
     left: TriangleMesh, right: TriangleMesh, turn_deg: float, gap_mm: float, margin_mm: float
 ) -> Nest:
-    """Right beside left, the backs level; as near as their outlines allow."""
+    """Place right beside left, their backs level, as near as their outlines allow."""
     turn = rigid(rotation_about(np.array([0.0, 0, 1]), turn_deg), np.zeros(3))
     placed = []
     for mesh, a2b in ((left, np.eye(4)), (right, turn)):
@@ -91,7 +99,7 @@ def _side_by_side(
 
 
 def _shift(left: TriangleMesh, right: TriangleMesh, gap_mm: float) -> float:
-    """How far the right one must move along x to stand clear of the left one by the gap."""
+    """Return how far to move the right one along x to clear the left one by the gap."""
     end = max(left.bounds_mm[1, 1], right.bounds_mm[1, 1])
     rows = int(np.ceil(end / _PITCH_MM)) + 1
     right_side = _profile(left, rows, gap_mm, np.maximum, -np.inf)
@@ -103,7 +111,7 @@ def _shift(left: TriangleMesh, right: TriangleMesh, gap_mm: float) -> float:
 def _profile(
     mesh: TriangleMesh, rows: int, reach_mm: float, extreme: np.ufunc, start: float
 ) -> FloatArray:
-    """Outermost x in every row along y, also of what lies within reach along y."""
+    """Return the outermost x in every row along y, including all within reach along y."""
     profile = np.full(rows, start)
     row = np.clip((mesh.vertices[:, 1] / _PITCH_MM).astype(int), 0, rows - 1)
     extreme.at(profile, row, mesh.vertices[:, 0])

@@ -1,4 +1,4 @@
-"""What is ordered from the shop, and the piece that comes of it: made, marked, reduced, checked."""
+"""An order to the workshop, and the part made from it: solid, marked, reduced, checked."""
 
 from __future__ import annotations
 
@@ -27,25 +27,23 @@ CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
     "positive": ("watertight", "undercut"),
 }
 _MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
-"""Under the heel, where the bottom is wide and whole for every foot: shares of the length, mm."""
+"""Under the heel, where every insole's bottom is wide and complete: shares of the length, mm."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """How a piece is made.
+    """The order of one part: its kind, shape, marking and reduction.
 
     Parameters
     ----------
-    kind
-    options
     mark
-        Lines of identification; none is written where there is none.
+        Lines of identification; empty for none.
     relief
         "engraved" into the bottom, or "raised" from it.
     most_triangles, most_deviation_mm
-        Target of the reduction, and how far it may lead from the surface; None for no target.
+        Target of the reduction, and its greatest distance from the surface; None for no reduction.
     layered
-        Whether cover, shell and base are objects of their own, where the format allows it.
+        Whether cover, shell and base are separate objects, where the format allows it.
     """
 
     kind: Kind = "insole"
@@ -59,19 +57,19 @@ class Order:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """What an order came to.
+    """The finished solid of an order, with its checks.
 
     Parameters
     ----------
     insole, order
-        What it was made of.
+        From which it was made.
     solid : mm, insole frame
     deviation_mm
-        How far the reduction led from the surface at most, measured; 0 without one.
+        Greatest measured deviation by the reduction; 0 without one.
     findings
         Of the checks.
     notes
-        What the orderer should know and no check says, one sentence each.
+        What the customer should know beyond the checks, one sentence each.
     """
 
     insole: Insole
@@ -92,7 +90,7 @@ class Part:
         return f"{self.side} {self.order.kind}"
 
     def parts(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
-        """Give the objects of the file."""
+        """Return the objects of the file."""
         if self.order.layered and self.order.kind == "insole":
             return layer_parts(self.insole, self.solid, shop.layers, self.name)
         return (ThreeMfPart(self.solid, self.name),)
@@ -101,12 +99,22 @@ class Part:
 def make_part(
     insole: Insole, order: Order, rules: ExportRules, progress: Progress = SILENT
 ) -> Part:
-    """Make the solid of an insole, mark it, reduce its triangles, check it.
+    """Make the solid of an insole, mark it, reduce its triangles, and check it.
+
+    Parameters
+    ----------
+    rules
+        Only the checks in `CHECKS_OF` for this kind are made.
+
+    Returns
+    -------
+    Part
+        Its solid is in mm; failed checks are among its findings and do not raise.
 
     Raises
     ------
     DesignError
-        When the solid, its letters, or the target of triangles cannot be had.
+        If the solid, its lettering, or the target of triangles is impossible.
     """
     plain = make_solid(insole, order.kind, order.options, progress.part(0.0, 0.3))
     _require_known_letters(order)
@@ -123,12 +131,22 @@ def make_part(
 def nest_parts(
     left: Part, right: Part, block_mm: tuple[float, float, float], shop: Shop
 ) -> tuple[ThreeMfPart, ...]:
-    """Lay two pieces into one block, each object at its place.
+    """Place a left and a right part in one block.
+
+    Parameters
+    ----------
+    block_mm
+        Length, width, height.
+
+    Returns
+    -------
+    tuple of ThreeMfPart
+        The objects of both, at their positions in the block, mm.
 
     Raises
     ------
     DesignError
-        When the block is too small.
+        If the block is too small.
     """
     nest = nest_pair(left.solid, right.solid, block_mm)
     return tuple(
@@ -168,7 +186,7 @@ def _notes(order: Order) -> tuple[str, ...]:
 
 
 def _require_known_letters(order: Order) -> None:
-    """Refuse an identification of which nothing but "?" would remain."""
+    """Refuse an identification that would be written with "?" only."""
     text = "".join(order.mark).strip()
     if text and not set(text) - set(missing_letters(text)):
         raise DesignError(

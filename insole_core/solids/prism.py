@@ -13,21 +13,21 @@ from insole_core.solids.solid_outline import OutlineDistance
 from insole_core.solids.trimmed_grid import Plan
 
 _ROUNDS = 300
-_FADE = 1.3  # above 1: the border itself, which lies within a step of the outline, leans fully
-_LEAST_SHARE = 0.05  # of its area, that a triangle keeps
+_FADE = 1.3  # above 1, so that the border, within a step of the outline, gets the full lean
+_LEAST_SHARE = 0.05  # share of its area that a triangle keeps
 _BAND_SHARE = 4.0
-"""The bottom gives way to a wall that leans inwards over a band so many leans wide."""
+"""Width of the band in which the bottom makes way for an inward wall, relative to its lean."""
 
 
 @dataclass(frozen=True, eq=False)
 class Faces:
-    """Top and bottom of a prism at the nodes of one lattice, and the tips of the plan's fans.
+    """Top and bottom of a prism at the nodes of one lattice, and the centres of the plan's fans.
 
     Parameters
     ----------
     top_mm, bottom_mm : (ny, nx) float64
-        The bottom nowhere higher than the top.
-    tips : (k, 4) float64
+        The bottom is nowhere higher than the top.
+    tips : (k, 4) float64, mm
         x, y, top and bottom, for each fan of the plan.
     """
 
@@ -44,14 +44,14 @@ def prism(
     Parameters
     ----------
     plan
-        Where the top is; its border becomes the upper rim.
+        Plan of the top; its border becomes the upper rim.
     field
-        Gives the places of the lattice's nodes.
+        Provides the positions of the lattice's nodes.
     outline
         Exact within `band_mm` of the draft.
     draft_deg
-        How much the walls lean from the vertical; positive: wider at the bottom. Where walls would
-        cross, in tight concave places, they lean less.
+        Inclination of the walls from the vertical; positive: wider at the bottom. It is reduced
+        where walls would cross, in tight concave corners.
 
     Returns
     -------
@@ -75,12 +75,12 @@ def prism(
 
 
 def band_mm(height_mm: float, draft_deg: float) -> float:
-    """How far from the outline the bottom gives way to a wall of this height that leans inwards."""
+    """Return how far from the outline an inward-leaning wall of this height changes the bottom."""
     return float(_BAND_SHARE * height_mm * np.tan(np.radians(max(-draft_deg, 0.0))))
 
 
 def _lean(plan: Plan, faces: Faces, outline: OutlineDistance, draft_deg: float) -> FloatArray:
-    """(n, 2) way of each vertex from top to bottom, fading with the distance to the outline."""
+    """Return the offset (n, 2) of each vertex from top to bottom, fading away from the outline."""
     wall = plan.carry(faces.top_mm - faces.bottom_mm)
     fade = np.clip(_FADE * (1 - np.abs(plan.carry(outline.inside_mm)) / outline.reach_mm), 0, 1)
     slope = np.tan(np.radians(draft_deg))
@@ -88,7 +88,7 @@ def _lean(plan: Plan, faces: Faces, outline: OutlineDistance, draft_deg: float) 
 
 
 def _without_folds(triangles: IndexArray, places: FloatArray, lean: FloatArray) -> FloatArray:
-    """Shorten the ways round triangles that would turn over, until none does."""
+    """Shorten the offsets around triangles that would turn over, until none does."""
     lean = lean.copy()
     leaning = (lean != 0).any(axis=1)
     moved = triangles[leaning[triangles].any(axis=1)]
@@ -107,7 +107,7 @@ def _areas(corners: FloatArray) -> FloatArray:
 
 
 def _skin(plan: Plan, count: int) -> IndexArray:
-    """Top, bottom and walls; vertex i of the top has the vertex i + count below it."""
+    """Return top, bottom and walls; vertex i of the top has the vertex i + count below it."""
     start, end = plan.border.T
     below = plan.triangles[:, ::-1] + np.int32(count)
     walls = [

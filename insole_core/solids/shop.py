@@ -1,4 +1,4 @@
-"""What a shop has and how it works: resources/rules/shop.json, which a clinic can change."""
+"""Stock and methods of a workshop: resources/rules/shop.json, which a clinic can change."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Block:
 
 @dataclass(frozen=True)
 class LayerMake:
-    """How a layer looks in a file, and how dense it is printed."""
+    """Colour of a layer in the file, and the density at which it is printed."""
 
     color: tuple[int, int, int]
     density_percent: float
@@ -33,7 +33,7 @@ class LayerMake:
 
 @dataclass(frozen=True)
 class Shop:
-    """Blocks and materials in stock, the tolerance that is asked for, the make of each layer."""
+    """Blocks and materials in stock, the required tolerance, and the make of each layer."""
 
     blocks: tuple[Block, ...]
     materials: tuple[str, ...]
@@ -42,12 +42,12 @@ class Shop:
 
 
 def read_shop(path: Path | None = None) -> Shop:
-    """Read what a shop has, by default what comes with the product.
+    """Read a workshop's stock, by default that shipped with the product.
 
     Raises
     ------
     InputError
-        Names the file and the key that is missing or wrong.
+        Naming the file and the key that is missing or wrong.
     """
     root = JsonObject.read(path or resource_path("rules/shop.json"))
     root.check_format(FORMAT, VERSION)

@@ -1,4 +1,4 @@
-"""Fewer triangles for importers that choke, within a stated deviation."""
+"""Reduction of triangles within a stated deviation."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 
 _ROUNDS = 7
-_FINEST_SHARE = 1 / 64  # of the allowed deviation, where the search begins
+_FINEST_SHARE = 1 / 64  # of the allowed deviation, where the search starts
 _PITCH_MM = 0.5
-_NEIGHBOURS = (6, 150)  # where slender triangles crowd, the nearest samples are not of the nearest
+_NEIGHBOURS = (6, 150)  # among slender triangles the nearest samples are not on the nearest one
 _NEAR_MM = 0.01
 
 
@@ -29,7 +29,7 @@ class Simplified:
     mesh
         Closed, facing outwards.
     deviation_mm
-        Greatest distance of the original's vertices from it, measured (an upper bound).
+        Greatest measured distance of the original's vertices from it (an upper bound).
     """
 
     mesh: TriangleMesh
@@ -37,12 +37,19 @@ class Simplified:
 
 
 def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float) -> Simplified:
-    """Collapse edges until the target is met; of all ways the one with the least deviation.
+    """Collapse edges until the target is met, with the least deviation found.
+
+    Parameters
+    ----------
+    most_triangles
+        A solid with no more is returned unchanged.
+    most_deviation_mm
+        Greatest allowed distance of the original's vertices from the result.
 
     Raises
     ------
     DesignError
-        When the target cannot be met within the deviation.
+        If the target cannot be met within the deviation.
     """
     if len(solid.triangles) <= most_triangles:
         return Simplified(solid, 0.0)
@@ -70,12 +77,12 @@ def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float)
 
 
 def to_manifold(mesh: TriangleMesh) -> manifold3d.Manifold:
-    """Hand a closed mesh to the solid modeller.
+    """Convert a closed mesh for the solid modeller.
 
     Raises
     ------
     DesignError
-        When it is no solid.
+        If it is not a closed solid.
     """
     triangles = mesh.triangles.astype(np.uint64)
     body = manifold3d.Manifold(manifold3d.Mesh64(np.ascontiguousarray(mesh.vertices), triangles))
@@ -85,7 +92,7 @@ def to_manifold(mesh: TriangleMesh) -> manifold3d.Manifold:
 
 
 def from_manifold(body: manifold3d.Manifold) -> TriangleMesh:
-    """Take a mesh back from the solid modeller."""
+    """Convert a solid of the solid modeller to a mesh."""
     mesh = body.to_mesh64()
     return TriangleMesh(
         np.asarray(mesh.vert_properties, float)[:, :3].copy(),
@@ -98,7 +105,17 @@ def _attempt(body: manifold3d.Manifold, tolerance_mm: float) -> TriangleMesh:
 
 
 def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
-    """Distance (n,) of points from a surface; never too small."""
+    """Compute the distance of points from a surface.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, frame of `mesh`
+
+    Returns
+    -------
+    (n,) float64, mm
+        Never smaller than the true distance.
+    """
     places, triangle = _covering(mesh)
     tree = KDTree(places)
     distance = np.full(len(points), np.inf)
@@ -112,7 +129,7 @@ def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
 
 
 def _covering(mesh: TriangleMesh) -> tuple[FloatArray, IntArray]:
-    """Places (n, 3) on a mesh that leave no gap, and the triangle (n,) of each.
+    """Return points (n, 3) that cover a mesh without gaps, and the triangle (n,) of each.
 
     The samples of slender triangles do not reach into their tips; their edges do.
     """
@@ -128,7 +145,7 @@ def _covering(mesh: TriangleMesh) -> tuple[FloatArray, IntArray]:
 
 
 def _to_triangles(points: FloatArray, corners: FloatArray) -> FloatArray:
-    """Distance (n,) of each point from its triangle (n, 3, 3)."""
+    """Return the distance (n,) of each point from its triangle (n, 3, 3)."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     ab, ac, ap = b - a, c - a, points - a
     normal = np.cross(ab, ac)

@@ -1,4 +1,4 @@
-"""The three things a shop makes: the insole, the block it is milled from, the mould of the foot."""
+"""The three products of a workshop: the insole, its block for milling, the mould of the foot."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ Kind: TypeAlias = Literal["insole", "block", "positive"]
 KINDS: tuple[Kind, ...] = ("insole", "block", "positive")
 
 LEAST_WALL_MM = 0.3
-"""The least height of a wall: top and bottom never meet."""
+"""Least height of a wall, so that top and bottom never meet."""
 
 
 @dataclass(frozen=True)
 class SolidOptions:
-    """How the sides and the back of a solid are made.
+    """Shape of the sides and the back of a solid.
 
     Parameters
     ----------
     draft_deg
-        How much the walls lean from the vertical; positive: wider at the bottom, so that a cutter
+        Inclination of the walls from the vertical; positive: wider at the bottom, so that a cutter
         reaches everything from above; negative: narrower, to fit a shoe.
     chamfer_mm
         Width of the 45 degree bevel along the upper rim; 0 for a sharp rim.
@@ -78,7 +78,23 @@ def make_solid(
     options: SolidOptions = DEFAULT_OPTIONS,
     progress: Progress = SILENT,
 ) -> TriangleMesh:
-    """Make one of the three solids of an insole; see the functions of that name."""
+    """Make one of the three solids of an insole.
+
+    Parameters
+    ----------
+    options
+        Not used for a block.
+
+    Returns
+    -------
+    TriangleMesh, mm
+        Closed; for its frame see `insole_solid`, `block_solid` or `positive_solid`.
+
+    Raises
+    ------
+    DesignError
+        If the outline leaves no solid.
+    """
     progress.step(0.0, "Closing the {kind}", kind=kind)
     if kind == "block":
         return block_solid(insole)
@@ -94,10 +110,8 @@ def insole_solid(
 
     Parameters
     ----------
-    insole
-    options
     outline : (n, 2) float64, mm, insole frame, optional
-        The upper rim; by default what the design asks for.
+        The upper rim; by default the outline of the design.
 
     Returns
     -------
@@ -107,7 +121,7 @@ def insole_solid(
     Raises
     ------
     DesignError
-        When the outline leaves no insole.
+        If the outline leaves no insole.
     """
     field = insole.contact
     distance = _distance(insole, outline, options, float(field.heights_mm.max()))
@@ -125,7 +139,12 @@ def positive_solid(
     options: SolidOptions = DEFAULT_OPTIONS,
     outline: FloatArray | None = None,
 ) -> TriangleMesh:
-    """Give the corrected foot as a mould: what fills the insole, up to a level plane.
+    """Make the mould of the corrected foot: it fills the insole up to a level plane.
+
+    Parameters
+    ----------
+    outline : (n, 2) float64, mm, insole frame, optional
+        Edge of the sole; by default the outline of the design.
 
     Returns
     -------
@@ -136,7 +155,7 @@ def positive_solid(
     Raises
     ------
     DesignError
-        When the outline leaves no mould.
+        If the outline leaves no mould.
     """
     field = insole.contact
     level = float(field.heights_mm.max()) + options.mould_base_mm
@@ -148,7 +167,7 @@ def positive_solid(
         np.column_stack([tips[:, :2], level - tips[:, 2], np.zeros(len(tips))]),
     )
     upright = prism(plan, field, faces, distance, options.draft_deg)
-    # Heights were counted down from the level, which mirrors in z; with x the mirror is a turn.
+    # Heights were measured down from the level, a mirror in z; with one in x it is a rotation.
     return replace(upright, vertices=upright.vertices * [-1, 1, 1]).flipped()
 
 
@@ -167,7 +186,7 @@ def _distance(
 
 
 def _plan(insole: Insole, distance: OutlineDistance, clear_mm: float) -> tuple[Plan, FloatArray]:
-    """Trim the lattice; the apexes (k, 3) that lie clear of the rim become vertices."""
+    """Trim the lattice; the apexes (k, 3) that are clear of the rim become vertices."""
     tips = apexes(insole)
     clear = {cell: tip for cell, tip in tips.items() if distance.inside_mm[cell] > clear_mm + 2}
     plan = trim(distance.inside_mm, tuple(clear))

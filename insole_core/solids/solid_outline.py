@@ -1,4 +1,4 @@
-"""Where an insole ends: its outline, and the distance of every place to it."""
+"""The outline of an insole, and the distance of every grid node to it."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.surface.height_field import HeightField
 
 _LEAST_AREA_MM2 = 400.0
-_PITCH_MM = 0.5  # of the points along an outline that find the nearest part of it
+_PITCH_MM = 0.5  # of the points along an outline for finding its nearest side
 _SUBPIXEL_BITS = 8
-_ON_OUTLINE_MM = 1e-6  # nearer, the way from the outline has no direction
+_ON_OUTLINE_MM = 1e-6  # below this, the offset from the outline has no direction
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,10 +28,9 @@ class OutlineDistance:
     Parameters
     ----------
     inside_mm : (ny, nx) float64
-        Positive inside; exact up to `reach_mm`, beyond it only about right.
+        Positive inside; exact up to `reach_mm`, approximate beyond it.
     outward : (ny, nx, 2) float64
         Unit vector away from the inside, within reach; zero elsewhere.
-    reach_mm
     """
 
     inside_mm: FloatArray
@@ -40,27 +39,27 @@ class OutlineDistance:
 
 
 def outline_of(insole: Insole) -> FloatArray:
-    """Give the outline that the insole's design asks for, (n, 2), mm, insole frame.
+    """Return the outline of the insole's design, (n, 2), mm, insole frame.
 
     Raises
     ------
     DesignError
-        When it encloses too little for an insole.
+        If it encloses too little for an insole.
     """
     design = insole.design
-    # Only a shortened insole ends at landmarks, and finding them costs as much as all the rest.
+    # Only a shortened insole needs landmarks, and finding them takes as long as all the rest.
     shortened = design.outline.extent == "three_quarter"
     landmarks = find_landmarks(insole.foot) if shortened else {}
     return checked_outline(insole_outline(insole.foot, design, landmarks))
 
 
 def checked_outline(polygon: FloatArray) -> FloatArray:
-    """Give an outline (n, 2) counter-clockwise.
+    """Return an outline (n, 2), mm, in counter-clockwise order.
 
     Raises
     ------
     DesignError
-        When it encloses too little for an insole.
+        If it encloses too little for an insole.
     """
     area = _area(polygon) if len(polygon) > 2 else 0.0
     if abs(area) < _LEAST_AREA_MM2:
@@ -73,16 +72,24 @@ def checked_outline(polygon: FloatArray) -> FloatArray:
 
 
 def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -> OutlineDistance:
-    """Measure the distance of a field's nodes to an outline (n, 2), mm, insole frame."""
+    """Compute the signed distance of a field's nodes to an outline.
+
+    Parameters
+    ----------
+    polygon : (n, 2) float64, mm, frame of `field`
+        Counter-clockwise; the first point is not repeated.
+    reach_mm
+        Up to which the distance is exact.
+    """
     sign, coarse = _coarse_distance(polygon, field)
     near = coarse < reach_mm + 2 * field.step_mm
     nodes = field.nodes[near.ravel(), :2]
     away, normal = _away_from(polygon, nodes)
     distance = np.linalg.norm(away, axis=1)
-    # A node on the outline is not put on either side by its last bits.
+    # Rounding must not decide on which side a node on the outline is.
     apart = distance > _ON_OUTLINE_MM
     distance = np.where(apart, distance, 0.0)
-    # Painting errs by up to a pixel; the normal of the nearest place knows the side exactly.
+    # The painted mask errs by up to a pixel; the normal of the nearest point gives the exact side.
     sign[near] = np.where((away * normal).sum(axis=1) > 0, -1.0, 1.0)
     inside = sign * coarse
     inside[near] = sign[near] * distance
@@ -93,7 +100,7 @@ def outline_distance(polygon: FloatArray, field: HeightField, reach_mm: float) -
 
 
 def _coarse_distance(polygon: FloatArray, field: HeightField) -> tuple[FloatArray, FloatArray]:
-    """Sign (positive inside) and distance to the nearest node of the other sign, in whole steps."""
+    """Return the sign (positive inside) and the distance to the other sign, in whole steps."""
     corner = np.array([field.x0_mm, field.y0_mm])
     pixels = np.rint((polygon - corner) / field.step_mm * 2**_SUBPIXEL_BITS).astype(np.int32)
     mask = np.zeros(field.heights_mm.shape, np.uint8)
@@ -104,7 +111,7 @@ def _coarse_distance(polygon: FloatArray, field: HeightField) -> tuple[FloatArra
 
 
 def _away_from(polygon: FloatArray, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Way (n, 2) from the nearest point of a polygon to each place, and its unit normal there.
+    """Return the offset (n, 2) from the nearest point of a polygon, and its unit normal there.
 
     At a corner the normal is the mean of both sides' (Baerentzen and Aanaes 2005).
     """
@@ -119,7 +126,7 @@ def _away_from(polygon: FloatArray, places: FloatArray) -> tuple[FloatArray, Flo
         for side, part in zip((before, after), share, strict=True)
     ]
     sizes = [(way**2).sum(axis=1) for way in ways]
-    # Where both are as near, but for rounding: one side's normal may be at right angles to the way.
+    # Both are equally near but for rounding: one side's normal may be perpendicular to the offset.
     corner = np.isclose(sizes[0], sizes[1], rtol=1e-9, atol=_ON_OUTLINE_MM**2)
     normal = np.where((sizes[0] < sizes[1])[:, None], normals[before], normals[after])
     normal[corner] = normals[before[corner]] + normals[after[corner]]
@@ -136,11 +143,11 @@ def _densified(polygon: FloatArray) -> FloatArray:
 
 
 def _share(place: FloatArray, along: FloatArray) -> FloatArray:
-    """Where on a side (n, 2) its nearest point to a place lies, 0 to 1."""
+    """Return where on a side (n, 2) its nearest point to a given point lies, 0 to 1."""
     return np.asarray(np.clip((place * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1))
 
 
 def _area(polygon: FloatArray) -> float:
-    """Signed area of a closed polygon, positive counter-clockwise."""
+    """Return the signed area of a closed polygon, positive if counter-clockwise."""
     x, y = polygon.T
     return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)

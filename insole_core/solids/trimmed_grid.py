@@ -28,13 +28,13 @@ class Plan:
     ends : (n, 2) int64
         Flat indices of the two lattice nodes between which each vertex lies.
     share : (n,) float64
-        Its place between them, 0 at the first; a node of the lattice has 0 and twice itself.
+        Its position between them, 0 at the first; a vertex on a node has 0 and that node twice.
     triangles : (m, 3) int32
         Counter-clockwise. Index n + k is the centre of the k-th cell of `fans`.
     border : (k, 2) int32
         Edges of the border, the inside on their left.
     fans
-        Cells (row, column) that got a further vertex, in the order of their indices.
+        Cells (row, column) with an additional vertex, in the order of their indices.
     """
 
     ends: IntArray
@@ -59,7 +59,7 @@ def trim(inside_mm: FloatArray, fans: tuple[tuple[int, int], ...] = ()) -> Plan:
     inside_mm : (ny, nx) float64
         Positive inside; where the outline leaves the lattice, the plan ends at its edge.
     fans
-        Cells (row, column) that get a vertex of their own, if they lie wholly inside.
+        Cells (row, column) that get an additional vertex, if they lie wholly inside.
     """
     inside_mm = _closed_at_the_rim(inside_mm)
     cells = _Cells(inside_mm > 0)
@@ -82,7 +82,7 @@ def trim(inside_mm: FloatArray, fans: tuple[tuple[int, int], ...] = ()) -> Plan:
 
 
 def _closed_at_the_rim(inside_mm: FloatArray) -> FloatArray:
-    """Let the outline pass within the outermost nodes."""
+    """Make the outline pass inside the outermost nodes."""
     closed = np.full_like(inside_mm, -1.0)
     closed[1:-1, 1:-1] = inside_mm[1:-1, 1:-1]
     return closed
@@ -104,7 +104,7 @@ class _Cells:
         tips: tuple[tuple[int, int], ...],
         first_tip: int,
     ) -> tuple[IndexArray, IndexArray]:
-        """Triangles and border edges: nodes first, then crossings, then the tips of the fans."""
+        """Return triangles and border edges: nodes first, then crossings, then centres of fans."""
         case = self.case.copy()
         fans = [np.zeros((0, 3), np.int32)]
         for number, cell in enumerate(tips):
@@ -129,7 +129,7 @@ class _Cells:
         return [int(self.node[place]) for place in ring]
 
     def _corners(self, chosen: BoolArray, crossing_at: tuple[IndexArray, IndexArray]) -> IndexArray:
-        """(k, 8) corners a, b, c, d of the chosen cells, then crossings of ab, bc, cd, da."""
+        """Return (k, 8) corners a, b, c, d of chosen cells, then crossings of ab, bc, cd, da."""
         node, (flat, steep) = self.node, crossing_at
         columns = [
             node[:-1, :-1], node[:-1, 1:], node[1:, 1:], node[1:, :-1],
@@ -141,7 +141,7 @@ class _Cells:
 def _crossings(
     inside_mm: FloatArray,
 ) -> tuple[tuple[IndexArray, IndexArray], IntArray, FloatArray]:
-    """Number the crossings of the edges along x, then along y, after the nodes; place them."""
+    """Number the crossings of the edges along x, then along y, after the nodes; locate them."""
     first = inside_mm.size
     node = np.arange(inside_mm.size).reshape(inside_mm.shape)
     numbers, ends, share = [], [], []
@@ -159,7 +159,7 @@ def _crossings(
 
 
 def _template(case: int) -> tuple[list[int], list[list[int]]]:
-    """Polygon of a case (corners 0 to 3, crossings 4 to 7), and which of its sides are border."""
+    """Return the polygon of a case (corners 0 to 3, crossings 4 to 7), and its border sides."""
     inside = [bool(case >> corner & 1) for corner in range(4)]
     polygon: list[int] = []
     for corner in range(4):

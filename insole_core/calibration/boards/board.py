@@ -1,4 +1,4 @@
-"""Calibration boards and finding them in pictures."""
+"""Calibration boards and their detection in pictures."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _LEAST_CORNERS = 8
 _BLURRED_EDGE_PX = 4.5
 """Rise of a chequerboard edge from dark to bright; a sharp picture has 2 to 3 px."""
 _EDGE_UNKNOWN_PX = 9999.0
-"""What OpenCV says where the squares are too small to tell."""
+"""Result of OpenCV where the squares are too small to judge."""
 _SQUARE_MM = (5.0, 200.0)
 
 
 @dataclass(frozen=True, eq=False)
 class BoardDetection:
-    """A board as one picture shows it.
+    """A board as detected in one picture.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class BoardDetection:
 
 
 class Board(Protocol):
-    """What can be looked for in a picture; a value."""
+    """A kind of board that can be detected in a picture; an immutable value."""
 
     def __hash__(self) -> int: ...
 
@@ -59,7 +59,19 @@ class Board(Protocol):
         ...
 
     def find(self, name: str, grey: ByteArray) -> BoardDetection:
-        """Find the corners in a grey picture, or raise a `CalibrationError` that names it."""
+        """Find the corners in a grey picture.
+
+        Parameters
+        ----------
+        name
+            Of the picture, for the detection and for messages.
+        grey : (height, width) uint8
+
+        Raises
+        ------
+        CalibrationError
+            If the picture does not show the board.
+        """
         ...
 
 
@@ -70,7 +82,7 @@ class Chequerboard:
     Raises
     ------
     UsageError
-        When the size of the square cannot be in mm.
+        If the size of the square cannot be in mm.
     """
 
     columns: int
@@ -86,7 +98,19 @@ class Chequerboard:
         return _grid(self.columns, self.rows, self.square_mm)
 
     def find(self, name: str, grey: ByteArray) -> BoardDetection:
-        """Find all corners; a part of a chequerboard cannot be used, since its place is unknown."""
+        """Find all corners; part of a chequerboard is not enough, as its position is ambiguous.
+
+        Parameters
+        ----------
+        name
+            Of the picture, for the detection and for messages.
+        grey : (height, width) uint8
+
+        Raises
+        ------
+        CalibrationError
+            If the picture does not show the whole board, or is blurred.
+        """
         corners = _chequerboard_corners(grey, self.columns, self.rows)
         if corners is None:
             raise self._not_found(name, grey)
@@ -123,7 +147,12 @@ class Chequerboard:
 class Charuco:
     """A chequerboard of `columns` x `rows` squares with markers in its white squares.
 
-    It may be seen in part, because every corner knows its number.
+    It may be seen in part, because every corner has its own number.
+
+    Raises
+    ------
+    UsageError
+        If squares or markers have impossible sizes.
     """
 
     columns: int
@@ -155,7 +184,19 @@ class Charuco:
         return np.asarray(_grid(self.columns - 1, self.rows - 1, self.square_mm) + first)
 
     def find(self, name: str, grey: ByteArray) -> BoardDetection:
-        """Find the corners that are in view."""
+        """Find the corners that are in view.
+
+        Parameters
+        ----------
+        name
+            Of the picture, for the detection and for messages.
+        grey : (height, width) uint8
+
+        Raises
+        ------
+        CalibrationError
+            If too few corners are in view.
+        """
         corners, ids, _, _ = cv2.aruco.CharucoDetector(self.pattern()).detectBoard(grey)
         count = 0 if ids is None else len(ids)
         if count < _LEAST_CORNERS:
@@ -173,7 +214,7 @@ class Charuco:
         return BoardDetection(name, grey.shape[::-1], points, corners.reshape(-1, 2).astype(float))
 
     def pattern(self) -> Any:
-        """Give OpenCV's board."""
+        """Return the board of OpenCV."""
         dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, self.dictionary))
         return cv2.aruco.CharucoBoard(
             (self.columns, self.rows), self.square_mm, self.marker_mm, dictionary
@@ -186,7 +227,7 @@ def picture_paths(folder: Path, prefix: str = "") -> list[Path]:
     Raises
     ------
     InputError
-        When there are none.
+        If there are none.
     """
     if not folder.is_dir():
         raise InputError(
@@ -213,6 +254,7 @@ def read_grey(path: Path) -> ByteArray:
     Raises
     ------
     InputError
+        If it cannot be read.
     """
     return _read(path, cv2.IMREAD_GRAYSCALE)
 
@@ -223,6 +265,7 @@ def read_color(path: Path) -> ByteArray:
     Raises
     ------
     InputError
+        If it cannot be read.
     """
     return _read(path, cv2.IMREAD_COLOR_RGB)
 
@@ -236,13 +279,13 @@ def _read(path: Path, flags: int) -> ByteArray:
     return np.asarray(picture)
 
 
-def shifted(sighting: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:
-    """Give the same sighting in an image whose pixels are numbered differently."""
-    return replace(sighting, pixels=sighting.pixels + np.asarray(shift_px))
+def shifted(detection: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:
+    """Return the same detection in an image whose pixel coordinates are shifted by (u, v)."""
+    return replace(detection, pixels=detection.pixels + np.asarray(shift_px))
 
 
 def _chequerboard_corners(grey: ByteArray, columns: int, rows: int) -> FloatArray | None:
-    # Without normalisation first: on real pictures of a Kinect it found more and was more exact.
+    # Without normalisation first: on real Kinect pictures it detects more and is more accurate.
     careful = cv2.CALIB_CB_EXHAUSTIVE | cv2.CALIB_CB_ACCURACY
     for flags in (careful, careful | cv2.CALIB_CB_NORMALIZE_IMAGE):
         found, corners = cv2.findChessboardCornersSB(grey, (columns, rows), flags=flags)

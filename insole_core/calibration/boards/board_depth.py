@@ -1,10 +1,10 @@
 """The pose between the cameras from colour pictures and raw depth of a board; needs no infrared.
 
-The colour camera knows the board's plane, the depth sensor measures it. A plane before the colour
-camera is a plane over the pixels of the raw image, by one projective map of space; its numbers are
-the pose, the depth camera, the disparity model, and the plane that walls cannot tell. What limits
-it: the errors of the corners, since a shift is told only as far as the boards are tilted, and a
-distortion that is left in the depth.
+The colour camera gives the board's plane, the depth sensor measures it. A plane in front of the
+colour camera is a plane over the pixels of the raw image, by one projective map of space; its
+parameters are the pose, the depth camera, the disparity model, and the plane that walls cannot
+determine. The accuracy is limited by the errors of the corners, since a translation is only
+determined by the tilt of the boards, and by distortion that remains in the depth.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _LEAST_TILT_DEG = 3.0
 
 @dataclass(frozen=True)
 class BoardDepthOptions:
-    """What is fitted beside the pose.
+    """Parameters that are fitted besides the pose.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class BoardDepthOptions:
     centre, focal
         Principal point and focal lengths of the depth camera.
     tilt
-        The plane over the image that is added to all raw numbers, which walls cannot tell.
+        The plane over the image that is added to all raw numbers, which walls cannot determine.
     """
 
     disparity: bool = True
@@ -64,13 +64,12 @@ class BoardDepthCalibration:
 
     Parameters
     ----------
-    stereo
     depth
-        As given, and as far as it was fitted.
+        As given, with the fitted numbers replaced.
     values, deviations
         The fitted numbers and their standard deviations, by name: a, b, cx, cy, fx, fy, tilt_x,
-        tilt_y. Like those of the pose, they count the colour camera as known no better than the
-        corners of these boards tell it.
+        tilt_y. Like those of the pose, they assume that the colour camera is known no better than
+        from the corners of these boards.
     """
 
     stereo: StereoCalibration
@@ -86,12 +85,26 @@ def calibrate_board_depth(
     disparity: DisparityModel,
     options: BoardDepthOptions | None = None,
 ) -> BoardDepthCalibration:
-    """Fit the pose of the depth camera beside the colour camera.
+    """Fit the pose of the depth camera relative to the colour camera.
+
+    Parameters
+    ----------
+    boards
+        At least four, tilted in different directions.
+    depth_camera, disparity
+        Initial values; kept where `options` does not fit them.
+    color_camera
+        Calibrated.
+
+    Returns
+    -------
+    BoardDepthCalibration
+        With the root mean square of the depth residuals in raw units.
 
     Raises
     ------
     CalibrationError
-        With fewer than four boards, or boards that are all parallel.
+        If there are fewer than four boards, or all are parallel.
     """
     names, errors = _names(options or BoardDepthOptions()), LEAST_ERRORS
     guess = depth = DepthSensor(depth_camera, disparity)
@@ -110,35 +123,37 @@ def calibrate_board_depth(
         if numbers is None:
             numbers = problem.usual[6:]
         start = problem.start(depth2color, numbers, [board2color[i] for i in seen])
-        found = least_squares(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
-        depth2color, depth = pose(found.values), problem.read(found.values)
-        numbers = found.values[6 : problem.shared]
-        errors = problem.found_errors(found)
-    found = _judged(problem, found)
+        solution = least_squares(problem.residuals, start, problem.blocks(), robust=_OUTLIER)
+        depth2color, depth = pose(solution.values), problem.read(solution.values)
+        numbers = solution.values[6 : problem.shared]
+        errors = problem.found_errors(solution)
+    solution = _judged(problem, solution)
     return BoardDepthCalibration(
-        as_stereo(found, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
+        as_stereo(solution, errors.depth_raw, "raw", tuple(boards[i].color.name for i in seen)),
         depth,
-        dict(zip(names, found.values[6:].tolist(), strict=False)),
-        dict(zip(names, found.deviations[6:].tolist(), strict=False)),
+        dict(zip(names, solution.values[6:].tolist(), strict=False)),
+        dict(zip(names, solution.std[6:].tolist(), strict=False)),
     )
 
 
-def _judged(problem: Problem, found: Adjustment) -> Adjustment:
-    """Give the standard deviations that the colour camera's own errors add to.
+def _judged(problem: Problem, solution: Adjustment) -> Adjustment:
+    """Return the solution with the colour camera's own errors in its standard deviations.
 
     The colour camera came from a fit to corners like these. Its errors are independent of those of
-    a fit in which it is held, since they are across to all poses of the boards; so the two
+    a fit in which it is held, since they are orthogonal to all poses of the boards; so the two
     covariances add up. Corners and depth each have the noise that their residuals show, whatever
-    weight they were given.
+    their weights.
     """
     count, colors = problem.shared, len(LENS)
     open_color = replace(problem, color_free=True)
-    values = np.concatenate([found.values[:count], problem.color_values, found.values[count:]])
-    left = open_color.residuals(values)
+    values = np.concatenate(
+        [solution.values[:count], problem.color_values, solution.values[count:]]
+    )
+    residuals = open_color.residuals(values)
     jacobian = open_color.blocks().jacobian(open_color.residuals, values)
     color = jacobian[:, count : count + colors]
     held = np.delete(jacobian, np.arange(count, count + colors), axis=1)
-    weight, noise = huber_weight(left, _OUTLIER), open_color.noise(left)
+    weight, noise = huber_weight(residuals, _OUTLIER), open_color.noise(residuals)
     solve = _solver(held, weight)
     spread = solve(held.T * (weight * noise))[:count]
     corner = open_color.kinds == CORNER
@@ -147,11 +162,11 @@ def _judged(problem: Problem, found: Adjustment) -> Adjustment:
     color_spread = _solver(across, np.ones(len(across)))(across.T * noise[corner])
     follows = solve(held.T @ (weight[:, None] * color))[:count] @ color_spread
     shared = np.sqrt((spread**2).sum(1) + (follows**2).sum(1))
-    return replace(found, deviations=np.concatenate([shared, found.deviations[count:]]))
+    return replace(solution, std=np.concatenate([shared, solution.std[count:]]))
 
 
 def _solver(jacobian: FloatArray, weight: FloatArray) -> Callable[[FloatArray], FloatArray]:
-    """Solve the normal equations, scaled so that rad, mm and px go together."""
+    """Return a solver of the normal equations, scaled so that rad, mm and px are comparable."""
     scale = np.sqrt((weight[:, None] * jacobian**2).sum(0)) + 1e-12
     scaled = jacobian / scale
     inverse = np.linalg.pinv(scaled.T @ (weight[:, None] * scaled), rcond=1e-13, hermitian=True)
@@ -172,7 +187,7 @@ def _check(count: int, board2color: Sequence[FloatArray]) -> None:
             least=_LEAST_BOARDS,
         )
     normals = np.array([placed[:3, 2] * np.sign(placed[2, 2] or 1) for placed in board2color])
-    # The least eigenvalue: the tilt about the axis with the least tilts.
+    # The least eigenvalue measures the tilt about the axis with the least tilts.
     if np.linalg.eigvalsh(np.cov(normals[:, :2].T))[0] < np.sin(np.radians(_LEAST_TILT_DEG)) ** 2:
         raise CalibrationError(
             "The boards are tilted too little to tell where the depth camera stands; tilt the "

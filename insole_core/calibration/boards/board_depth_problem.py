@@ -1,4 +1,4 @@
-"""What the unknowns of boards in colour and depth mean, and what they leave of the measurements."""
+"""Unknowns and residuals of the fit of boards in colour and depth."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ _SPREAD = {
     "focal": (6.0, 6.0),
     "tilt": (2.0, 2.0),
 }
-"""How far the sensors of a kind lie from the usual one (mm, px, raw units): both cameras sit on one
-bar. It keeps apart what a few boards cannot tell from each other, such as focal length and shift
-along the axis."""
+"""Standard deviations of the devices from the usual one (mm, px, raw units): both cameras are on
+one bar. This prior separates unknowns that a few boards cannot, such as focal length and
+translation along the axis."""
 CORNER, _DEPTH, _USUAL = 0, 1, 2
 """Kinds of residuals."""
 _CHI2_MEDIAN = 0.455
-"""Median of a squared normal variable: a root mean square that outliers do not reach."""
+"""Median of a squared normal variable, for a root mean square that is robust to outliers."""
 NUMBERS = {
     "disparity": ("a", "b"),
     "centre": ("cx", "cy"),
@@ -46,10 +46,10 @@ NUMBERS = {
 
 @dataclass(frozen=True)
 class Errors:
-    """The usual errors of a corner, and of a raw number averaged over 8 x 8 pixels.
+    """Standard errors of a corner, and of a raw number averaged over 8 x 8 pixels.
 
-    They are taken from what the fit leaves, but never below those of a Kinect: what errs together
-    over a whole board does not show in what is left.
+    They are estimated from the residuals, but never below those of a Kinect: errors common to a
+    whole board do not show in the residuals.
     """
 
     corner_px: float = 0.2
@@ -61,7 +61,7 @@ LEAST_ERRORS = Errors()
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """All corners (n) and all depth patches (k), one after the other, each with its board."""
+    """All corners (n) and all depth patches (k), concatenated, each with the index of its board."""
 
     boards: int
     corner_board: IntArray
@@ -73,15 +73,23 @@ class Measured:
 
 
 def measured_of(
-    sightings: Sequence[BoardDetection], patches: Sequence[tuple[FloatArray, FloatArray]]
+    detections: Sequence[BoardDetection], patches: Sequence[tuple[FloatArray, FloatArray]]
 ) -> Measured:
-    """Put the corners of all boards one after the other, and their depth patches."""
-    numbers = np.arange(len(sightings))
+    """Concatenate the corners and the depth patches of all boards.
+
+    Parameters
+    ----------
+    detections
+        One for each board.
+    patches
+        For each board its pixels (k, 2) and raw numbers (k,), see `boards_in_depth.board_patch`.
+    """
+    numbers = np.arange(len(detections))
     return Measured(
-        len(sightings),
-        np.repeat(numbers, [len(sighting.pixels) for sighting in sightings]),
-        np.concatenate([sighting.points_mm for sighting in sightings]),
-        np.concatenate([sighting.pixels for sighting in sightings]),
+        len(detections),
+        np.repeat(numbers, [len(detection.pixels) for detection in detections]),
+        np.concatenate([detection.points_mm for detection in detections]),
+        np.concatenate([detection.pixels for detection in detections]),
         np.repeat(numbers, [len(raw) for _, raw in patches]),
         np.concatenate([pixels for pixels, _ in patches]),
         np.concatenate([raw for _, raw in patches]),
@@ -90,10 +98,10 @@ def measured_of(
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What the unknowns mean: pose of the cameras, the numbers of `names`, a pose per board.
+    """The least squares problem: pose of the cameras, the numbers of `names`, a pose per board.
 
     The boards' own poses are free, so that the colour camera's uncertainty about them counts. The
-    numbers of the colour camera stand after those of `names` where it is free too.
+    numbers of the colour camera follow those of `names` if it is free too.
     """
 
     measured: Measured
@@ -105,23 +113,23 @@ class Problem:
 
     @property
     def shared(self) -> int:
-        """How many unknowns act on all boards."""
+        """Number of unknowns that act on all boards."""
         return self.fitted + (len(LENS) if self.color_free else 0)
 
     @property
     def color_values(self) -> FloatArray:
-        """Give the colour camera's own numbers, as `LENS` names them."""
+        """The colour camera's parameters, in the order of `LENS`."""
         known = parameters_of(self.color_camera)
         return np.array([known[name] for name in LENS])
 
     @property
     def fitted(self) -> int:
-        """How many of those there are without the colour camera's."""
+        """Number of shared unknowns without those of the colour camera."""
         return 6 + len(self.names)
 
     @cached_property
     def usual(self) -> FloatArray:
-        """Where the shared unknowns begin and, as far as the spread says, stay."""
+        """Prior mean and initial values of the shared unknowns."""
         camera, model = (
             self.guess.camera,
             linear_inverse_near(self.guess.disparity, self.measured.raw),
@@ -132,7 +140,7 @@ class Problem:
 
     @cached_property
     def spread(self) -> FloatArray:
-        """How far from there they lie."""
+        """Prior standard deviations of the shared unknowns."""
         named = {
             name: spread
             for option, names in NUMBERS.items()
@@ -143,12 +151,20 @@ class Problem:
     def start(
         self, depth2color: FloatArray, numbers: FloatArray, board2color: Sequence[FloatArray]
     ) -> FloatArray:
-        """Put the unknowns together."""
+        """Assemble the vector of unknowns.
+
+        Parameters
+        ----------
+        depth2color : (4, 4) float64, mm
+        numbers
+            In the order of `names`, and of `LENS` if the colour camera is free.
+        board2color : for each board (4, 4) float64, mm
+        """
         poses = [pose_vector(placed) for placed in board2color]
         return np.concatenate([pose_vector(depth2color), numbers, *poses])
 
     def read(self, unknowns: FloatArray) -> DepthSensor:
-        """Give the depth sensor that the unknowns stand for."""
+        """Return the depth sensor that the unknowns describe."""
         values = dict(zip(self.names, unknowns[6 : self.fitted].tolist(), strict=True))
         camera = {key: values[key] for key in ("cx", "cy", "fx", "fy") if key in values}
         disparity = self.guess.disparity
@@ -164,7 +180,7 @@ class Problem:
         return with_parameters(self.color_camera, dict(zip(LENS, values, strict=True)))
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """Errors of all corners and raw numbers, each against its usual size, board by board."""
+        """Return the errors of corners and raw numbers, relative to `errors`, board by board."""
         here, depth = self.measured, self.read(unknowns)
         placed = np.array([pose(vector) for vector in unknowns[self.shared :].reshape(-1, 6)])
         of_corner = placed[here.corner_board]
@@ -177,28 +193,32 @@ class Problem:
         return np.concatenate([np.concatenate(both)[self._order], unusual])
 
     def blocks(self) -> Blocks:
-        """Tell which residuals depend on which unknowns."""
+        """Return which residuals depend on which unknowns."""
         lengths = np.bincount(self._boards, minlength=self.measured.boards)
-        lengths[-1] += self.fitted  # what is unusual depends on no board: it closes the last block
+        lengths[-1] += self.fitted  # the prior depends on no board: it closes the last block
         return Blocks(tuple(lengths.tolist()), self.shared)
 
-    def found_errors(self, found: Adjustment) -> Errors:
-        """Root mean squares of the residuals, that outliers do not reach."""
-        kinds, left = self.kinds, found.residuals
+    def found_errors(self, solution: Adjustment) -> Errors:
+        """Return the robust root mean squares of the residuals, at least `LEAST_ERRORS`."""
+        kinds, residuals = self.kinds, solution.residuals
         return Errors(
-            max(_typical(left[kinds == CORNER]) * self.errors.corner_px, LEAST_ERRORS.corner_px),
-            max(_typical(left[kinds == _DEPTH]) * self.errors.depth_raw, LEAST_ERRORS.depth_raw),
+            max(
+                _typical(residuals[kinds == CORNER]) * self.errors.corner_px, LEAST_ERRORS.corner_px
+            ),
+            max(
+                _typical(residuals[kinds == _DEPTH]) * self.errors.depth_raw, LEAST_ERRORS.depth_raw
+            ),
         )
 
-    def noise(self, left: FloatArray) -> FloatArray:
-        """Standard deviation (m,) of every residual, by what is left of its kind."""
+    def noise(self, residuals: FloatArray) -> FloatArray:
+        """Return the standard deviation (m,) of every residual, from all residuals of its kind."""
         kinds = self.kinds
-        of_kind = [_typical(left[kinds == CORNER]), _typical(left[kinds == _DEPTH]), 1.0]
+        of_kind = [_typical(residuals[kinds == CORNER]), _typical(residuals[kinds == _DEPTH]), 1.0]
         return np.asarray(of_kind)[kinds]
 
     @cached_property
     def kinds(self) -> IntArray:
-        """(m,) whether a residual is of a corner, of depth, or of what is usual."""
+        """(m,) whether a residual belongs to a corner, to the depth, or to the prior."""
         here = self.measured
         seen = np.repeat([CORNER, _DEPTH], [2 * len(here.corners), len(here.raw)])[self._order]
         return np.concatenate([seen, np.full(self.fitted, _USUAL)])
@@ -213,5 +233,5 @@ class Problem:
         return np.argsort(self._boards, kind="stable")
 
 
-def _typical(left: FloatArray) -> float:
-    return float(np.sqrt(np.median(left**2) / _CHI2_MEDIAN))
+def _typical(residuals: FloatArray) -> float:
+    return float(np.sqrt(np.median(residuals**2) / _CHI2_MEDIAN))

@@ -1,4 +1,4 @@
-"""A board in colour and in raw depth: where the depth image shows it, and what is measured."""
+"""A board in colour and in raw depth: its area in the depth image, and the depth measured there."""
 
 from __future__ import annotations
 
@@ -39,31 +39,41 @@ class BoardInDepth:
 
 
 def read_boards_in_depth(
-    folder: Path, sightings: Sequence[BoardDetection], correction: DisparityCorrection | None = None
+    folder: Path,
+    detections: Sequence[BoardDetection],
+    correction: DisparityCorrection | None = None,
 ) -> list[BoardInDepth]:
-    """Read the raw depth beside each colour picture.
+    """Read the raw depth that belongs to each colour picture.
 
-    Beside ``color_003.jpg`` that is ``depth_003.png``, or the average of the frames in the folder
+    For ``color_003.jpg`` that is ``depth_003.png``, or the average of the frames in the folder
     ``depth_003``.
+
+    Parameters
+    ----------
+    detections
+        In the colour pictures of `folder`, by their names.
+    correction
+        Of the distortion, where it is known.
 
     Raises
     ------
     InputError
-        When a depth image is missing or cannot be read.
+        If a depth image is missing or cannot be read.
     """
     boards = []
-    for sighting in sightings:
-        raw = read_depth_beside(folder, sighting.name)
-        boards.append(BoardInDepth(sighting, correction.corrected(raw) if correction else raw))
+    for detection in detections:
+        raw = read_depth_beside(folder, detection.name)
+        boards.append(BoardInDepth(detection, correction.corrected(raw) if correction else raw))
     return boards
 
 
 def read_depth_beside(folder: Path, picture: str) -> FloatArray:
-    """Read the raw depth (480, 640), NaN = no reading, beside a colour picture of that name.
+    """Read the raw depth (480, 640) that belongs to a colour picture, NaN = no reading.
 
     Raises
     ------
     InputError
+        If the depth image is missing or cannot be read.
     """
     frames = folder / f"depth{Path(picture).stem.removeprefix('color')}"
     if frames.is_dir():
@@ -73,7 +83,7 @@ def read_depth_beside(folder: Path, picture: str) -> FloatArray:
 
 
 def board_planes(board2color: FloatArray, depth2color: FloatArray) -> FloatArray:
-    """Give the planes (n, 3) 1/Z = plane · (x, y, 1) of boards in the depth camera frame, 1/mm.
+    """Return the planes (n, 3) 1/Z = plane · (x, y, 1) of boards in the depth camera frame, 1/mm.
 
     Parameters
     ----------
@@ -93,10 +103,14 @@ def board_patch(
 ) -> tuple[FloatArray, FloatArray]:
     """Measure the board where the depth image certainly shows it.
 
+    Parameters
+    ----------
+    board2color, depth2color : (4, 4) float64, mm
+
     Returns
     -------
-    pixels, raw : (k, 2), (k,) float64
-        Mean pixel and mean raw number of squares of 8 pixels; empty when it is hardly seen.
+    pixels, raw : (k, 2), (k,) float64, px, raw units
+        Mean pixel and mean raw number of squares of 8 pixels; empty if it is hardly seen.
     """
     inside = _outline(board.color, inverse(depth2color) @ board2color, depth_camera)
     inside &= np.isfinite(board.raw)
@@ -111,9 +125,9 @@ def board_patch(
 
 
 def _block_means(pixels: FloatArray, raw: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Average squares of pixels: of a plane, raw numbers are linear in the pixel, so none is lost.
+    """Average squares of pixels: raw numbers of a plane are linear in the pixel, so no bias arises.
 
-    Each mean weighs alike, so squares that are hardly filled are left out.
+    Each mean has the same weight, so squares that are hardly filled are left out.
     """
     squares = (pixels // _BLOCK_PX).astype(int)
     which = squares[:, 0] + squares[:, 1] * (squares[:, 0].max(initial=0) + 1)
@@ -125,10 +139,10 @@ def _block_means(pixels: FloatArray, raw: FloatArray) -> tuple[FloatArray, Float
 
 
 def _outline(
-    sighting: BoardDetection, board2depth: FloatArray, depth_camera: PinholeCamera
+    detection: BoardDetection, board2depth: FloatArray, depth_camera: PinholeCamera
 ) -> BoolArray:
-    """Fill the area between the corners as the depth camera sees it, less a margin."""
-    corners = depth_camera.project(transform(board2depth, sighting.points_mm))
+    """Fill the area between the corners as seen by the depth camera, minus a margin."""
+    corners = depth_camera.project(transform(board2depth, detection.points_mm))
     mask = np.zeros((depth_camera.height, depth_camera.width), np.uint8)
     cv2.fillConvexPoly(mask, cv2.convexHull(np.round(corners).astype(np.int32)), 1)
     width = 2 * _MARGIN_PX + 1

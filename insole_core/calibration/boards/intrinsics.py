@@ -22,7 +22,7 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 
 PARAMETERS = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "skew")
 LENS = PARAMETERS[:8]
-"""What is uncertain of every camera; k3 and skew are held where nobody asks for them."""
+"""The parameters that are always fitted; k3 and skew are held unless requested."""
 _LEAST_PICTURES = 3
 _GOOD_PICTURES = 10
 _LEAST_TILT_DEG = 10.0
@@ -31,7 +31,7 @@ _BOARD_MM = (150.0, 6000.0)
 
 @dataclass(frozen=True)
 class IntrinsicsOptions:
-    """Which parameters are free, and which pictures are outliers.
+    """Free parameters, and the criterion for outlying pictures.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class IntrinsicsOptions:
     fit_skew
         Thesis (B.5).
     outlier_factor, outlier_px
-        A picture is left out when its error exceeds both this many times the median of all, and
+        A picture is left out if its error exceeds both this many times the median of all, and
         this many pixels.
     """
 
@@ -52,42 +52,38 @@ class IntrinsicsOptions:
 
 @dataclass(frozen=True, eq=False)
 class PictureFit:
-    """How well one picture fits.
+    """The fit of the camera model to one picture.
 
     Parameters
     ----------
-    sighting
     board2camera : (4, 4) float64, mm
     errors_px : (n, 2) float64
-        Seen minus projected.
+        Detected minus projected.
     """
 
-    sighting: BoardDetection
+    detection: BoardDetection
     board2camera: FloatArray
     errors_px: FloatArray
 
     @property
     def rms_px(self) -> float:
-        """Root of the mean squared distance of a corner."""
+        """Root mean square distance of a corner."""
         return float(np.sqrt((self.errors_px**2).sum(1).mean()))
 
 
 @dataclass(frozen=True, eq=False)
 class CameraCalibration:
-    """A camera, how well it is known, and from what.
+    """A calibrated camera, its accuracy, and the pictures it is based on.
 
     Parameters
     ----------
-    camera
     deviations
         Standard deviation of every parameter of `PARAMETERS`; 0 where it was not fitted.
-    rms_px
-    pictures
     left_out : name to reason
     coverage : (6, 8) int64
         Corners in each cell of the image.
     advice
-        What would improve it, in sentences.
+        Possible improvements, in sentences.
     """
 
     camera: PinholeCamera
@@ -100,25 +96,31 @@ class CameraCalibration:
 
 
 def parameters_of(camera: PinholeCamera) -> dict[str, float]:
-    """Name the parameters of a camera as in `PARAMETERS`."""
+    """Return the parameters of a camera by their names in `PARAMETERS`."""
     k1, k2, p1, p2, k3 = camera.distortion
     values = (camera.fx, camera.fy, camera.cx, camera.cy, k1, k2, p1, p2, k3, camera.skew)
     return dict(zip(PARAMETERS, values, strict=True))
 
 
 def with_parameters(camera: PinholeCamera, values: Mapping[str, float]) -> PinholeCamera:
-    """Give a camera with some of its `PARAMETERS` replaced."""
+    """Return a camera with some of its parameters replaced.
+
+    Parameters
+    ----------
+    values
+        By their names in `PARAMETERS`.
+    """
     fx, fy, cx, cy, *lens, skew = (parameters_of(camera) | dict(values)).values()
     k1, k2, p1, p2, k3 = lens
     return replace(camera, fx=fx, fy=fy, cx=cx, cy=cy, distortion=(k1, k2, p1, p2, k3), skew=skew)
 
 
-def nominal_normal(sighting: BoardDetection) -> FloatArray:
-    """Give the normal (3,) of a board, away from a camera with the usual field of view."""
-    width, height = sighting.size
+def nominal_normal(detection: BoardDetection) -> FloatArray:
+    """Estimate a board's normal (3,), away from a camera with a typical field of view."""
+    width, height = detection.size
     focal = 0.82 * width
     nominal = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
-    _, turn, _ = cv2.solvePnP(sighting.points_mm, sighting.pixels, nominal, None)
+    _, turn, _ = cv2.solvePnP(detection.points_mm, detection.pixels, nominal, None)
     normal = cv2.Rodrigues(turn)[0][:, 2]
     return np.asarray(normal * np.sign(normal[2] or 1))
 
@@ -126,77 +128,92 @@ def nominal_normal(sighting: BoardDetection) -> FloatArray:
 def find_boards(
     paths: Sequence[Path], board: Board, progress: Progress = SILENT
 ) -> tuple[list[BoardDetection], dict[str, str]]:
-    """Look for the board in every picture.
+    """Detect the board in every picture.
 
-    Returns the sightings, and the reason for every picture without one.
+    Returns
+    -------
+    list of BoardDetection
+        Of the pictures that show it.
+    dict
+        Name of every other picture to the reason.
 
     Raises
     ------
     InputError
-        When a picture cannot be read.
+        If a picture cannot be read.
     CalibrationError
-        When no picture shows the board, or the pictures differ in size.
+        If no picture shows the board, or the pictures differ in size.
     """
-    sightings: list[BoardDetection] = []
+    detections: list[BoardDetection] = []
     without: dict[str, str] = {}
     for done, path in enumerate(paths):
         progress.step(done / len(paths), "Looking for the board in {picture}", picture=path.name)
         try:
-            sightings.append(board.find(path.name, read_grey(path)))
+            detections.append(board.find(path.name, read_grey(path)))
         except CalibrationError as error:
             without[path.name] = str(error)
-    if not sightings:
+    if not detections:
         raise CalibrationError(
             "None of the {count} pictures can be used: {reason}",
             count=len(paths),
             reason=next(iter(without.values())),
         )
-    _check_sizes(sightings)
-    return sightings, without
+    _check_sizes(detections)
+    return detections, without
 
 
 def calibrate_camera(
-    sightings: Sequence[BoardDetection],
+    detections: Sequence[BoardDetection],
     options: IntrinsicsOptions | None = None,
     progress: Progress = SILENT,
 ) -> CameraCalibration:
-    """Find the camera that explains all sightings of a board, and leave outlying pictures out.
+    """Fit a camera to all detections of a board, without outlying pictures (Zhang 2000).
+
+    Parameters
+    ----------
+    detections
+        Of the same board in at least three pictures of one size, tilted in different directions.
+
+    Returns
+    -------
+    CameraCalibration
+        Focal lengths and principal point in px, board poses in mm.
 
     Raises
     ------
     CalibrationError
-        With fewer than three pictures, boards that are all parallel, or a board that would stand
+        If there are fewer than three pictures, all boards are parallel, or a board would be
         impossibly near or far (wrong unit of its square).
     """
     options = options or IntrinsicsOptions()
-    _check_sizes(sightings)
-    _check_count(len(sightings))
-    _check_poses(sightings)
-    used, left_out = list(sightings), dict[str, str]()
+    _check_sizes(detections)
+    _check_count(len(detections))
+    _check_poses(detections)
+    used, left_out = list(detections), dict[str, str]()
     while True:
         progress.step(
             0.1 + 0.4 * bool(left_out), "Fitting the camera to {count} pictures", count=len(used)
         )
-        camera, deviations, pictures = _fit(used, options)
+        camera, std, pictures = _fit(used, options)
         outliers = _outliers(pictures, options)
         if not outliers:
             break
         left_out |= {
-            p.sighting.name: Message(
+            p.detection.name: Message(
                 "its error of {error_px:.2f} px is far above that of the others", error_px=p.rms_px
             )
             for p in outliers
         }
-        used = [sighting for sighting in used if sighting.name not in left_out]
+        used = [detection for detection in used if detection.name not in left_out]
         _check_count(len(used))
     if options.fit_skew:
         progress.step(0.7, "Fitting the skew")
-        camera, deviations, pictures = _fit_skew(camera, pictures, options)
+        camera, std, pictures = _fit_skew(camera, pictures, options)
     _check_distance(pictures)
     counts = count_corners(used)
     return CameraCalibration(
         camera=camera,
-        deviations=deviations,
+        deviations=std,
         rms_px=float(np.sqrt(np.concatenate([(p.errors_px**2).sum(1) for p in pictures]).mean())),
         pictures=tuple(pictures),
         left_out=left_out,
@@ -206,36 +223,36 @@ def calibrate_camera(
 
 
 def _fit(
-    sightings: Sequence[BoardDetection], options: IntrinsicsOptions
+    detections: Sequence[BoardDetection], options: IntrinsicsOptions
 ) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
-    size = sightings[0].size
+    size = detections[0].size
     flags = 0 if options.fit_k3 else cv2.CALIB_FIX_K3
     _, matrix, lens, turns, shifts, spread, _, _ = cv2.calibrateCameraExtended(
-        [s.points_mm.astype(np.float32) for s in sightings],
-        [s.pixels.astype(np.float32) for s in sightings],
+        [s.points_mm.astype(np.float32) for s in detections],
+        [s.pixels.astype(np.float32) for s in detections],
         size,
         None,
         None,
         flags=flags,
     )
     camera = _camera(size, [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2], *lens.ravel()])
-    deviations = dict.fromkeys(PARAMETERS, 0.0)
-    deviations |= dict(zip(PARAMETERS, spread.ravel()[:9].tolist(), strict=False))
+    std = dict.fromkeys(PARAMETERS, 0.0)
+    std |= dict(zip(PARAMETERS, spread.ravel()[:9].tolist(), strict=False))
     poses = [
         rigid(cv2.Rodrigues(turn)[0], shift.ravel())
         for turn, shift in zip(turns, shifts, strict=True)
     ]
-    return camera, deviations, _pictures(camera, sightings, poses)
+    return camera, std, _pictures(camera, detections, poses)
 
 
 def _fit_skew(
     camera: PinholeCamera, pictures: Sequence[PictureFit], options: IntrinsicsOptions
 ) -> tuple[PinholeCamera, dict[str, float], list[PictureFit]]:
-    """Refine everything once more with a skew, which OpenCV's own fit does not have."""
+    """Refine all parameters together with a skew, which OpenCV's own fit does not have."""
     names = [name for name in PARAMETERS if name != "k3" or options.fit_k3]
     fixed = parameters_of(camera)
-    sightings = [picture.sighting for picture in pictures]
-    size, count = sightings[0].size, len(names)
+    detections = [picture.detection for picture in pictures]
+    size, count = detections[0].size, len(names)
 
     def split(unknowns: FloatArray) -> tuple[PinholeCamera, list[FloatArray]]:
         values = fixed | dict(zip(names, unknowns[:count].tolist(), strict=True))
@@ -246,18 +263,18 @@ def _fit_skew(
         return np.concatenate(
             [
                 p.errors_px.ravel()
-                for p in _pictures(split(unknowns)[0], sightings, split(unknowns)[1])
+                for p in _pictures(split(unknowns)[0], detections, split(unknowns)[1])
             ]
         )
 
     start = [fixed[name] for name in names]
     start += np.concatenate([pose_vector(p.board2camera) for p in pictures]).tolist()
-    lengths = tuple(2 * len(sighting.pixels) for sighting in sightings)
-    found = least_squares(residuals, np.array(start), Blocks(lengths, count))
-    skewed, poses = split(found.values)
-    deviations = dict.fromkeys(PARAMETERS, 0.0)
-    deviations |= dict(zip(names, found.deviations[:count].tolist(), strict=True))
-    return skewed, deviations, _pictures(skewed, sightings, poses)
+    lengths = tuple(2 * len(detection.pixels) for detection in detections)
+    solution = least_squares(residuals, np.array(start), Blocks(lengths, count))
+    skewed, poses = split(solution.values)
+    std = dict.fromkeys(PARAMETERS, 0.0)
+    std |= dict(zip(names, solution.std[:count].tolist(), strict=True))
+    return skewed, std, _pictures(skewed, detections, poses)
 
 
 def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -> PinholeCamera:
@@ -266,11 +283,11 @@ def _camera(size: tuple[int, int], values: Sequence[float], skew: float = 0.0) -
 
 
 def _pictures(
-    camera: PinholeCamera, sightings: Sequence[BoardDetection], poses: Sequence[FloatArray]
+    camera: PinholeCamera, detections: Sequence[BoardDetection], poses: Sequence[FloatArray]
 ) -> list[PictureFit]:
     return [
         PictureFit(s, board2camera, s.pixels - camera.project(transform(board2camera, s.points_mm)))
-        for s, board2camera in zip(sightings, poses, strict=True)
+        for s, board2camera in zip(detections, poses, strict=True)
     ]
 
 
@@ -280,8 +297,8 @@ def _outliers(pictures: Sequence[PictureFit], options: IntrinsicsOptions) -> lis
     return [picture for picture in pictures if picture.rms_px > limit]
 
 
-def _check_sizes(sightings: Sequence[BoardDetection]) -> None:
-    by_size = {sighting.size: sighting.name for sighting in sightings}
+def _check_sizes(detections: Sequence[BoardDetection]) -> None:
+    by_size = {detection.size: detection.name for detection in detections}
     if len(by_size) > 1:
         named = ", ".join(f"{name} ({w}×{h})" for (w, h), name in by_size.items())
         raise CalibrationError(
@@ -301,9 +318,9 @@ def _check_count(count: int) -> None:
         )
 
 
-def _check_poses(sightings: Sequence[BoardDetection]) -> None:
-    """Boards that are all parallel leave the focal length open (Zhang 2000)."""
-    normals = [nominal_normal(sighting) for sighting in sightings]
+def _check_poses(detections: Sequence[BoardDetection]) -> None:
+    """Refuse boards that are all parallel: they leave the focal length open (Zhang 2000)."""
+    normals = [nominal_normal(detection) for detection in detections]
     widest = max(_angle_deg(a, b) for a, b in combinations(normals, 2))
     if widest < _LEAST_TILT_DEG:
         raise CalibrationError(
@@ -345,5 +362,5 @@ def _advice(count: int, counts: IntArray) -> tuple[str, ...]:
 
 
 def with_shift(camera: PinholeCamera, shift_px: tuple[float, float]) -> PinholeCamera:
-    """Give the same camera for an image whose pixels are shifted, for example IR to depth."""
+    """Return the same camera for an image shifted by (u, v) pixels, for example IR to depth."""
     return replace(camera, cx=camera.cx + shift_px[0], cy=camera.cy + shift_px[1])

@@ -1,4 +1,4 @@
-"""Which parts of the image the corners of the boards have reached."""
+"""Regions of the image that the corners of the boards have reached."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ _VERTICAL = ("upper", "middle", "lower")
 _HORIZONTAL = ("left", "centre", "right")
 
 
-def count_corners(sightings: Sequence[BoardDetection]) -> IntArray:
+def count_corners(detections: Sequence[BoardDetection]) -> IntArray:
     """Count the corners in each of 6 x 8 cells of the image."""
     counts = np.zeros(_CELLS, dtype=np.int64)
-    for sighting in sightings:
-        width, height = sighting.size
-        column = np.clip(sighting.pixels[:, 0] * _CELLS[1] / width, 0, _CELLS[1] - 1).astype(int)
-        row = np.clip(sighting.pixels[:, 1] * _CELLS[0] / height, 0, _CELLS[0] - 1).astype(int)
+    for detection in detections:
+        width, height = detection.size
+        column = np.clip(detection.pixels[:, 0] * _CELLS[1] / width, 0, _CELLS[1] - 1).astype(int)
+        row = np.clip(detection.pixels[:, 1] * _CELLS[0] / height, 0, _CELLS[0] - 1).astype(int)
         np.add.at(counts, (row, column), 1)
     return counts
 
 
 def missing_regions(counts: IntArray) -> tuple[str, ...]:
-    """Name the ninths of the image of which more than half was never reached."""
+    """Name the ninths of the image of which more than half was not reached."""
     rows = np.array_split(np.arange(counts.shape[0]), 3)
     columns = np.array_split(np.arange(counts.shape[1]), 3)
     return tuple(

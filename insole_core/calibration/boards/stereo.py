@@ -1,7 +1,7 @@
-"""Where the colour camera stands beside the depth camera (thesis 4.3, 5.4, its limitation 10.3).
+"""The pose of the colour camera relative to the depth camera (thesis 4.3, 5.4, limitation 10.3).
 
 From pictures of one board in infrared (emitter covered) and in colour. The depth image is cut out
-of the infrared image a few pixels shifted, which is taken into account.
+of the infrared image with a shift of a few pixels, which is taken into account.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 IR_TO_DEPTH_PX = (-4.8, -3.9)
 """Depth pixel minus infrared pixel of a Kinect v1: half of its correlation window."""
 _CORNER_PX = 0.2
-"""What weighs corners against what the cameras were known by."""
+"""Standard error of a corner, which weights corners relative to the prior of the cameras."""
 _SPREAD = np.tile([20.0, 20.0, 20.0, 20.0, 0.2, 0.5, 0.02, 0.02], 2)
-"""How far `LENS` of either camera may move: only what the boards do not tell feels it."""
+"""Prior standard deviations of `LENS` of both cameras, for what the boards do not determine."""
 _SHARED = 6 + 2 * len(LENS)
 _LEAST_PAIRS = 3
 _LEAST_COMMON = 8
@@ -79,8 +79,6 @@ class PairCalibration:
 
     Parameters
     ----------
-    stereo
-    depth_camera, color_camera
     values, deviations
         Both cameras' `LENS` and their standard deviations, as ``depth fx`` … ``color p2``.
     """
@@ -98,24 +96,28 @@ def calibrate_stereo(
     depth_camera: PinholeCamera,
     color_camera: PinholeCamera,
 ) -> PairCalibration:
-    """Fit the pose between the cameras to boards that both see, and both cameras with it.
+    """Fit the pose between the cameras to boards that both see, and refine both cameras with it.
 
-    A camera that is fitted alone places the boards a little too near or aside, where they look the
-    same to it. That the two stand still to each other tells; so both are refined together.
+    A camera fitted alone places the boards slightly too near or aside, where they look the same to
+    it. As the cameras do not move relative to each other, refining both together resolves this.
 
     Parameters
     ----------
     depth, color
-        Sightings of the same board positions, in the same order; those of the depth camera in the
+        Detections of the same board positions, in the same order; those of the depth camera in the
         pixels of `depth_camera` (see `board.shifted`).
     depth_camera, color_camera
-        As they were found alone: where the fit begins, and, as far as the boards do not tell,
-        stays.
+        As calibrated alone: initial values and prior of the fit.
+
+    Returns
+    -------
+    PairCalibration
+        With the root mean square of a corner's distance in px.
 
     Raises
     ------
     CalibrationError
-        With fewer than three pairs.
+        If there are fewer than three pairs.
     """
     pairs = [common_corners(a, b) for a, b in zip(depth, color, strict=True)]
     pairs = [(a, b) for a, b in pairs if len(a.pixels) >= _LEAST_COMMON]
@@ -127,24 +129,24 @@ def calibrate_stereo(
             least=_LEAST_PAIRS,
         )
     problem = _Pairs(tuple(pairs), depth_camera, color_camera)
-    found = least_squares(problem.residuals, problem.start(), problem.blocks())
-    fitted_depth, fitted_color = problem.cameras(found.values)
-    # Of a corner, like the errors of the single cameras: two residuals each.
-    left_px = found.residuals[: -len(_SPREAD)] * _CORNER_PX
-    rms = float(np.sqrt((left_px**2).mean() * 2))
+    solution = least_squares(problem.residuals, problem.start(), problem.blocks())
+    fitted_depth, fitted_color = problem.cameras(solution.values)
+    # Per corner, like the errors of the single cameras: two residuals each.
+    residuals_px = solution.residuals[: -len(_SPREAD)] * _CORNER_PX
+    rms = float(np.sqrt((residuals_px**2).mean() * 2))
     names = [f"{kind} {name}" for kind in ("depth", "color") for name in LENS]
     return PairCalibration(
-        as_stereo(found, rms, "px", tuple(a.name for a, _ in pairs)),
+        as_stereo(solution, rms, "px", tuple(a.name for a, _ in pairs)),
         fitted_depth,
         fitted_color,
-        dict(zip(names, found.values[6:_SHARED].tolist(), strict=True)),
-        dict(zip(names, found.deviations[6:_SHARED].tolist(), strict=True)),
+        dict(zip(names, solution.values[6:_SHARED].tolist(), strict=True)),
+        dict(zip(names, solution.std[6:_SHARED].tolist(), strict=True)),
     )
 
 
 @dataclass(frozen=True, eq=False)
 class _Pairs:
-    """What the unknowns mean: the pose of the cameras, both lenses, and a pose per board."""
+    """The least squares problem: the pose of the cameras, both lenses, and a pose per board."""
 
     pairs: tuple[tuple[BoardDetection, BoardDetection], ...]
     depth_camera: PinholeCamera
@@ -152,7 +154,7 @@ class _Pairs:
 
     @cached_property
     def usual(self) -> FloatArray:
-        """Both lenses as they were given."""
+        """Prior mean of both lenses."""
         given = [parameters_of(camera) for camera in (self.depth_camera, self.color_camera)]
         return np.array([known[name] for known in given for name in LENS])
 
@@ -173,7 +175,7 @@ class _Pairs:
         )
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
-        """Errors of all corners, board by board, then of what the lenses were known by."""
+        """Return the errors of all corners, board by board, followed by those of the prior."""
         depth_camera, color_camera = self.cameras(unknowns)
         depth2color = pose(unknowns[:6])
         points = np.concatenate(
@@ -194,18 +196,26 @@ class _Pairs:
 
     def blocks(self) -> Blocks:
         lengths = [4 * len(a.pixels) for a, _ in self.pairs]
-        lengths[-1] += len(_SPREAD)  # what the lenses were known by depends on no board
+        lengths[-1] += len(_SPREAD)  # the prior of the lenses depends on no board
         return Blocks(tuple(lengths), _SHARED)
 
 
 def as_stereo(
-    found: Adjustment, rms: float, unit: str, pairs: tuple[str, ...]
+    solution: Adjustment, rms: float, unit: str, pairs: tuple[str, ...]
 ) -> StereoCalibration:
-    """Read the pose from the first six unknowns of a fit."""
+    """Read the pose from the first six unknowns of a fit.
+
+    Parameters
+    ----------
+    rms
+        Of the residuals, in `unit`: ``px`` or ``raw``.
+    pairs
+        Names of the pictures used.
+    """
     return StereoCalibration(
-        depth2color=pose(found.values[:6]),
-        rotation_deviation_deg=np.degrees(found.deviations[:3]),
-        translation_deviation_mm=found.deviations[3:6],
+        depth2color=pose(solution.values[:6]),
+        rotation_deviation_deg=np.degrees(solution.std[:3]),
+        translation_deviation_mm=solution.std[3:6],
         rms=rms,
         unit=unit,
         pairs=pairs,
@@ -213,19 +223,19 @@ def as_stereo(
 
 
 def common_corners(a: BoardDetection, b: BoardDetection) -> tuple[BoardDetection, BoardDetection]:
-    """Keep the corners that both pictures show, in the same order."""
+    """Keep the corners detected in both pictures, in the same order."""
     same = (np.abs(a.points_mm[:, None] - b.points_mm[None]).max(-1) < 1e-6).nonzero()
     return _taking(a, same[0]), _taking(b, same[1])
 
 
-def board_pose(sighting: BoardDetection, camera: PinholeCamera) -> FloatArray:
-    """Give the pose (4, 4) ``board2camera`` of a board in one picture."""
-    rays = camera.normalised(sighting.pixels)
-    _, turn, shift = cv2.solvePnP(sighting.points_mm, rays, np.eye(3), None)
+def board_pose(detection: BoardDetection, camera: PinholeCamera) -> FloatArray:
+    """Estimate the pose ``board2camera`` (4, 4), mm, of a board in one picture."""
+    rays = camera.normalised(detection.pixels)
+    _, turn, shift = cv2.solvePnP(detection.points_mm, rays, np.eye(3), None)
     return rigid(cv2.Rodrigues(turn)[0], shift.ravel())
 
 
-def _taking(sighting: BoardDetection, which: IntArray) -> BoardDetection:
+def _taking(detection: BoardDetection, which: IntArray) -> BoardDetection:
     return BoardDetection(
-        sighting.name, sighting.size, sighting.points_mm[which], sighting.pixels[which]
+        detection.name, detection.size, detection.points_mm[which], detection.pixels[which]
     )

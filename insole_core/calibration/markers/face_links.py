@@ -20,12 +20,24 @@ _LEAST_TURN_DEG = 10.0
 
 
 def linked_faces(system: ReferenceSystem, views: Sequence[MarkerView]) -> tuple[Faces, ...]:
-    """Part the faces into those that a chain of links joins.
+    """Partition the faces into groups that are connected by links.
 
-    A picture links the faces of which it shows four markers each. Two sensors that stood still to
-    each other, each before a face of its own, link these faces when the system was turned in
-    between about two axes: then the same pose between the sensors must explain all captures
-    (as in a hand-eye calibration).
+    A picture links the faces of which it shows four markers each. Two sensors that did not move
+    relative to each other, each in front of its own face, link these faces if the system was turned
+    between the captures about two axes: then the same pose between the sensors must explain all
+    captures (as in a hand-eye calibration).
+
+    Parameters
+    ----------
+    system
+        As planned.
+    views
+        All pictures of it.
+
+    Returns
+    -------
+    tuple of Faces
+        Each group in the order of the system's faces.
     """
     group = {marker.face: marker.face for marker in system.markers}
     for a, b in [*_seen_together(system, views), *_by_rig(system, views)]:
@@ -72,5 +84,5 @@ def _turned_about_two_axes(poses: Sequence[FloatArray]) -> bool:
     if len(poses) < _LEAST_CAPTURES:
         return False
     turns = [cv2.Rodrigues(poses[0].T @ one)[0].ravel() for one in poses[1:]]
-    # The second singular value: the turns about the axis with the second most of them.
+    # The second singular value measures the turns about the axis with the second most of them.
     return bool(np.linalg.svd(np.array(turns))[1][1] > np.radians(_LEAST_TURN_DEG))

@@ -1,4 +1,4 @@
-"""Bundle adjustment of markers, of the poses of pictures, and of sensors that stand together."""
+"""Bundle adjustment of markers, of the poses of pictures, and of sensors on a common rig."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 _OUTLIER_PX = 1.5
 _LENGTH_WEIGHT = 10.0
 _FRAME_WEIGHT = 100.0
-"""The frame is chosen, not measured: it must add nothing to the deviations of the markers."""
+"""The frame is a convention: it must add nothing to the standard deviations of the markers."""
 
 
 @dataclass(frozen=True, eq=False)
 class MarkerView:
-    """The markers that one picture shows.
+    """The markers detected in one picture.
 
     Parameters
     ----------
@@ -29,10 +29,10 @@ class MarkerView:
         Of the picture.
     pixels : marker id to (2,) float64, px
     camera
-        That took it.
+        That took the picture.
     sensor, capture
-        Of sensors that stood still to each other throughout: which one took it, and in which
-        place of the system, the same for all sensors. Empty where the sensor stood on its own.
+        Of a rig of sensors that do not move relative to each other: the sensor, and the position of
+        the system, the same for all sensors. Empty for a sensor on its own.
     """
 
     name: str
@@ -44,7 +44,7 @@ class MarkerView:
 
 @dataclass(frozen=True)
 class KnownLength:
-    """A measured distance between two markers, which gives the scale."""
+    """A measured distance between two markers, which defines the scale."""
 
     first: str
     second: str
@@ -53,46 +53,57 @@ class KnownLength:
 
 @dataclass(frozen=True, eq=False)
 class Adjusted:
-    """What the pictures say of the markers.
+    """Marker positions estimated from the pictures.
 
     Parameters
     ----------
-    points, deviations : (n, 3) float64, mm, near the frame of the plan
+    points, std : (n, 3) float64, mm, near the frame of the plan
+        Positions and their standard deviations.
     errors_px : (k,) float64
-        All coordinates, seen minus projected.
+        All coordinates, detected minus projected.
     """
 
     points: FloatArray
-    deviations: FloatArray
+    std: FloatArray
     errors_px: FloatArray
 
 
 def adjust_bundle(
     planned: dict[str, FloatArray], views: Sequence[MarkerView], lengths: Sequence[KnownLength]
 ) -> Adjusted:
-    """Find the markers' places that explain all pictures best.
+    """Estimate the marker positions that explain all pictures best.
 
     Parameters
     ----------
     planned : marker id to (3,) float64, mm
-        All markers that are looked for.
+        All markers to estimate.
     views
         Each shows four of them or more.
     lengths
-        Between markers that are looked for; one or more.
+        Between markers to estimate; one or more.
+
+    Returns
+    -------
+    Adjusted
+        In the order of `planned`.
     """
     bundle = _Bundle(planned, views, lengths)
-    found = least_squares(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
+    solution = least_squares(bundle.residuals, bundle.start(), bundle.blocks(), robust=_OUTLIER_PX)
     count = 3 * len(planned)
     return Adjusted(
-        found.values[:count].reshape(-1, 3),
-        found.deviations[:count].reshape(-1, 3),
-        found.residuals[: bundle.image_residuals],
+        solution.values[:count].reshape(-1, 3),
+        solution.std[:count].reshape(-1, 3),
+        solution.residuals[: bundle.image_residuals],
     )
 
 
 def planned_pose(planned: dict[str, FloatArray], view: MarkerView) -> FloatArray:
-    """Give the pose (4, 4) ``reference2camera`` of one picture, were all built as planned."""
+    """Estimate the pose ``reference2camera`` (4, 4), mm, of one picture from the planned markers.
+
+    Parameters
+    ----------
+    planned : marker id to (3,) float64, mm
+    """
     names = [name for name in view.pixels if name in planned]
     rays = view.camera.normalised(np.array([view.pixels[name] for name in names], dtype=float))
     points = np.array([planned[name] for name in names])
@@ -102,6 +113,8 @@ def planned_pose(planned: dict[str, FloatArray], view: MarkerView) -> FloatArray
 
 @dataclass(frozen=True, eq=False)
 class _Picture:
+    """One picture with the indices of its markers and of its sensor."""
+
     seen: IntArray
     pixels: FloatArray
     camera: PinholeCamera
@@ -109,10 +122,10 @@ class _Picture:
 
 
 class _Bundle:
-    """Unknowns: all markers, the pose of every further sensor of a rig, the pose of every capture.
+    """The bundle adjustment problem: markers, poses of further sensors of the rig, and of captures.
 
-    A picture of a sensor that stood on its own is a capture of its own. Six conditions hold the
-    frame at the plan, one for each known length the scale.
+    A picture of a sensor on its own is a capture of its own. Six conditions hold the frame at the
+    plan, one for each known length the scale.
     """
 
     def __init__(
@@ -125,7 +138,7 @@ class _Bundle:
         self._ends = np.array([[place[one.first], place[one.second]] for one in lengths])
         self._lengths = np.array([one.length_mm for one in lengths])
         points = np.array(list(planned.values()))
-        # The plan is scaled to the known lengths first; the frame stays that of the plan.
+        # The plan is first scaled to the known lengths; the frame stays that of the plan.
         scale = self._lengths.sum() / self._spans(points).sum()
         self._plan = points * scale
         poses = [planned_pose({k: p * scale for k, p in planned.items()}, view) for view in views]
@@ -172,7 +185,7 @@ class _Bundle:
 
     def blocks(self) -> Blocks:
         lengths = [sum(2 * len(one.seen) for one in listed) for listed in self._pictures]
-        # The conditions depend on no pose: they close the last block.
+        # The conditions depend on no pose, so they close the last block.
         lengths[-1] += 6 + len(self._lengths)
         return Blocks(tuple(lengths), self._shared)
 
@@ -190,10 +203,10 @@ class _Bundle:
 def _place_sensors(
     views: Sequence[MarkerView], poses: Sequence[FloatArray]
 ) -> tuple[dict[str, FloatArray], dict[str, FloatArray]]:
-    """Give ``base2sensor`` of every sensor of the rig, the base first, and where captures start.
+    """Return ``base2sensor`` of every sensor of the rig, base first, and initial capture poses.
 
-    The base is the sensor with the most pictures; one that shares no capture with it stands on
-    its own.
+    The base is the sensor with the most pictures; one that shares no capture with it is treated as
+    a sensor on its own.
     """
     joint = [(view, placed) for view, placed in zip(views, poses, strict=True) if view.capture]
     named = [view.sensor for view, _ in joint]

@@ -1,8 +1,8 @@
 """True marker positions of a built reference system, from many pictures (bundle adjustment).
 
 All faces are measured in one adjustment where something links them: pictures that show enough
-markers of both, or sensors that stood still to each other while the system was turned before them.
-Faces that nothing links are measured each on its own.
+markers of both, or sensors that did not move relative to each other while the system was turned in
+front of them. Faces without a link are measured separately.
 """
 
 from __future__ import annotations
@@ -43,11 +43,10 @@ class MarkerSurvey:
     deviation_mm : marker id to (3,) float64
         Standard deviations of the position, within the faces that were measured together; zero
         for a marker that was not surveyed.
-    rms_px
     largest_change_mm
-        How far a marker lies from the plan at most.
+        Greatest distance of a marker from the plan.
     unseen
-        Markers that were not measured; they keep their place in the plan.
+        Markers that were not measured; they keep their planned position.
     together
         Faces that were measured in one adjustment, one tuple for each adjustment.
     left_out : face to reason
@@ -64,7 +63,7 @@ class MarkerSurvey:
 
     @property
     def measured_mm(self) -> dict[str, FloatArray]:
-        """The surveyed markers' own positions, (3,) mm, in the frame of the plan."""
+        """Positions of the surveyed markers, (3,) mm, in the frame of the plan."""
         return {
             marker.id: np.array(marker.position_mm)
             for marker in self.system.markers
@@ -73,7 +72,7 @@ class MarkerSurvey:
 
     @property
     def sentences(self) -> tuple[str, ...]:
-        """What was measured, and what stays as planned."""
+        """Sentences on what was measured, and what stays as planned."""
         said: list[str] = [
             Message("The faces {faces} were measured together.", faces=joined(faces, " and "))
             for faces in self.together
@@ -101,22 +100,27 @@ class MarkerSurvey:
 def survey_markers(
     plan: ReferenceSystem, views: Sequence[MarkerView], lengths: Sequence[KnownLength]
 ) -> MarkerSurvey:
-    """Measure where the markers of a built system really are.
+    """Measure the true positions of the markers of a built system.
 
     Parameters
     ----------
     plan
-        Where they should be.
+        The planned positions.
     views
         Pictures from many sides; each shows four markers or more.
     lengths
-        Measured by hand: one for all faces that are linked.
+        Measured by hand: one for each group of linked faces.
+
+    Returns
+    -------
+    MarkerSurvey
+        In the frame of the plan, mm.
 
     Raises
     ------
     CalibrationError
-        With too few pictures or markers, or a length between markers that were not seen, or
-        between faces that nothing links.
+        If there are too few pictures or markers, or a length is between markers that were not
+        seen, or between faces without a link.
     """
     sighted = [view for view in views if len(_ids(plan) & view.pixels.keys()) >= _LEAST_SEEN]
     groups = linked_faces(plan, sighted)
@@ -135,7 +139,15 @@ def survey_markers(
 
 
 def check_survey(plan: ReferenceSystem, survey: MarkerSurvey, limit_mm: float = 1.0) -> BumpCheck:
-    """Tell which markers were bumped, each among the faces that were measured with its own."""
+    """Find markers that have moved, each relative to the faces measured together with its own.
+
+    Parameters
+    ----------
+    plan
+        The stored positions.
+    limit_mm
+        A marker further off than this counts as moved.
+    """
     squares, count, moved = 0.0, 0, dict[str, float]()
     for faces in survey.together:
         part = replace(plan, markers=plan.facing(faces))
@@ -148,14 +160,16 @@ def check_survey(plan: ReferenceSystem, survey: MarkerSurvey, limit_mm: float = 
 
 @dataclass(frozen=True, eq=False)
 class _Measured:
+    """Markers of faces that were measured together, with their accuracy."""
+
     markers: dict[str, Marker]
-    deviations: dict[str, FloatArray]
+    std: dict[str, FloatArray]
     errors_px: FloatArray
     changes_mm: FloatArray
 
 
 class _Part:
-    """Faces that are measured together, with all that shows them."""
+    """Faces that are measured together, with the pictures and lengths that show them."""
 
     def __init__(
         self, plan: ReferenceSystem, views: Sequence[MarkerView], lengths: Sequence[KnownLength]
@@ -168,7 +182,7 @@ class _Part:
         self._lengths = [one for one in lengths if {one.first, one.second} <= ids]
 
     def problem(self) -> str:
-        """Say why these faces cannot be measured; empty when they can."""
+        """Return why these faces cannot be measured; empty if they can."""
         if len(self._views) < _LEAST_VIEWS or len(self._known) < _LEAST_SEEN:
             return Message(
                 "{pictures} pictures show enough markers and {markers} markers are seen twice; "
@@ -184,14 +198,14 @@ class _Part:
     def measured(self) -> _Measured:
         planned = positions(self._known)
         names = [marker.id for marker in self._known]
-        found = adjust_bundle(
+        solution = adjust_bundle(
             dict(zip(names, planned, strict=True)), self._known_views(names), self._lengths
         )
-        placed = transform(absolute_orientation(found.points, planned).a2b, found.points)
-        return self._told(found, placed, np.linalg.norm(placed - planned, axis=1))
+        placed = transform(absolute_orientation(solution.points, planned).a2b, solution.points)
+        return self._measured(solution, placed, np.linalg.norm(placed - planned, axis=1))
 
     def _known_views(self, names: Sequence[str]) -> list[MarkerView]:
-        """Leave out what is seen once; a picture that then shows too little goes too."""
+        """Drop markers that are seen once, and pictures that then show too few."""
         known = set(names)
         kept = [
             replace(view, pixels={k: p for k, p in view.pixels.items() if k in known})
@@ -199,13 +213,15 @@ class _Part:
         ]
         return [view for view in kept if len(view.pixels) >= _LEAST_SEEN]
 
-    def _told(self, found: Adjusted, placed: FloatArray, changes_mm: FloatArray) -> _Measured:
+    def _measured(
+        self, solution: Adjusted, placed: FloatArray, changes_mm: FloatArray
+    ) -> _Measured:
         names = [marker.id for marker in self._known]
         moved = [_moved(marker, at) for marker, at in zip(self._known, placed, strict=True)]
         return _Measured(
             dict(zip(names, moved, strict=True)),
-            dict(zip(names, found.deviations, strict=True)),
-            found.errors_px,
+            dict(zip(names, solution.std, strict=True)),
+            solution.errors_px,
             changes_mm,
         )
 
@@ -214,11 +230,11 @@ def _joined(
     plan: ReferenceSystem, parts: dict[Faces, _Measured], left_out: dict[str, str]
 ) -> MarkerSurvey:
     markers = {name: marker for part in parts.values() for name, marker in part.markers.items()}
-    deviations = {name: sd for part in parts.values() for name, sd in part.deviations.items()}
+    std = {name: sd for part in parts.values() for name, sd in part.std.items()}
     errors = np.concatenate([part.errors_px for part in parts.values()])
     return MarkerSurvey(
         system=replace(plan, markers=tuple(markers.get(m.id, m) for m in plan.markers)),
-        deviation_mm={m.id: deviations.get(m.id, np.zeros(3)) for m in plan.markers},
+        deviation_mm={m.id: std.get(m.id, np.zeros(3)) for m in plan.markers},
         rms_px=float(np.sqrt((errors**2).mean() * 2)),
         largest_change_mm=float(max(part.changes_mm.max() for part in parts.values())),
         unseen=tuple(m.id for m in plan.markers if m.id not in markers),

@@ -1,4 +1,4 @@
-"""Reference systems as JSON, and whether one is fit to tell where a sensor stands."""
+"""Reference systems as JSON, and checks whether they determine a sensor's pose well."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from insole_core.recording.session import Marker, ReferenceSystem
 
 _LEAST_MARKERS = 4
 _SYMMETRY_MM = 8.0
-"""Nearer to itself than this after a turn, a face could be taken the wrong way."""
+"""Nearer to itself than this after a turn, a face is ambiguous."""
 _LEAST_TURN_DEG = 20.0
-"""Of a turn that counts; a face always looks like itself when it hardly turns."""
+"""Least angle of a turn that counts; after a smaller one every face looks like itself."""
 _SAME_MM = 25.0
 _SAME_AREA = 0.5
 _MATCHED_SHARE = 0.75
-"""Of the markers that a turn must bring near to another one each."""
+"""Share of the markers that a turn must bring near to another marker."""
 _MARKER_MM = 16.0
 _LEAST_CLEAR_DEG = 20.0
-"""A sensor that is put up by eye stands as far from where it should."""
+"""Deviation of a sensor that is set up by eye from its intended direction."""
 _MOST_TILT_DEG = 60
 _LEAST_RELIEF_MM = 5.0
 _NEAREST_MM = 20.0
@@ -42,7 +42,7 @@ def load_reference_system(path: Path) -> ReferenceSystem:
     Raises
     ------
     InputError
-        Names the key of the first violation.
+        Naming the key of the first violation.
     """
     root = JsonObject.read(path)
     system = parse_reference_system(root)
@@ -59,6 +59,7 @@ def save_reference_system(system: ReferenceSystem, path: Path) -> None:
     Raises
     ------
     OutputError
+        If the path cannot be written.
     """
     with replacing_file(path) as beside:
         beside.write_text(
@@ -68,29 +69,27 @@ def save_reference_system(system: ReferenceSystem, path: Path) -> None:
 
 @dataclass(frozen=True)
 class FaceCheck:
-    """How well the markers of one face tell where a sensor stands.
+    """How well the markers of one face determine the pose of a sensor.
 
     Parameters
     ----------
-    face
-    markers
     symmetry_mm
         Root mean square distance of the markers from themselves after the turn, about any axis,
         that comes nearest to mapping the face onto itself: large is good.
     symmetry_turn_deg
         The angle of that turn.
     relief_mm
-        Depth of the face across its best plane; a flat face tells a tilt poorly.
+        Depth of the face across its best plane; a flat face determines a tilt poorly.
     nearest_mm
         Distance of its two nearest markers.
     seen_from
         Unit vector, reference frame, towards the sensor that sees the face best: across its plane,
         away from the markers of the other faces (or the origin), between which the foot is.
     clear_to_deg
-        So far may a sensor stand beside that direction, to any side, before two of the markers
-        hide each other.
+        How far a sensor may be off that direction, to any side, before two of the markers hide
+        each other.
     problems
-        Sentences; empty when the face is fit.
+        Sentences; empty if the face is fit for use.
     """
 
     face: str
@@ -105,7 +104,7 @@ class FaceCheck:
 
 
 def check_reference_system(system: ReferenceSystem) -> tuple[FaceCheck, ...]:
-    """Check every face: enough markers, asymmetric enough, not flat, not too near together."""
+    """Check every face: enough markers, asymmetric, not flat, and not too close together."""
     faces = dict.fromkeys(marker.face for marker in system.markers)
     return tuple(
         _check_face(
@@ -118,7 +117,7 @@ def check_reference_system(system: ReferenceSystem) -> tuple[FaceCheck, ...]:
 
 
 def positions(markers: Sequence[Marker]) -> FloatArray:
-    """(n, 3) float64, mm, reference frame."""
+    """Return the positions of markers, (n, 3) float64, mm, reference frame."""
     return np.array([marker.position_mm for marker in markers], dtype=float).reshape(-1, 3)
 
 
@@ -178,7 +177,7 @@ def _relief_mm(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray) -> FloatArray:
-    """Give the normal (3,) of the plane that fits best."""
+    """Return the normal (3,) of the best-fitting plane."""
     return np.asarray(np.linalg.svd(points - points.mean(0))[2][2])
 
 
@@ -188,7 +187,7 @@ def _towards_sensor(points: FloatArray, others: FloatArray) -> FloatArray:
 
 
 def _clear_to_deg(points: FloatArray, normal: FloatArray) -> float:
-    """Step aside until the nearest two markers, as seen from there, come within a marker."""
+    """Tilt the view until the nearest two markers, as seen from there, come within a marker."""
     first = np.linalg.svd(normal[None])[2][1]
     sides = [
         np.cos(a) * first + np.sin(a) * np.cross(normal, first)
@@ -205,9 +204,9 @@ def _clear_to_deg(points: FloatArray, normal: FloatArray) -> float:
 
 
 def _symmetry(points: FloatArray) -> tuple[float, float]:
-    """Find the turn about any axis that maps the markers best onto themselves: mm and degrees.
+    """Find the turn about any axis that best maps the markers onto themselves: mm and degrees.
 
-    Every such turn takes the widest triangle to three markers that lie as far apart; each of
+    Every such turn takes the widest triangle to three markers with the same distances; each of
     those is tried.
     """
     centred, across = points - points.mean(0), _across(points)
@@ -221,7 +220,7 @@ def _symmetry(points: FloatArray) -> tuple[float, float]:
         fitted = absolute_orientation(centred, centred[nearest]).a2b
         turn = rotation_angle_deg(fitted[:3, :3])
         if turn < _LEAST_TURN_DEG or (fitted[:3, :3] @ across) @ across < 0:
-            continue  # hardly a turn, or one that turns the face away from its sensor
+            continue  # too small a turn, or one that turns the face away from its sensor
         distance = np.linalg.norm(transform(fitted, centred)[:, None] - centred[None], axis=-1).min(
             1
         )
@@ -237,12 +236,12 @@ def _widest_triangle(points: FloatArray) -> IntArray:
 
 
 def _congruent(points: FloatArray, base: IntArray) -> IntArray:
-    """(k, 3) ordered triples of markers whose distances are those of the base, roughly."""
+    """Return ordered triples (k, 3) of markers with approximately the distances of the base."""
     distance = np.linalg.norm(points[:, None] - points[None], axis=-1)
     i, j, k = base
     close = [np.abs(distance - distance[p, q]) < _SAME_MM for p, q in ((i, j), (j, k), (i, k))]
     triples = np.argwhere(close[0][:, :, None] & close[1][None] & close[2][:, None])
-    # Three markers in one line determine no turn.
+    # Three collinear markers determine no turn.
     return np.asarray(triples[_areas(points, triples) > _SAME_AREA * _areas(points, base[None])])
 
 
@@ -253,12 +252,12 @@ def _areas(points: FloatArray, triples: IntArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class BumpCheck:
-    """Whether the reference system still is what it was.
+    """Comparison of measured marker positions with the stored reference system.
 
     Parameters
     ----------
     rms_mm
-        Of the markers after the best rigid fit to what is stored.
+        Of the markers after the best rigid fit to the stored positions.
     moved
         Names of the markers that moved, with the distance in mm.
     """
@@ -277,13 +276,20 @@ def check_for_bump(
 ) -> BumpCheck:
     """Compare measured marker positions (any frame) with the stored ones.
 
-    Markers that moved must not spoil the comparison, so the fit is repeated without the worst
+    Markers that moved must not distort the comparison, so the fit is repeated without the worst
     marker until the rest agrees.
+
+    Parameters
+    ----------
+    measured_mm : marker id to (3,) float64, mm
+        In any one frame; markers that are missing are not compared.
+    limit_mm
+        A marker further off than this counts as moved.
 
     Raises
     ------
     ReconstructionError
-        When fewer than three of its markers were measured.
+        If fewer than three of its markers were measured.
     """
     known = [marker for marker in system.markers if marker.id in measured_mm]
     stored = positions(known)

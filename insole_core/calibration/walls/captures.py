@@ -1,4 +1,4 @@
-"""Captures of flat walls: what the distortion of a depth sensor is measured from."""
+"""Captures of flat walls, from which the distortion of a depth sensor is measured."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from insole_core.sensing.frames import mean_raw
 
 _SHAPE = (480, 640)
 _AT_ONCE = 2
-"""Captures: decoding and averaging let other threads run nearly all of the time."""
+"""Captures read in parallel: decoding and averaging mostly release the interpreter lock."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,12 +56,20 @@ def capture_from_frames(
     plane: FloatArray | None = None,
     serial: str = "",
 ) -> WallCapture:
-    """Average frames as they come; only a few are in memory at a time (thesis 5.2, k frames).
+    """Average frames one by one; only a few are in memory at a time (thesis 5.2, k frames).
+
+    Parameters
+    ----------
+    frames : each (480, 640) uint16, raw units
+    distance_mm, plane, serial
+        As in `WallCapture`.
 
     Raises
     ------
     CalibrationError
-        When there are no frames, or when they hold no readings.
+        If there are no frames, or they hold no readings.
+    InputError
+        If a frame has another size.
     """
     try:
         first, frames = _peek(frames)
@@ -91,13 +99,18 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
     """Read the wall captures of a folder of raw 16-bit PNG images.
 
     Every sub-folder is one capture and its images are the frames; in a folder without sub-folders
-    every image is a capture of one frame. Colour pictures ``color…`` in a sub-folder
-    are passed over. A ``sensor.json`` beside the images tells the device.
+    every image is a capture of one frame. Colour pictures ``color…`` in a sub-folder are skipped. A
+    ``sensor.json`` beside the images names the device.
+
+    Returns
+    -------
+    list of WallCapture
+        In the order of their names.
 
     Raises
     ------
     InputError
-        When the folder or an image cannot be read.
+        If the folder or an image cannot be read.
     """
     groups = _groups(folder)
     captures = []
@@ -117,7 +130,7 @@ def _read_capture(name: str, paths: Sequence[Path]) -> WallCapture:
 
 
 def read_frames(paths: Iterable[Path]) -> Iterator[RawArray]:
-    """Decode depth images one after the other, each when it is wanted."""
+    """Decode depth images lazily, one after the other."""
     return map(read_depth, paths)
 
 
@@ -127,6 +140,7 @@ def read_depth(path: Path) -> RawArray:
     Raises
     ------
     InputError
+        If it cannot be read or is not 16-bit.
     """
     image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     if image is None:
@@ -143,11 +157,12 @@ def read_depth(path: Path) -> RawArray:
 
 
 def check_same_device(captures: Iterable[WallCapture]) -> None:
-    """Refuse captures of more than one device.
+    """Check that all captures are of one device.
 
     Raises
     ------
     CalibrationError
+        If they are of more than one.
     """
     by_serial = {capture.serial: capture.name for capture in captures if capture.serial}
     if len(by_serial) > 1:

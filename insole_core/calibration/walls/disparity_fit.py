@@ -1,4 +1,4 @@
-"""Fitting raw numbers to mm to captures at known distances (thesis (9), (12), (17))."""
+"""Fit of the disparity model to captures at known distances (thesis (9), (12), (17))."""
 
 from __future__ import annotations
 
@@ -28,17 +28,16 @@ _CENTRE = (slice(230, 250), slice(310, 330))
 
 @dataclass(frozen=True, eq=False)
 class DisparityFit:
-    """A fitted model.
+    """A fitted disparity model.
 
     Parameters
     ----------
-    model
     deviations
         Standard deviation of each of its numbers, by name.
     rms_raw, rms_mm
-        What it leaves.
+        Root mean square of the residuals.
     range_mm
-        The distances it was fitted to; beyond them it is a guess.
+        The distances it was fitted to; beyond them it extrapolates.
     """
 
     model: DisparityModel
@@ -59,44 +58,49 @@ def fit_linear_inverse(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
     Raises
     ------
     CalibrationError
-        With fewer than two clearly different distances, or distances in another unit.
+        If there are fewer than two clearly different distances, or they are in another unit.
     """
     _check(raw, depth_mm, 2)
     # raw = (1000/Z - a) / b is linear in (1/b, a/b).
     columns = np.stack([1000 / depth_mm, -np.ones_like(depth_mm)], axis=-1)
     (inverse_b, a_by_b), *_ = np.linalg.lstsq(columns, raw, rcond=None)
     start = np.array([a_by_b / inverse_b, 1 / inverse_b])
-    found = least_squares(
+    solution = least_squares(
         lambda x: raw - LinearInverseDisparity(x[0], x[1]).raw(depth_mm),
         start,
         robust=_ROBUST_RAW,
     )
-    a, b = found.values.tolist()
-    return _fit_of(LinearInverseDisparity(a, b), ("a", "b"), found, raw, depth_mm)
+    a, b = solution.values.tolist()
+    return _fit_of(LinearInverseDisparity(a, b), ("a", "b"), solution, raw, depth_mm)
 
 
 def fit_tangent(raw: FloatArray, depth_mm: FloatArray) -> DisparityFit:
     """Fit Z = k1 tan(raw / k2 + k3), thesis (12), minimising the errors in raw units.
 
+    Parameters
+    ----------
+    raw : (n,) float64, raw units, corrected for distortion
+    depth_mm : (n,) float64, mm along the optical axis
+
     Raises
     ------
     CalibrationError
-        With fewer than three clearly different distances, or distances in another unit.
+        If there are fewer than three clearly different distances, or they are in another unit.
     """
     _check(raw, depth_mm, 3)
-    found = least_squares(
+    solution = least_squares(
         lambda x: raw - TangentDisparity(x[0], x[1], x[2]).raw(depth_mm),
         np.array(_TANGENT_START),
         robust=_ROBUST_RAW,
     )
-    k1, k2, k3 = found.values.tolist()
-    return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), found, raw, depth_mm)
+    k1, k2, k3 = solution.values.tolist()
+    return _fit_of(TangentDisparity(k1, k2, k3), ("k1_mm", "k2", "k3"), solution, raw, depth_mm)
 
 
 def centre_pairs(
     captures: Sequence[WallCapture], correction: DisparityCorrection | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Give the raw number at the image centre, (n,), and the measured distance, (n,) mm.
+    """Return the raw number at the image centre and the measured distance of every capture.
 
     Parameters
     ----------
@@ -105,10 +109,14 @@ def centre_pairs(
     correction
         Of the distortion, where it is known.
 
+    Returns
+    -------
+    raw, depth_mm : (n,) float64, raw units and mm
+
     Raises
     ------
     CalibrationError
-        When a capture has no distance, or no reading at the centre.
+        If a capture has no distance, or no reading at the centre.
     """
     raw, depth_mm = [], []
     for capture in captures:
@@ -126,9 +134,14 @@ def centre_pairs(
 
 
 def linear_inverse_near(model: DisparityModel, raw: FloatArray) -> LinearInverseDisparity:
-    """Give the linear-inverse model that agrees with another one over the given raw numbers.
+    """Approximate a disparity model by a linear-inverse one over the given raw numbers.
 
-    For the device's own numbers, thesis (9), the two are the same everywhere.
+    For the device's own numbers, thesis (9), the two are identical.
+
+    Parameters
+    ----------
+    raw : (n,) float64, raw units
+        Where the two shall agree.
     """
     inverse = 1000 / model.depth_mm(raw)
     known = np.isfinite(inverse)
@@ -139,15 +152,15 @@ def linear_inverse_near(model: DisparityModel, raw: FloatArray) -> LinearInverse
 def _fit_of(
     model: DisparityModel,
     names: tuple[str, ...],
-    found: Adjustment,
+    solution: Adjustment,
     raw: FloatArray,
     depth_mm: FloatArray,
 ) -> DisparityFit:
     left_mm = model.depth_mm(raw) - depth_mm
     return DisparityFit(
         model=model,
-        deviations=dict(zip(names, found.deviations.tolist(), strict=True)),
-        rms_raw=float(np.sqrt((found.residuals**2).mean())),
+        deviations=dict(zip(names, solution.std.tolist(), strict=True)),
+        rms_raw=float(np.sqrt((solution.residuals**2).mean())),
         rms_mm=float(np.sqrt(np.nanmean(left_mm**2))),
         range_mm=(float(depth_mm.min()), float(depth_mm.max())),
     )
@@ -177,7 +190,7 @@ def _check(raw: FloatArray, depth_mm: FloatArray, least: int) -> None:
 
 
 def _distinct(depth_mm: FloatArray) -> int:
-    """Count distances that differ by a tenth each."""
+    """Count distances that differ by at least a tenth from each other."""
     count, last = 0, 0.0
     for depth in np.sort(depth_mm):
         if depth >= last * _LEAST_DEPTH_RATIO:

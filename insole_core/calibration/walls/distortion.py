@@ -1,4 +1,4 @@
-"""The default distortion correction: from wall captures to what is stored beside sensor.json."""
+"""The default distortion correction: from wall captures to the file stored beside sensor.json."""
 
 from __future__ import annotations
 
@@ -22,16 +22,15 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 
 @dataclass(frozen=True)
 class DistortionOptions:
-    """What can be set.
+    """Options of the distortion calibration.
 
     Parameters
     ----------
-    smoothing
     extrapolate_raw
-        How far beyond the walls' own raw numbers the dependence on disparity is continued.
+        How far beyond the walls' raw numbers the dependence on disparity is extrapolated.
     uneven_raw, uneven_share
-        A wall counts as not flat when more than this share of it differs by more than this many
-        raw units from what the other walls say.
+        A wall counts as not flat if more than this share of it differs by more than this many
+        raw units from the map of all walls.
     """
 
     smoothing: Smoothing = field(default_factory=Smoothing)
@@ -47,7 +46,7 @@ _GOOD_RAW = 1.2
 
 @dataclass(frozen=True)
 class WallFigures:
-    """How one wall went into the map: errors in raw units over its pixels."""
+    """Errors of one wall, in raw units over its pixels, before and after the correction."""
 
     name: str
     distance_mm: float
@@ -59,11 +58,10 @@ class WallFigures:
 
 @dataclass(frozen=True, eq=False)
 class DistortionCalibration:
-    """The correction and how far it can be trusted.
+    """A distortion correction and its accuracy.
 
     Parameters
     ----------
-    correction
     walls
         One per wall used.
     left_out : name to reason
@@ -72,7 +70,7 @@ class DistortionCalibration:
     deviation_raw
         Median standard deviation of the map where it is covered.
     advice
-        What would improve it, in sentences; empty when all is well.
+        Possible improvements, in sentences; may be empty.
     """
 
     correction: DisparityCorrection
@@ -94,24 +92,22 @@ def calibrate_distortion(
 ) -> DistortionCalibration:
     """Fit the smooth map that varies with disparity to captures of flat walls.
 
-    The walls need not be perpendicular, nor fill the view. Where no wall's plane is known, one
-    plane (a tilt and a shift of everything) cannot be told from a distortion and is left alone.
+    The walls need not be perpendicular, nor fill the view. If no wall's plane is known, one plane
+    (a tilt and a shift of everything) cannot be separated from the distortion and is left out.
 
     Parameters
     ----------
-    captures
     camera
         The depth camera.
     disparity
-        Raw number to depth.
-    options
+        Converts raw numbers to depth.
     serial
-        Of the device; that of the captures when empty.
+        Of the device; if empty, that of the captures.
 
     Raises
     ------
     CalibrationError
-        Mixed devices, no wall, or no wall that is flat.
+        If the captures are of several devices, or show no wall, or none that is flat.
     """
     check_same_device(captures)
     rows = plane_rows(camera)
@@ -168,7 +164,7 @@ def _solve(
 
 
 def _uneven(blocks: MapBlocks, solved: BlockMap, options: DistortionOptions) -> np.ndarray:
-    """Tell which walls the map of all does not explain."""
+    """Return which walls deviate from the map of all walls."""
     seen = blocks.weight > 0.5
     limit = max(options.uneven_raw, 4 * solved.noise_raw)
     off = (np.abs(solved.remaining) > limit) & seen
@@ -205,7 +201,7 @@ def _judged(
 ) -> DistortionCalibration:
     figures = tuple(_figures(wall, correction, disparity) for wall in walls)
     covered = float(correction.covered.mean())
-    deviation = (
+    std = (
         float(np.median(correction.deviation[correction.covered]))
         if correction.deviation is not None and covered > 0
         else float("inf")
@@ -213,7 +209,7 @@ def _judged(
     numbers = {
         "walls": float(len(walls)),
         "covered_share": covered,
-        "deviation_raw": deviation,
+        "deviation_raw": std,
         "nearest_mm": min(figure.distance_mm for figure in figures),
         "farthest_mm": max(figure.distance_mm for figure in figures),
         "rms_before_raw": float(np.sqrt(np.mean([f.rms_before_raw**2 for f in figures]))),
@@ -224,7 +220,7 @@ def _judged(
         walls=figures,
         left_out=left_out,
         covered_share=covered,
-        deviation_raw=deviation,
+        deviation_raw=std,
         advice=_advice(figures, covered),
     )
 

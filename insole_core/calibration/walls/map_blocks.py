@@ -1,4 +1,4 @@
-"""The grid of blocks on which the distortion map is solved, and the way back to pixels."""
+"""The grid of blocks on which the distortion map is solved, and its interpolation to pixels."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BLOCK_PX = 8
 
 @dataclass(frozen=True, eq=False)
 class MapBlocks:
-    """Residuals of N captures, averaged over blocks of 8 x 8 pixels.
+    """Residuals of n captures, averaged over blocks of 8 x 8 pixels.
 
     Averaging bridges the column bands and the centre line of the device, which are narrower than
     the distortion and move with the distance.
@@ -29,7 +29,7 @@ class MapBlocks:
     weight : (n, blocks) float64
         Share of the block that shows the wall.
     level : (n, blocks) float64, raw units
-        The measured raw number, since that is what a correction is applied at.
+        The measured raw number, at which a correction is applied.
     rows : (blocks, 3) float64
         The row (x, y, 1) at each block's centre.
     free_plane : (n,) bool
@@ -47,7 +47,12 @@ class MapBlocks:
 
 
 def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> MapBlocks:
-    """Average the residuals of the captures over blocks."""
+    """Average the residuals of the captures over blocks.
+
+    Parameters
+    ----------
+    rows : (480, 640, 3) from `plane_rows`
+    """
     weight = np.stack([_means(wall.wall.astype(float)) for wall in walls])
     residual = np.stack([_means(np.nan_to_num(wall.residual_raw)) for wall in walls])
     expected = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
@@ -63,7 +68,7 @@ def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> MapBlocks:
 
 
 def bending(shape: tuple[int, int]) -> sparse.csc_array:
-    """Give the quadratic form of the squared second differences of a map of blocks."""
+    """Return the quadratic form of the squared second differences of a map of blocks."""
     height, width = shape
     across, down = sparse.eye_array(width), sparse.eye_array(height)
     operator = sparse.vstack(
@@ -78,7 +83,18 @@ def bending(shape: tuple[int, int]) -> sparse.csc_array:
 
 
 def to_pixels(values: FloatArray, shape: tuple[int, int]) -> FloatArray:
-    """Interpolate a value per block to every pixel; the rim is continued along its slope."""
+    """Interpolate one value per block to every pixel; the border is extrapolated along its slope.
+
+    Parameters
+    ----------
+    values : (blocks,) float64
+    shape
+        Rows and columns of blocks.
+
+    Returns
+    -------
+    (height, width) float64
+    """
     padded = np.pad(values.reshape(shape), 1, mode="reflect", reflect_type="odd")
     size = (padded.shape[1] * BLOCK_PX, padded.shape[0] * BLOCK_PX)
     fine = cv2.resize(padded, size, interpolation=cv2.INTER_CUBIC)

@@ -27,27 +27,27 @@ SPAN_RAW = 100.0
 """Raw units per unit of l."""
 _ROUNDS = 3
 _MOST_DECAY = 1.0
-"""A distortion that falls faster than to a third in a hundred raw units is no lens's."""
+"""No lens distortion falls faster than to a third in a hundred raw units."""
 _GAUGE = 1e-4
-"""Holds the one plane that walls of unknown position cannot tell from a distortion."""
+"""Weight that holds the one plane which walls of unknown position cannot determine."""
 _CUT = 6.0
 _LEAST_NOISE_RAW = 0.3
-"""Outliers are judged against at least this: the map itself is not exact to more."""
+"""Least scale for judging outliers: the map itself is not more accurate."""
 _PROBE_STEP = 16
-"""Blocks: the variance is smooth, and every probe costs a solution."""
+"""Step in blocks: the variance is smooth, and every probe costs a solution."""
 
 
 @dataclass(frozen=True)
 class Smoothing:
-    """How stiff the map is.
+    """Stiffness of the map.
 
     Parameters
     ----------
     offset, slope
-        Weight of the squared second differences between blocks, against one full block.
+        Weight of the squared second differences between blocks, relative to one full block.
     slope_shrink
-        Pulls the slope towards the decay that the whole map has in common, where the walls do not
-        tell it.
+        Weight that pulls the slope towards the decay of the whole map, where the walls do not
+        determine it.
     """
 
     offset: float = 0.5
@@ -57,22 +57,21 @@ class Smoothing:
 
 @dataclass(frozen=True, eq=False)
 class BlockMap:
-    """A solved map.
+    """A solved distortion map.
 
     Parameters
     ----------
     offset : (blocks,) float64, raw units, at `reference_raw`
     slope : (blocks,) float64, raw units per `SPAN_RAW`
     deviation : (blocks,) float64, raw units
-        Standard deviation of a corrected block: the uncertainty of the map, and what it leaves of
+        Standard deviation of a corrected block: the uncertainty of the map, and the residuals of
         the walls there.
-    reference_raw
     noise_raw
         Robust standard deviation of a block.
     decay
         The k that bends the slope, per `SPAN_RAW`: Herrera's exponent.
     remaining : (n, blocks) float64, raw units
-        What the map and the planes leave of the residuals.
+        Residuals after map and planes.
     """
 
     offset: FloatArray
@@ -85,11 +84,24 @@ class BlockMap:
 
 
 class _Factor(Protocol):
+    """A factorised symmetric matrix."""
+
     def solve(self, right: FloatArray) -> FloatArray: ...
 
 
 def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
-    """Solve for map and planes, with weights that follow the remaining errors."""
+    """Solve for map and planes by iteratively reweighted least squares (Tukey).
+
+    Parameters
+    ----------
+    blocks
+        Residuals of all walls, from `blocks_of`.
+
+    Returns
+    -------
+    BlockMap
+        Raw units; one value per block.
+    """
     reference = float(np.average(blocks.level, weights=blocks.weight))
     level = (blocks.level - reference) / SPAN_RAW
     stiffness = bending(blocks.shape)
@@ -101,7 +113,7 @@ def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
         decay = _common_decay(offset, slope)
         t = decay_lever(level, decay)
         factor = _factor(weight, t, stiffness, smoothing, decay)
-        # The planes hardly move while the weights settle, and they are the costly part.
+        # The planes hardly move while the weights converge, and they are the costly part.
         if number in (0, _ROUNDS - 1):
             unknowns, planes = _solve(factor, blocks, weight, t)
         else:
@@ -113,9 +125,9 @@ def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
         weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
     if blocks.free_plane.all():
         offset, slope = (_without_plane(part, blocks) for part in (offset, slope))
-    unit = _unit_deviation(factor, blocks.shape, 2 * count)
-    deviation = _deviation(remaining, weight, unit)
-    return BlockMap(offset, slope, deviation, reference, noise, decay, remaining)
+    unit = _unit_std(factor, blocks.shape, 2 * count)
+    std = _std(remaining, weight, unit)
+    return BlockMap(offset, slope, std, reference, noise, decay, remaining)
 
 
 def _factor(
@@ -156,9 +168,9 @@ def _solve(
 ) -> tuple[FloatArray, FloatArray]:
     """Eliminate the map, solve for the planes, then for the map.
 
-    Returns the map's unknowns, and a correction (n, 3) of every plane.
+    Return the map's unknowns, and a correction (n, 3) of every plane.
     """
-    pulled = weight * blocks.residual
+    weighted = weight * blocks.residual
     alone = _solve_map_alone(factor, blocks.residual, weight, t)
     planes = np.zeros((len(weight), 3))
     free = np.flatnonzero(blocks.free_plane)
@@ -178,7 +190,7 @@ def _solve(
     for place, i in enumerate(free):
         part = slice(3 * place, 3 * place + 3)
         normal[part, part] += rows.T @ (weight[i][:, None] * rows)
-        right[part] += rows.T @ pulled[i]
+        right[part] += rows.T @ weighted[i]
     solved = np.linalg.lstsq(normal, right, rcond=1e-12)[0]
     planes[free] = solved.reshape(-1, 3)
     return alone - answer @ solved, planes
@@ -187,13 +199,13 @@ def _solve(
 def _solve_map_alone(
     factor: _Factor, residual: FloatArray, weight: FloatArray, t: FloatArray
 ) -> FloatArray:
-    """Solve for the map's unknowns with the planes as they are."""
-    pulled = weight * residual
-    return factor.solve(np.concatenate([pulled.sum(0), (pulled * t).sum(0)]))
+    """Solve for the map's unknowns with the planes held."""
+    weighted = weight * residual
+    return factor.solve(np.concatenate([weighted.sum(0), (weighted * t).sum(0)]))
 
 
 def _without_plane(values: FloatArray, blocks: MapBlocks) -> FloatArray:
-    """Leave out what walls of unknown position cannot tell: the gauge holds it only weakly."""
+    """Remove the plane that walls of unknown position cannot determine: its gauge is weak."""
     weight = np.sqrt(blocks.weight.sum(0))
     plane = np.linalg.lstsq(blocks.rows * weight[:, None], values * weight, rcond=None)[0]
     return np.asarray(values - blocks.rows @ plane)
@@ -208,21 +220,21 @@ def _noise(remaining: FloatArray, weight: FloatArray) -> float:
 
 
 def _common_decay(offset: FloatArray, slope: FloatArray) -> float:
-    """Give the k of S = -k D that fits all blocks best; a distortion never grows with raw."""
+    """Return the k of S = -k D that fits all blocks best; a distortion never grows with raw."""
     power = float(offset @ offset)
     return float(np.clip(-(slope @ offset) / power, 0, _MOST_DECAY)) if power > 0 else 0.0
 
 
-def _deviation(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:
-    """Put together the map's own uncertainty and its lack of fit in each block."""
+def _std(remaining: FloatArray, weight: FloatArray, unit: FloatArray) -> FloatArray:
+    """Combine the map's own uncertainty and its lack of fit in each block."""
     power = (weight * remaining**2).sum(0)
     overall = power.sum() / weight.sum()
     lack = (power + overall) / (weight.sum(0) + 1)
     return np.asarray(np.sqrt(overall * unit**2 + lack))
 
 
-def _unit_deviation(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
-    """Square root of the inverse normal matrix's diagonal, probed every `_PROBE_STEP` blocks."""
+def _unit_std(factor: _Factor, shape: tuple[int, int], unknowns: int) -> FloatArray:
+    """Return the root of the inverse normal matrix's diagonal, interpolated between probes."""
     height, width = shape
     down = np.append(np.arange(0, height - 1, _PROBE_STEP), height - 1)
     across = np.append(np.arange(0, width - 1, _PROBE_STEP), width - 1)

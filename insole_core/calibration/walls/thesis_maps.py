@@ -17,9 +17,14 @@ _DEGREE = 3
 
 
 def mean_map(walls: Sequence[WallFit]) -> DisparityCorrection:
-    """Thesis algorithm 1, (16): each pixel's mean over the captures of measured minus expected.
+    """Average measured minus expected raw numbers per pixel: thesis algorithm 1, (16).
 
     The expected disparity is that of the fitted plane, so that a wall need not be perpendicular.
+
+    Raises
+    ------
+    CalibrationError
+        If there is no capture.
     """
     _check_count(walls, 1)
     total = np.zeros(walls[0].wall.shape)
@@ -43,9 +48,8 @@ class CubicCorrection:
     ----------
     coefficients : (4, 480, 640) float64, mm
         Of 1, t, t², t³ with t = (Z - centre_mm) / span_mm.
-    centre_mm, span_mm
     covered : (480, 640) bool
-        Pixels with enough captures for a cubic; the others stay as they are.
+        Pixels with enough captures for a cubic; the others are not changed.
     """
 
     coefficients: FloatArray
@@ -54,21 +58,35 @@ class CubicCorrection:
     covered: BoolArray
 
     def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
-        """Convert a raw image to mm, then correct it at each pixel's own depth (21)."""
+        """Convert a raw image to mm, then correct it at each pixel's own depth (21).
+
+        Parameters
+        ----------
+        raw : (480, 640) float64, raw units
+
+        Returns
+        -------
+        (480, 640) float64, mm
+        """
         depth = disparity.depth_mm(raw)
-        # The cubic says nothing outside the distances it was fitted to.
+        # The cubic is not valid outside the distances it was fitted to.
         t = np.clip((depth - self.centre_mm) / self.span_mm, -1, 1)
         error = sum(c * t**power for power, c in enumerate(self.coefficients))
         return np.asarray(depth - error)
 
 
 def cubic_map(walls: Sequence[WallFit], disparity: DisparityModel) -> CubicCorrection:
-    """Thesis algorithm 2, (20): a cubic through each pixel's errors in mm over the distance.
+    """Fit a cubic to each pixel's errors in mm over the distance: thesis algorithm 2, (20).
+
+    Parameters
+    ----------
+    walls
+        Of one sensor, at four distances or more.
 
     Raises
     ------
     CalibrationError
-        With fewer than four captures.
+        If there are fewer than four captures.
     """
     _check_count(walls, _DEGREE + 1)
     expected = np.stack([disparity.depth_mm(wall.expected_raw) for wall in walls])
@@ -92,7 +110,7 @@ def _fit_cubics(t: FloatArray, seen: BoolArray, error: FloatArray) -> FloatArray
     moments = [power.sum(0) for power in powers]
     unknowns = range(_DEGREE + 1)
     right = [(powers[i] * error).sum(0) for i in unknowns]
-    # Distances that almost coincide leave a cubic undetermined; the trace keeps it finite.
+    # Distances that nearly coincide leave a cubic undetermined; the trace keeps it finite.
     normal = [[moments[i + j] + 1e-9 * (i == j) for j in unknowns] for i in unknowns]
     return np.stack(_eliminate(normal, right))
 
@@ -100,7 +118,7 @@ def _fit_cubics(t: FloatArray, seen: BoolArray, error: FloatArray) -> FloatArray
 def _eliminate(normal: list[list[FloatArray]], right: list[FloatArray]) -> list[FloatArray]:
     """Solve positive definite systems, given entry by entry for all pixels; overwrites them.
 
-    Many times as fast as `np.linalg.solve`, which takes one pixel's system after the other.
+    Many times faster than `np.linalg.solve`, which solves one pixel's system after the other.
     """
     count = len(right)
     for i in range(count):

@@ -21,25 +21,23 @@ def with_board_planes(
     sensor: Sensor,
     progress: Progress = SILENT,
 ) -> list[WallCapture]:
-    """Give wall captures their planes: ``color…`` beside the frames shows a board on the wall.
+    """Add the planes to wall captures: ``color…`` beside the frames shows a board on the wall.
 
-    So the distortion is learnt as a whole, with the tilt and shift that walls alone cannot tell.
+    With known planes the distortion includes the tilt and shift that walls alone cannot determine.
 
     Parameters
     ----------
     captures
         Named as their sub-folders of `folder`.
-    folder
-    board
     sensor
         Its colour camera and the pose between its cameras are calibrated.
 
     Raises
     ------
     InputError
-        When a wall has no colour picture.
+        If a wall has no colour picture.
     CalibrationError
-        When the picture shows no board.
+        If the picture shows no board.
     """
     known = []
     for done, capture in enumerate(captures):
@@ -47,8 +45,8 @@ def with_board_planes(
             done / len(captures), "Looking for the board on {capture}", capture=capture.name
         )
         picture = picture_paths(folder / capture.name, "color")[0]
-        sighting = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
-        board2color = board_pose(sighting, sensor.color_camera)
+        detection = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
+        board2color = board_pose(detection, sensor.color_camera)
         (plane,) = board_planes(board2color[None], sensor.depth2color)
         known.append(replace(capture, plane=plane))
     return known

@@ -1,4 +1,4 @@
-"""Finding the wall in a depth image, and its plane, whatever else is in view."""
+"""Detection of the wall and its plane in a depth image, whatever else is in view."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _TRIALS = 200
 _SEARCH_STEP, _FIT_STEP = 16, 8
-"""Pixels: the first look, and the plane that the map's solution starts from."""
+"""Pixels: of the search, and of the fit from which the map's solution starts."""
 _NEAR_RAW = 8.0
 """Distance in raw units within which a pixel supports a trial plane."""
 _WALL_RAW = 25.0
-"""The strongest distortion in the corners of a sensor; what lies farther off is not the wall."""
+"""The strongest distortion in the corners of a sensor; pixels further off are not on the wall."""
 _LEAST_SHARE = 0.04
-"""Of the image; a smaller wall says too little."""
+"""Least share of the image; a smaller wall carries too little information."""
 _ROUNDS = 8
 
 
@@ -31,11 +31,10 @@ class WallFit:
 
     Parameters
     ----------
-    capture
     plane : (3,) float64, 1/mm
         1/Z = plane · (x, y, 1), depth camera frame, normalised coordinates.
     expected_raw : (480, 640) float64, raw units
-        What an undistorted sensor would have measured.
+        The raw numbers of a sensor without distortion.
     wall : (480, 640) bool
         The pixels that show the wall.
     """
@@ -52,7 +51,7 @@ class WallFit:
 
 
 def plane_rows(camera: PinholeCamera) -> FloatArray:
-    """(height, width, 3) the row (x, y, 1) of every pixel, so that 1/Z = row · plane."""
+    """Return the row (x, y, 1) of every pixel, (height, width, 3), so that 1/Z = row · plane."""
     rays = camera.pixel_rays()
     return np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1)
 
@@ -63,15 +62,15 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
     Parameters
     ----------
     capture
-        When its plane is known it is used as it is.
+        If its plane is known, it is used as it is.
     rows : (480, 640, 3) from `plane_rows`
     disparity
-        Raw number to depth.
+        Converts raw numbers to depth.
 
     Raises
     ------
     CalibrationError
-        When no plane fills at least 4 % of the image.
+        If no plane fills at least 4 % of the image.
     """
     plane = capture.plane
     if plane is None:
@@ -89,14 +88,26 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
 
 
 def expected_raw(plane: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
-    """(height, width) raw numbers that a plane must give; NaN where it lies behind the camera."""
+    """Compute the raw numbers of a plane.
+
+    Parameters
+    ----------
+    plane : (3,) float64, 1/mm
+        1/Z = plane · (x, y, 1), depth camera frame.
+    rows : (height, width, 3) from `plane_rows`
+
+    Returns
+    -------
+    (height, width) float64, raw units
+        NaN where the plane lies behind the camera.
+    """
     inverse = rows @ plane
     depth = np.divide(1, inverse, out=np.full(inverse.shape, np.nan), where=inverse > 0)
     return disparity.raw(depth)
 
 
 def _search(raw: FloatArray, rows: FloatArray, disparity: DisparityModel) -> FloatArray:
-    """Give the plane through three pixels that most pixels support, of many trials (RANSAC)."""
+    """Return the plane through three pixels that most pixels support, of many trials (RANSAC)."""
     coarse = 1 / disparity.depth_mm(raw[::_SEARCH_STEP, ::_SEARCH_STEP]).ravel()
     known = np.isfinite(coarse)
     values, places = coarse[known], rows[::_SEARCH_STEP, ::_SEARCH_STEP].reshape(-1, 3)[known]
@@ -115,7 +126,7 @@ def _search(raw: FloatArray, rows: FloatArray, disparity: DisparityModel) -> Flo
 def _refine(
     plane: FloatArray, raw: FloatArray, rows: FloatArray, disparity: DisparityModel
 ) -> FloatArray:
-    """Least squares over the supporting pixels, in raw units, with falling weights (Tukey)."""
+    """Fit the supporting pixels by least squares in raw units, with decreasing weights (Tukey)."""
     raw, places = raw[::_FIT_STEP, ::_FIT_STEP], rows[::_FIT_STEP, ::_FIT_STEP]
     measured = 1 / disparity.depth_mm(raw)
     plane = plane.copy()
@@ -133,13 +144,13 @@ def _refine(
 
 
 def _inverse_per_raw(inverse: FloatArray, disparity: DisparityModel) -> FloatArray:
-    """How much 1/Z changes with one raw unit, from the models' own inverse."""
+    """Return the change of 1/Z per raw unit, from the models' own inverse."""
     step = 1e-6
     return np.asarray(step / (disparity.raw(1 / (inverse + step)) - disparity.raw(1 / inverse)))
 
 
 def _largest_region(near: BoolArray) -> BoolArray:
-    """Keep the largest connected part, its holes apart."""
+    """Keep the largest connected component, without its holes."""
     count, labels, stats, _ = cv2.connectedComponentsWithStats(
         near.astype(np.uint8), connectivity=4
     )

@@ -1,4 +1,4 @@
-"""A fair closed curve about measured places: as a shoemaker draws it, without wiggles."""
+"""A fair closed curve close to measured points: with slowly changing curvature, without wiggles."""
 
 from __future__ import annotations
 
@@ -14,33 +14,33 @@ from insole_core.insole.outline.outline_curve import evenly_spread, way_round
 _HARMONICS = 16
 _POINTS, _WATCHED = 720, slice(None, None, 5)
 
-# Weights against the mean square, in mm, of the distances of the places from the curve.
-_STIFFNESS = 6e-6  # of the third derivative over a turn
-_EVENNESS, _STAYING = 1e3, 1e-4  # of an uneven speed, and of every change
-_HOLDING = 1e6  # of a bend beyond its limits
-_OUTSIDE = 20.0  # of a place that the curve would cut off
+# Weights relative to the mean squared distance, in mm, of the points from the curve.
+_STIFFNESS = 6e-6  # of the third derivative with respect to the phase
+_EVENNESS, _STAYING = 1e3, 1e-4  # of uneven speed, and of any change
+_HOLDING = 1e6  # of a curvature beyond its limits
+_OUTSIDE = 20.0  # of a point that the curve would cut off
 
 _COURSES, _ROUNDS = 3, 6
 
 
 def fair_curve(places: FloatArray, bends_per_mm: FloatArray) -> FloatArray:
-    """Lay a curve with slowly changing curvature about places.
+    """Fit a closed curve with slowly changing curvature to points.
 
-    The curve is a Fourier series of the place over the way along it. Of all whose curvature keeps
-    its limits it has the least squares of the distances across it and of the third derivative;
-    a place that it would cut off counts more than one that it leaves inside.
+    The curve is a Fourier series in arc length. Among all curves whose curvature keeps its limits
+    it minimises the sum of the squared normal distances and the squared third derivative; a point
+    outside the curve weighs more than one inside.
 
     Parameters
     ----------
     places : (n, 2) float64, mm
-        In order, counter-clockwise; the first is not repeated.
-    bends_per_mm : (n, 2) float64
-        The least and the greatest curvature at each place; below zero it bends inwards.
+        Points in counter-clockwise order; the first is not repeated.
+    bends_per_mm : (n, 2) float64, 1/mm
+        Least and greatest curvature at each point; negative where the curve is hollow.
 
     Returns
     -------
     (720, 2) float64, mm
-        Counter-clockwise, nearly evenly spread; begins beside the first place.
+        Counter-clockwise, nearly evenly spaced; starts near the first point.
     """
     rows = _series(way_round(places)[:-1], 0)
     normal = rows.T @ rows / len(rows) + _ENERGY
@@ -51,7 +51,7 @@ def fair_curve(places: FloatArray, bends_per_mm: FloatArray) -> FloatArray:
 
 
 class _Rows(NamedTuple):
-    """What gives, times the series, places of the curve, and derivatives over a turn."""
+    """Matrices that map the series to points of the curve and their derivatives over the phase."""
 
     places: FloatArray
     slopes: FloatArray
@@ -59,7 +59,7 @@ class _Rows(NamedTuple):
 
 
 def _series(phase: FloatArray, derivative: int) -> FloatArray:
-    """(n, 2 h + 1) cosines and sines of whole turns, or a derivative of them; phase 0 to 1."""
+    """Return (n, 2 h + 1) cosines and sines of the harmonics, or a derivative; phase 0 to 1."""
     turns = 2 * np.pi * np.arange(1, _HARMONICS + 1)
     angle = np.outer(phase, turns) + derivative * np.pi / 2
     scale = turns**derivative
@@ -72,7 +72,7 @@ _ENERGY = _STIFFNESS * np.diag(np.r_[0, np.tile(np.arange(1.0, _HARMONICS + 1), 
 
 
 def _evened(series: FloatArray) -> FloatArray:
-    """The same curve as a series over the way along it."""
+    """Return the same curve as a series in arc length."""
     spread = evenly_spread(_CURVE.places @ series, _POINTS)
     scale = np.r_[1.0, np.full(2 * _HARMONICS, 2.0)] / _POINTS
     return np.asarray(_CURVE.places.T @ spread * scale[:, None])
@@ -80,20 +80,20 @@ def _evened(series: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
-    """The convex problem that is left when directions and speed of a near curve are taken as given.
+    """The convex problem that remains when directions and speed are taken from a nearby curve.
 
-    Unknown are the series of both coordinates, one behind the other.
+    The unknowns are the series of both coordinates, one after the other.
 
     Parameters
     ----------
     start : (u,) float64
-        The near curve.
+        The nearby curve.
     across_rows, across_mm : (n, u), (n,) float64
-        Places of the curve beside the measured ones, and those, along the outward direction.
+        Position of the curve, and of the measured points beside it, along the outward normal.
     bend_rows, bends_per_mm : (w, u), (w, 2) float64
-        Curvature, and its limits.
+        Curvature and its limits.
     even_rows : (w, u) float64
-        Speed against that of the near curve.
+        Speed relative to that of the nearby curve.
     """
 
     start: FloatArray
@@ -105,7 +105,7 @@ class _Problem:
 
     @classmethod
     def about(cls, near: FloatArray, places: FloatArray, bends_per_mm: FloatArray) -> _Problem:
-        """The problem about a near curve, given as a series."""
+        """Linearise the problem about a nearby curve, given as a series."""
         curve, slopes = _CURVE.places @ near, _CURVE.slopes @ near
         lengths = np.hypot(*slopes.T)
         along, speed = slopes / lengths[:, None], lengths.mean()
@@ -122,7 +122,7 @@ class _Problem:
 
 
 def _settled(problem: _Problem) -> FloatArray:
-    """The series (m, 2) of the best curve; which limits hold is found by trying."""
+    """Return the series (m, 2) of the best curve; the active limits are found by iteration."""
     rows, goal, found = problem.across_rows, problem.across_mm, problem.start
     even = problem.even_rows
     fixed = np.kron(np.eye(2), _ENERGY) + _STAYING * np.eye(len(found))
@@ -142,10 +142,10 @@ def _settled(problem: _Problem) -> FloatArray:
 
 
 def _projected(rows: FloatArray, direction: FloatArray) -> FloatArray:
-    """Rows for the series of both coordinates: what they give along directions (n, 2)."""
+    """Return rows for the series of both coordinates, projected on directions (n, 2)."""
     return np.hstack([rows * direction[:, :1], rows * direction[:, 1:]])
 
 
 def _nearest(among: FloatArray, places: FloatArray) -> IntArray:
-    """Index of the nearest of `among` to each place."""
+    """Return the index of the nearest point of `among` to each of `places`."""
     return np.asarray(cKDTree(among).query(places)[1])

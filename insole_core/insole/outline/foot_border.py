@@ -1,4 +1,4 @@
-"""The border of a foot seen from above, evened against the noise of the scan."""
+"""The border of a foot seen from above, smoothed against the noise of the scan."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh_graph import relaxed
 from insole_core.geometry.sampling import sample_triangles
 
-_BORDER_HEIGHT_MM = 30.0  # what lies higher does not widen the outline
+_BORDER_HEIGHT_MM = 30.0  # higher parts do not widen the outline
 _ABOVE_MM = 8.0
 _PITCH_MM = 1.0
 _ROUNDS = 10
 _EVENING_MM = 5.0
-_GAP_MM = 24.0  # between two toes the border runs on from tip to tip
-_CELL_MM = 4.0  # of the wall; the mean of a cell counts, not its outermost point
-_DEPTH_MM = 3.0  # so much of a cell is its outside
+_GAP_MM = 24.0  # gaps between toes up to this width are bridged
+_CELL_MM = 4.0  # of the flank; the mean of a cell counts, not its outermost point
+_DEPTH_MM = 3.0  # thickness of the outer layer of a cell
 _LEAST_POINTS = 3
-_ROUND = 0.15  # radius of the ends of the middle line's neighbourhood, in lengths
+_ROUND = 0.15  # radius of the half circles of the track, as a share of the foot's length
 
 
 @dataclass(frozen=True, eq=False)
 class Border:
-    """Places round a foot, counter-clockwise from the rear of the heel; medial = +x.
+    """Points around a foot, counter-clockwise from the rear of the heel; medial = +x.
 
     Parameters
     ----------
     places, outward : (n, 2) float64, mm
-        The outermost of the foot, and the unit direction in which it was looked for.
+        Outermost points of the foot, and the unit direction in which each was sought.
     """
 
     places: FloatArray
@@ -39,7 +39,7 @@ class Border:
 
 
 def foot_border(foot: Foot) -> Border:
-    """Find the border of what lies less than 30 mm above the ground; kept with the foot."""
+    """Find the border of the foot below 30 mm above the ground; cached with the foot."""
     return foot.derived.get("border", (), lambda: _find(foot))
 
 
@@ -61,7 +61,7 @@ def _find(foot: Foot) -> Border:
 
 
 def _low_points(foot: Foot) -> FloatArray:
-    """Points (n, 3) evenly over the lower foot, medial = +x."""
+    """Sample points (n, 3) evenly over the lower foot, medial = +x."""
     part = foot.mesh.part(foot.mesh.vertices[:, 2] < _BORDER_HEIGHT_MM + _ABOVE_MM)
     even = replace(part, vertices=relaxed(part, _ROUNDS))
     points = sample_triangles(even, _PITCH_MM).points
@@ -70,9 +70,10 @@ def _low_points(foot: Foot) -> FloatArray:
 
 
 def _outside(column: IntArray, level: IntArray, distance: FloatArray, count: int) -> FloatArray:
-    """(count,) how far out each column reaches: as its outermost cell.
+    """Return how far out each column reaches, (count,): as far as its outermost cell.
 
-    A cell tells it by mean and deviation of its outside: a wall ends at its mean, a sheet beyond.
+    A cell reaches to the mean plus the standard deviation of its outer layer: a vertical flank
+    ends at its mean, a sloping surface beyond it.
     """
     levels = int(level.max()) + 1
     cell, cells = column * levels + level, count * levels
@@ -85,20 +86,14 @@ def _outside(column: IntArray, level: IntArray, distance: FloatArray, count: int
         np.bincount(cell, distance**power, minlength=cells) / np.maximum(number, 1)
         for power in (1, 2)
     )
-    deviation = np.sqrt(np.maximum(square - mean**2, 0.0))
-    reach = np.where(number >= _LEAST_POINTS, mean + deviation, -np.inf)
+    std = np.sqrt(np.maximum(square - mean**2, 0.0))
+    reach = np.where(number >= _LEAST_POINTS, mean + std, -np.inf)
     return np.asarray(reach.reshape(count, levels).max(axis=1))
 
 
 @dataclass(frozen=True)
 class _Track:
-    """A track round the middle line of a foot: two straights and two half circles.
-
-    Parameters
-    ----------
-    radius_mm
-    length_mm
-    """
+    """A closed track around the middle line of a foot: two straights and two half circles."""
 
     radius_mm: float
     length_mm: float
@@ -113,11 +108,14 @@ class _Track:
 
     @property
     def round_mm(self) -> float:
-        """The way round."""
+        """Length of the track."""
         return 2 * (2 * self._quarter_mm + self._straight_mm)
 
     def of(self, xy: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Way along the track (n,), from the rear over +x, and distance from the middle line."""
+        """Return the arc length (n,) along the track and the distance (n,) from the middle line.
+
+        The arc length starts at the rear and runs over +x.
+        """
         x, y = xy.T
         along = np.clip(y - self.radius_mm, 0, self._straight_mm)
         ahead = y - self.radius_mm - along
@@ -126,7 +124,7 @@ class _Track:
         return np.where(x < 0, self.round_mm - way, way), np.hypot(x, ahead)
 
     def at(self, way: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Places (n, 2) of the middle line, and the unit directions outwards from there."""
+        """Return points (n, 2) of the middle line, and the unit outward directions there."""
         half = np.minimum(way, self.round_mm - way)
         along = np.clip(half - self._quarter_mm, 0, self._straight_mm)
         angle = (half - along) / self.radius_mm

@@ -1,4 +1,4 @@
-"""The edge of the insole from above, as the design asks for it: foot, shoe size or drawn."""
+"""The edge of the insole seen from above: from the foot, from the shoe size, or drawn."""
 
 from __future__ import annotations
 
@@ -16,30 +16,35 @@ from insole_core.insole.outline.outline_curve import closed_curve, evenly_spread
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
 from insole_core.insole.surface.blending import smooth_step
 
-# All in shares of the foot's length.
+# All as shares of the foot's length.
 _HEEL_TO_BALL = (0.30, 0.55)
 _TOES = (0.75, 1.0)
 _WAIST_BEGIN, _WAIST_END = 0.20, (0.62, 0.46)  # medial, lateral
 
-# Least and greatest curvature, per mm: but at the waist, a fair edge bends outwards everywhere.
+# Least and greatest curvature, per mm: a fair edge is convex everywhere but at the waist.
 _ROUND, _HOLLOW = (1 / 700, 1 / 19), (-1 / 45, 1 / 19)
 
-# The front edge of a short insole runs along the outer heads, in a bow of a share of its length.
+# The front edge of a short insole runs along the outer heads; its sagitta is a share of its length.
 _BEHIND_HEADS_MM = 8.0
 _STEEPEST, _SHORTEST = 0.5, 0.35
 _BOW, _FRONT_POINTS = 0.04, 60
 _ROUNDINGS, _ROUNDING_MM, _EVENING_MM, _CORNER_MM = 6, 6.0, 2.0, (25.0, 45.0)
-_HANDLES = 36  # places by which a drawn outline begins
+_HANDLES = 36  # points of an outline that starts to be drawn
 
 
 def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> FloatArray:
-    """Give the outline that a design asks for.
+    """Compute the outline that a design specifies.
+
+    Parameters
+    ----------
+    landmarks
+        Only read for a three-quarter outline, which ends behind the metatarsal heads.
 
     Returns
     -------
     (n, 2) float64, mm, insole frame
         A closed curve, counter-clockwise, the first point not repeated. From foot or shoe size it
-        is hollow at most at the waist; the mirrored foot has the mirrored one.
+        is concave at most at the waist; a mirrored foot has the mirrored outline.
     """
     outline = design.outline
     if outline.source == "drawn" and outline.points_mm is not None:
@@ -53,7 +58,18 @@ def insole_outline(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> Fl
 
 
 def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
-    """Give the box (2, 2), mm, about the outline in its full length."""
+    """Compute the bounding box of an outline in its full length.
+
+    Parameters
+    ----------
+    outline
+        Its extent is ignored.
+
+    Returns
+    -------
+    (2, 2) float64, mm, insole frame
+        Least and greatest (x, y).
+    """
     curve = insole_outline(
         foot, InsoleDesign(foot.side, outline=replace(outline, extent="full")), {}
     )
@@ -61,7 +77,19 @@ def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
 
 
 def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:
-    """The places of a drawn outline, counter-clockwise; those by which one begins to be dragged."""
+    """Return the control points of an outline.
+
+    Parameters
+    ----------
+    landmarks
+        Only read for a three-quarter outline.
+
+    Returns
+    -------
+    tuple of (x, y), mm, insole frame
+        Counter-clockwise. Of an outline that is not drawn, points on its curve, from which drawing
+        can start.
+    """
     if outline.source == "drawn" and outline.points_mm is not None:
         points = np.array(outline.points_mm)
         points = points if _turns_left(points) else points[::-1]
@@ -72,7 +100,7 @@ def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[
 
 
 def _full(foot: Foot, outline: Outline) -> FloatArray:
-    """The outline about the whole foot, medial = +x."""
+    """Return the outline around the whole foot, medial = +x."""
     key = replace(outline, extent="full")
     return foot.derived.get("full outline", key, lambda: _about_foot(foot, outline))
 
@@ -88,9 +116,9 @@ def _about_foot(foot: Foot, outline: Outline) -> FloatArray:
 
 
 def _allowed(foot: Foot, outline: Outline) -> tuple[FloatArray, FloatArray, float]:
-    """The foot's border with the allowances, its shares of the length, and where it is to end.
+    """Return the foot's border with the allowances, its shares of the length, and the front's y.
 
-    The toes' allowance grows over the toes, a shoe's length over all.
+    The toe allowance grows over the toes, that of a shoe size over the whole length.
     """
     border, heel_mm = foot_border(foot), outline.heel_allowance_mm
     share = border.places[:, 1] / foot.length_mm
@@ -110,7 +138,7 @@ def _allowed(foot: Foot, outline: Outline) -> tuple[FloatArray, FloatArray, floa
 def _three_quarter(
     foot: Foot, outline: Outline, whole: FloatArray, landmarks: Landmarks
 ) -> FloatArray:
-    """What of the whole outline lies behind the heads, in a slight bow, its corners rounded."""
+    """Return the part of the full outline behind the heads, front bowed, corners rounded."""
     heads = np.array([landmarks[name].point[:2] for name in HEADS]) * [foot.side.medial_sign, 1.0]
     key = outline, heads.tobytes()
     return foot.derived.get(
@@ -134,7 +162,7 @@ def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatA
 
 
 def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
-    """Places between two others on a flat parabola that bulges to the right of the way."""
+    """Return points between two others on a flat parabola that bulges to the right."""
     share = np.linspace(0, 1, _FRONT_POINTS)[1:-1, None]
     way = end - start
     aside = np.array([way[1], -way[0]])
@@ -142,7 +170,7 @@ def _bow(start: FloatArray, end: FloatArray) -> FloatArray:
 
 
 def _rounded(curve: FloatArray, *corners: FloatArray) -> FloatArray:
-    """Round a closed curve at corners, and hardly elsewhere."""
+    """Round a closed curve at its corners, and hardly elsewhere."""
     curve = smoothed_along(curve, _EVENING_MM)
     for _ in range(_ROUNDINGS):
         away_mm = np.min([np.hypot(*(curve - corner).T) for corner in corners], axis=0)

@@ -1,4 +1,4 @@
-"""Closed curves through a few places: the outlines of insoles and of free-hand pads."""
+"""Closed curves through a few points: the outlines of insoles and of free-hand pads."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ _LEAST_POINTS, _LEAST_PER_SPAN = 720, 8
 
 
 def closed_curve(points: Sequence[tuple[float, float]] | FloatArray) -> FloatArray:
-    """Lay a closed curve with continuous direction through places (Catmull-Rom).
+    """Interpolate a closed curve with continuous tangent through points (Catmull-Rom).
 
     Parameters
     ----------
-    points
+    points : (n, 2)
         At least three; the first is not repeated.
 
     Returns
     -------
     (m, 2) float64
-        At least 720 points; begins with the first place, which is not repeated at the end.
+        At least 720 points; starts with the first point, which is not repeated at the end.
     """
     p1 = np.asarray(points, dtype=float)
     p0, p2, p3 = np.roll(p1, 1, axis=0), np.roll(p1, -1, axis=0), np.roll(p1, -2, axis=0)
@@ -39,10 +39,10 @@ def closed_curve(points: Sequence[tuple[float, float]] | FloatArray) -> FloatArr
 
 
 def crosses_itself(points: Sequence[tuple[float, float]] | FloatArray) -> bool:
-    """Whether the closed polygon through places crosses itself."""
+    """Return whether the closed polygon through points (n, 2) crosses itself."""
     start = np.asarray(points, dtype=float)
     end = np.roll(start, -1, axis=0)
-    # Which side of the line through each edge do the ends of all edges lie on?
+    # The signs say on which side of the line through each edge the ends of all edges lie.
     along = end - start
     from_start = _cross(along[:, None], start[None] - start[:, None])
     from_end = _cross(along[:, None], end[None] - start[:, None])
@@ -51,7 +51,19 @@ def crosses_itself(points: Sequence[tuple[float, float]] | FloatArray) -> bool:
 
 
 def inside_curve(curve: FloatArray, places: FloatArray) -> BoolArray:
-    """Whether places (..., 2) lie in the closed polygon (n, 2), by the even-odd rule."""
+    """Test which points lie in a closed polygon, by the even-odd rule.
+
+    Parameters
+    ----------
+    curve : (n, 2)
+        Corners of the polygon; the first is not repeated.
+    places : (..., 2)
+        Points, in the unit of `curve`.
+
+    Returns
+    -------
+    (...) bool
+    """
     x, y = places[..., 0, None], places[..., 1, None]
     x1, y1 = curve.T
     x2, y2 = np.roll(curve, -1, axis=0).T
@@ -62,19 +74,40 @@ def inside_curve(curve: FloatArray, places: FloatArray) -> BoolArray:
 
 
 def way_round(curve: FloatArray) -> FloatArray:
-    """Share of the way round at each place of a closed curve, (n + 1,); the last is 1."""
+    """Return the share of the arc length at each point of a closed curve, (n + 1,), up to 1."""
     steps = np.hypot(*(np.roll(curve, -1, axis=0) - curve).T)
     return np.concatenate([[0.0], steps.cumsum() / steps.sum()])
 
 
 def evenly_spread(curve: FloatArray, count: int) -> FloatArray:
-    """Give places (count, 2) at even ways along a closed curve; the first is the same."""
+    """Resample a closed curve at even arc lengths.
+
+    Parameters
+    ----------
+    curve : (n, 2)
+        The first point is not repeated.
+
+    Returns
+    -------
+    (count, 2) float64
+        The first point is that of `curve`.
+    """
     closed, even = np.vstack([curve, curve[:1]]), np.arange(count) / count
     return np.column_stack([np.interp(even, way_round(curve), axis) for axis in closed.T])
 
 
 def smoothed_along(curve: FloatArray, sigma_mm: float) -> FloatArray:
-    """Even out an evenly spread closed curve by Gaussian weights along it."""
+    """Smooth a closed curve by a Gaussian along its arc length.
+
+    Parameters
+    ----------
+    curve : (n, 2) float64, mm
+        Evenly spaced points; the first is not repeated.
+
+    Returns
+    -------
+    (n, 2) float64, mm
+    """
     step_mm = float(np.hypot(*(curve[1] - curve[0])))
     return np.asarray(gaussian_filter1d(curve, sigma_mm / step_mm, axis=0, mode="wrap"))
 

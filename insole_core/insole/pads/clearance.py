@@ -1,4 +1,4 @@
-"""How far behind the metatarsal heads a pad ends: one measure for warnings, snap and display."""
+"""Distance from a pad to the metatarsal heads: one measure for warnings, snapping and display."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ _OUTLINE_POINTS = 180
 
 @dataclass(frozen=True, eq=False)
 class Clearance:
-    """How a pad's front edge lies to the line of the heads.
+    """Position of a pad's front edge relative to the line of the heads.
 
     Parameters
     ----------
     line : (3, 2) float64, mm, insole frame
-        The heads 2, 3 and 4.
+        Heads 2, 3 and 4.
     front, nearest : (2,) float64, mm
-        The foremost place of the pad and the place of the line before it.
+        Foremost point of the pad and the point of the line in front of it.
     distance_mm
-        From the one to the other; > 0 while the pad ends behind the heads.
+        Between the two; > 0 while the pad ends behind the heads.
     """
 
     line: FloatArray
@@ -34,11 +34,10 @@ class Clearance:
 
 
 def clearance(pad: Pelott, line: FloatArray) -> Clearance:
-    """Measure a pad against the line of the metatarsal heads 2 to 4.
+    """Measure a pad against the line of metatarsal heads 2 to 4.
 
     Parameters
     ----------
-    pad
     line : (3, 2) float64, mm, insole frame
     """
     across = line[2] - line[0]
@@ -47,7 +46,7 @@ def clearance(pad: Pelott, line: FloatArray) -> Clearance:
     ahead = ahead * np.sign(ahead[1])
     outline = pad_outline(pad, _OUTLINE_POINTS)
     front = outline[(outline @ ahead).argmax()]
-    # The heads stand in a bow: the line is taken at the place before the pad's front.
+    # The heads lie on an arc: the line is evaluated in front of the pad's foremost point.
     along = (line - line[0]) @ across
     height = (line - front) @ ahead
     order = along.argsort()

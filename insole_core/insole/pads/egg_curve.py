@@ -1,4 +1,4 @@
-"""The egg of the thesis's equation (26), stretched to two sizes."""
+"""The egg curve of the thesis's equation (26), scaled to length and width."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _OUTLINE_POINTS = 1440
 def egg_curve(
     length_mm: float, width_mm: float, ratio: float, points: int = _OUTLINE_POINTS
 ) -> FloatArray:
-    """Outline of an egg about its apex, counter-clockwise, the blunt end towards +y.
+    """Compute the outline of an egg about its apex, the blunt end towards +y.
 
     (26) in polar form about the pointed end, angle p from the egg's axis, with a = 1 and b = r:
     rho = cos p (1 - r sin^2 p). The apex stands where the egg is widest.
@@ -26,8 +26,8 @@ def egg_curve(
 
     Returns
     -------
-    (points, 2) float64, mm
-        The first point is not repeated.
+    (points, 2) float64, mm, pad frame
+        Counter-clockwise; the first point is not repeated.
     """
     p = (np.arange(points) + 0.5) / points * np.pi - np.pi / 2
     rho = np.cos(p) * (1 - ratio * np.sin(p) ** 2)
@@ -43,7 +43,7 @@ def _polar(ratio: float, p: float) -> tuple[float, float]:
 
 
 def _widest_angle(ratio: float) -> float:
-    """Angle at which x = sin p cos p (1 - r sin^2 p) is greatest.
+    """Return the angle at which x = sin p cos p (1 - r sin^2 p) is greatest.
 
     With s = sin^2 p its derivative vanishes where 1 - (2 + 3 r) s + 4 r s^2 = 0.
     """

@@ -1,8 +1,8 @@
-"""What pads add to the contact surface: Gaussian neighbourhood (25), and a smooth edge.
+"""Heights that pads add to the contact surface: Gaussian neighbourhood (25) with a smooth edge.
 
 The thesis cuts the Gaussian off at the outline, which leaves a step there. Here it is multiplied by
 a window that falls to zero at the outline with zero slope, so that the skin meets no edge; outside
-the outline nothing changes, and at the apex the height is exactly the one asked for.
+the outline nothing changes, and at the apex the height is exactly the prescribed one.
 """
 
 from __future__ import annotations
@@ -19,30 +19,29 @@ from insole_core.insole.prescription.corrections import Pelott
 from insole_core.insole.surface.blending import smooth_step
 from insole_core.memo import Memo
 
-_PLATEAU = 0.5  # share of the way to the outline that the window of a dome leaves untouched
+_PLATEAU = 0.5  # share of the way to the outline over which the window of a dome is 1
 _WIDEST_EDGE = 0.95  # share of the way to the outline that the edge may take
-_FLAT_EDGE = 0.25  # breadth of a flat pad's edge against its width
+_FLAT_EDGE = 0.25  # breadth of a flat pad's edge relative to its width
 _INSET_MM = 0.02  # a flat pad ends this much within its outline: the depth is interpolated
 _DEPTH_CELLS = 160
-_ROUNDING = 0.05  # of the greatest depth: over this way the creases of the depth are rounded
-_AROUND = 1.25  # the grid goes on so far beyond the outline, or its edge would lean on the rounding
+_ROUNDING = 0.05  # of the greatest depth: scale over which the creases of the depth are rounded
+_AROUND = 1.25  # reach of the grid relative to the outline: its edge must not affect the rounding
 _OUTLINE_PITCH = 0.2  # of a cell
 
 _fields = Memo(16)
-"""What is known of an outline, wherever its pad lies: moving and turning a pad is cheap by it.
+"""Distance fields and polar forms by outline, so that moving and turning a pad is cheap.
 
-It belongs to the shapes of a clinic's pads, as the outlines do; at most 6 MB.
+They depend on a pad's shape only and are shared by all cases; at most 6 MB.
 """
 
 
 def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
-    """Outline of a pad, counter-clockwise, the first point not repeated.
+    """Return the outline of a pad, counter-clockwise, the first point not repeated.
 
     Parameters
     ----------
-    pad
     points
-        At most so many, for drawing; by default all.
+        Greatest number of points, for drawing; by default all.
 
     Returns
     -------
@@ -55,7 +54,17 @@ def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
 
 
 def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
-    """Height that a pad adds at places (..., 2) of the insole frame, mm."""
+    """Compute the height that a pad adds at points of the surface.
+
+    Parameters
+    ----------
+    xy : (..., 2) float64, mm, insole frame
+
+    Returns
+    -------
+    (...) float64, mm
+        0 outside the outline, `pad.height_mm` at the apex.
+    """
     local = _to_pad(pad, np.asarray(xy, dtype=float))
     if pad.shape not in DOMED:
         return np.asarray(pad.height_mm * _edge_window(pad, local))
@@ -64,14 +73,14 @@ def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
 
 
 def _to_pad(pad: Pelott, xy: FloatArray) -> FloatArray:
-    """Insole to pad frame; written out, so that every place gives the same bits in any array."""
+    """Transform from insole to pad frame, spelled out for the same bits in an array of any size."""
     (a, b), (c, d) = pad2insole(pad)
     x, y = xy[..., 0] - pad.centre_mm[0], xy[..., 1] - pad.centre_mm[1]
     return np.stack([x * a + y * c, x * b + y * d], axis=-1)
 
 
 def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
-    """The Gaussian of (25), 1 at the apex."""
+    """Evaluate the Gaussian of (25), 1 at the apex."""
     if pad.sigma_mm is None:
         sigma = np.ptp(local_outline(pad), axis=0) / 2
     else:
@@ -81,7 +90,7 @@ def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
 
 
 def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
-    """1 round the apex, 0 from the outline on, along rays from the apex."""
+    """Return a window along rays from the apex: 1 around it, 0 from the outline on."""
     outline = local_outline(pad)
     angle, radius = _fields.get("polar", outline.tobytes(), lambda: _polar_outline(outline))
     x, y = local[..., 0], local[..., 1]
@@ -94,7 +103,7 @@ def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
 
 
 def _polar_outline(outline: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Angles from -pi to pi, in order, and the distance of the outline there."""
+    """Return angles from -pi to pi, in order, and the outline's distance there."""
     x, y = outline.T
     angle = np.arctan2(y, x)
     order = np.argsort(angle)
@@ -104,7 +113,7 @@ def _polar_outline(outline: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
-    """1 deep inside, 0 from the outline on, by the distance from the outline."""
+    """Return a window by the distance from the outline: 1 deep inside, 0 from the outline on."""
     outline = local_outline(pad)
     depth = _fields.get("depth", outline.tobytes(), lambda: _depth(outline))
     if pad.blend_mm is not None:
@@ -120,13 +129,12 @@ def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Depth:
-    """Distance from an outline, positive inside, on a grid about it.
+    """Distance from an outline, positive inside, sampled on a grid around it.
 
     Parameters
     ----------
     first_mm : (2,)
-        Place of the first node.
-    step_mm
+        Position of the first node.
     values : (nx, ny) float64, mm
     """
 
@@ -146,14 +154,14 @@ class _Depth:
         return float(self.values[row // 2, column // 2])
 
     def at(self, local: FloatArray) -> FloatArray:
-        """Distance at places (..., 2), linear between the nodes; negative beyond the grid."""
+        """Interpolate the distance at points (..., 2) linearly; negative beyond the grid."""
         index = (local.reshape(-1, 2) - self.first_mm).T / self.step_mm
         distance = map_coordinates(self.values, index, order=1, cval=-1.0)
         return np.asarray(distance.reshape(local.shape[:-1]))
 
 
 def _depth(curve: FloatArray) -> _Depth:
-    """Distance field of an outline."""
+    """Compute the distance field of an outline."""
     # Symmetric about the apex, so that a mirrored outline has the mirrored field.
     reach = np.abs(curve).max(axis=0)
     step = float(2 * reach.max() / _DEPTH_CELLS)
@@ -169,7 +177,7 @@ def _depth(curve: FloatArray) -> _Depth:
 
 
 def _dense(curve: FloatArray, pitch_mm: float) -> tuple[FloatArray, FloatArray]:
-    """Points (n, 2) on a counter-clockwise polygon and the inward normals of their edges."""
+    """Return points (n, 2) on a counter-clockwise polygon and the inward normals of their edges."""
     edge = np.roll(curve, -1, axis=0) - curve
     length = np.hypot(*edge.T)
     count = np.ceil(np.maximum(length / pitch_mm, 1)).astype(int)

@@ -1,4 +1,4 @@
-"""Where the pads of the library usually lie on a foot, by its landmarks."""
+"""Usual positions of the library's pads on a foot, by its landmarks."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from insole_core.geometry.side import Side
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.prescription.corrections import Pelott
 
-_RAY_BEHIND_MM = 12.0  # how far behind the 1st head an extension of the ray begins
+_RAY_BEHIND_MM = 12.0  # an extension of the ray begins this far behind the 1st head
 _MIDDLE_HEADS = HEADS[1:4]
 
 
 def placed_pad(
     pad: Pelott, place: str, side: Side, landmarks: Landmarks, behind_heads_mm: float
 ) -> Pelott:
-    """Put a pad where it usually lies.
+    """Return a pad at its usual position on a foot.
 
     Parameters
     ----------
     pad
-        Its own place and turn are not regarded.
+        Its own position and turn are ignored.
     place
-        One of `PLACES`: "metatarsal_line" (the front edge behind the heads 2 to 4), "arch" (the
+        One of `PLACES`: "metatarsal_line" (the front edge behind heads 2 to 4), "arch" (the
         apex under that of the arch, the flat side medial), "heel", "first_head", or "first_ray"
         (from behind the 1st head towards the tip of the 1st toe).
-    side
     landmarks
+        Of the foot, insole frame.
     behind_heads_mm
         Distance of the front edge from the line of the heads.
     """
@@ -44,14 +44,14 @@ def _behind_heads(
 ) -> Pelott:
     line = np.array([at[name] for name in _MIDDLE_HEADS])
     across = line[-1] - line[0]
-    if pad.shape == "bar":  # reaches from border to border, along the line
+    if pad.shape == "bar":  # extends from border to border, along the line
         middle = (at[HEADS[0]] + at[HEADS[-1]]) / 2
         turn = float(np.degrees(np.arctan2(across[1], across[0])))
         turn = (turn + 90.0) % 180.0 - 90.0
     else:
         middle, turn = line[1], 0.0
     laid = replace(pad, centre_mm=_place(middle), turn_deg=round(turn, 1))
-    for _ in range(2):  # the line is a bow: its distance changes a little with the place
+    for _ in range(2):  # the line is an arc: its distance changes a little with the position
         found = clearance(laid, line)
         ahead = (found.nearest - found.front) / (found.distance_mm or 1.0)
         step = (found.distance_mm - behind_heads_mm) * ahead
@@ -81,7 +81,7 @@ def _at_first_ray(pad: Pelott, _side: Side, at: dict[str, FloatArray], _behind: 
 
 
 def _turn_of_ray(at: dict[str, FloatArray]) -> float:
-    """Of the way from the 1st head to the tip of the 1st toe, counter-clockwise from +y."""
+    """Return the angle from +y to the ray from 1st head to 1st toe tip, counter-clockwise."""
     x, y = at["toe_tip_1"] - at["metatarsal_head_1"]
     return round(float(np.degrees(np.arctan2(-x, y))), 1)
 
@@ -98,4 +98,4 @@ _PLACERS: dict[str, Callable[[Pelott, Side, dict[str, FloatArray], float], Pelot
     "first_ray": _at_first_ray,
 }
 PLACES = tuple(_PLACERS)
-"""The names that the library may use."""
+"""Names of positions that the library may use."""

@@ -1,7 +1,7 @@
-"""Outlines of all pads, about their apex and before they are turned (pad frame, mm).
+"""Outlines of all pads, relative to their apex and before they are turned (pad frame, mm).
 
-An egg is (26) of the thesis; the other shapes are superellipses, a bow, and free curves. Sizes are
-data (resources/pads/library.json); shapes are code, so that a prescription can be replayed.
+The egg is (26) of the thesis; the other shapes are superellipses, an arc, and free curves. Sizes
+are data (resources/pads/library.json); shapes are code, so that a prescription can be replayed.
 """
 
 from __future__ import annotations
@@ -18,40 +18,40 @@ PAD_SHAPES = (
     "egg", "outline", "drop", "bar", "arch_support", "horseshoe", "cut_out", "mortons_extension",
 )  # fmt: skip
 DOMED = ("egg", "drop", "arch_support", "outline")
-"""Shapes with one summit; the others have a flat top."""
+"""Shapes with a single peak; the others have a flat top."""
 
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
-_LEG_SHARE = 0.3  # breadth of a horseshoe's leg against the width
+_LEG_SHARE = 0.3  # breadth of a horseshoe's leg relative to the width
 _POINTS = 720
 _TIP_POINTS = 24
 
 _outlines = Memo(64)
-"""They belong to the shapes of a clinic's pads, which all its cases share, and are 23 kB each."""
+"""Outlines by shape and size, shared by all cases; 23 kB each."""
 
 
 def local_outline(pad: Pelott) -> FloatArray:
-    """Outline (n, 2) about the apex, not turned; shared, not to be written to."""
+    """Return the outline (n, 2) in the pad frame, mm; shared and read-only."""
     ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
     key = pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm
     return _outlines.get("outline", key, lambda: _outline(*key))
 
 
 def pad2insole(pad: Pelott) -> FloatArray:
-    """(2, 2) rotation, pad frame to insole frame."""
+    """Return the (2, 2) rotation from pad to insole frame."""
     angle = np.radians(pad.turn_deg)
     return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
 def is_seen_whole(pad: Pelott) -> bool:
-    """Whether every ray from the apex meets the outline once."""
+    """Return whether every ray from the apex meets the outline once."""
     x, y = local_outline(pad).T
     turn = x * np.roll(y, -1) - y * np.roll(x, -1)
     return bool((turn > 0).all())
 
 
 def encloses_centre(pad: Pelott) -> bool:
-    """Whether the apex of a free outline lies within it."""
+    """Return whether the apex of a free outline lies within it."""
     return bool(inside_curve(local_outline(pad), np.zeros(2)))
 
 
@@ -75,7 +75,7 @@ def _outline(
 
 
 def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
-    """|x / a|^n + |y / b|^n = 1; an arch support has two different halves."""
+    """Return |x / a|^n + |y / b|^n = 1; an arch support has two different halves."""
     right, left = {
         "bar": ((0.5, 5.0), (0.5, 5.0)),
         "mortons_extension": ((0.5, 4.0), (0.5, 4.0)),
@@ -93,7 +93,7 @@ def _superellipse(shape: str, length_mm: float, width_mm: float) -> FloatArray:
 
 
 def _bow(length_mm: float, width_mm: float) -> FloatArray:
-    """A horseshoe: a half ring about the centre, two legs towards +y, round tips."""
+    """Return a horseshoe: a half ring around the centre, two legs towards +y, round tips."""
     leg = _LEG_SHARE * width_mm
     outer, inner = width_mm / 2, width_mm / 2 - leg
     middle = outer - leg / 2

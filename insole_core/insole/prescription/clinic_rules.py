@@ -1,4 +1,4 @@
-"""What a clinic wants to be warned of: the limits are data (resources/rules/rules.json)."""
+"""Warnings about unusual insoles, by the clinic's limits (resources/rules/rules.json)."""
 
 from __future__ import annotations
 
@@ -47,25 +47,25 @@ _WORDS = {
     "toe_tip_1": "1st toe",
     "toe_tip_2": "2nd toe",
 }
-"""How shapes and landmarks are called whose name in a design says too little."""
+"""Display names of shapes and landmarks whose identifier says too little."""
 _ALONG = (
     ("pternion", "heel_centre"), ("heel_centre", "metatarsal_head_1"),
     ("heel_centre", "metatarsal_head_2"), ("heel_centre", "metatarsal_head_5"),
     ("metatarsal_head_1", "toe_tip_1"), ("metatarsal_head_2", "toe_tip_2"),
 )  # fmt: skip
-"""Landmarks of which the second lies nearer to the toes on every foot."""
+"""Pairs of landmarks of which the second lies nearer to the toes on every foot."""
 _ACROSS = (
     ("metatarsal_head_1", "metatarsal_head_5"), ("metatarsal_head_1", "metatarsal_head_2"),
     ("metatarsal_head_2", "metatarsal_head_5"),
 )  # fmt: skip
-"""Landmarks of which the second lies lateral of the first."""
+"""Pairs of landmarks of which the second lies lateral to the first."""
 _USUAL_CUP_MM = 12.0
 _STEP_MM = 2.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class ClinicRules:
-    """Limits of the warnings, and what a pronation suggests; lengths in mm, angles in degrees."""
+    """Limits of the warnings, and the suggested posting by pronation; mm and degrees."""
 
     post_unusual_deg: float
     skive_least_cup_mm: float
@@ -83,15 +83,14 @@ class ClinicRules:
 
 @dataclass(frozen=True)
 class DesignWarning:
-    """Something that can be built and is unusual.
+    """A property of an insole that can be built but is unusual.
 
     Parameters
     ----------
-    sentence
     correction_id
-        The correction that causes it; empty where it is the whole.
+        The correction that causes it; empty if the insole as a whole does.
     place_mm
-        Where to look, insole frame.
+        Position to look at, insole frame.
     """
 
     sentence: Message
@@ -100,12 +99,12 @@ class DesignWarning:
 
 
 def load_rules(path: Path | None = None) -> ClinicRules:
-    """Read the rules of the clinic, or those that come with the product.
+    """Read the clinic's rules, by default those shipped with the product.
 
     Raises
     ------
     InputError
-        When the file cannot be read, or breaks its format.
+        If the file cannot be read or breaks its format.
     """
     content = JsonObject.read(path or resource_path("rules/rules.json"))
     content.check_format("insole-rules")
@@ -123,11 +122,17 @@ def load_rules(path: Path | None = None) -> ClinicRules:
 def design_warnings(
     insole: Insole, landmarks: Landmarks, rules: ClinicRules
 ) -> tuple[DesignWarning, ...]:
-    """Hold an insole against the rules."""
+    """Check an insole against the clinic's rules.
+
+    Returns
+    -------
+    tuple of DesignWarning
+        Landmarks first, then posting, heel, height, and pads; at most one about landmarks.
+    """
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
     return (
-        *islice(_of_landmarks(design.side, landmarks), 1),  # one explains the others
+        *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
@@ -141,16 +146,21 @@ def _words(name: str) -> str:
 
 
 def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
-    """Distance of a pad's front edge behind the line of the heads 2 to 4; < 0 before it.
+    """Return how far a pad's front edge lies behind the line of heads 2 to 4; < 0 in front of it.
 
-    Snapping a pad means to move it ahead by what this exceeds the wanted distance.
+    To snap a pad, move it ahead by the excess of this over the wanted distance.
+
+    Parameters
+    ----------
+    landmarks
+        Of the pad's foot, insole frame.
     """
     line = np.array([landmarks[f"metatarsal_head_{n}"].point[:2] for n in (2, 3, 4)])
     return clearance(pad, line).distance_mm
 
 
 def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
-    """Landmarks in an order that no foot has: all measures and places stand on them."""
+    """Warn of landmarks in an order that no foot has: everything else depends on them."""
     toes, lateral = np.array([0.0, 1.0]), np.array([-side.medial_sign, 0.0])
     for pairs, towards in ((_ALONG, toes), (_ACROSS, lateral)):
         for first, second in pairs:
@@ -295,7 +305,7 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
 
 
 def _places_in(pad: Pelott) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
-    """Places (n, 2) spread evenly over a pad, at least its apex."""
+    """Return points (n, 2) spread evenly over a pad, at least its apex."""
     outline = pad_outline(pad, 180)
     low, high = outline.min(axis=0), outline.max(axis=0)
     x, y = np.meshgrid(np.arange(low[0], high[0], _STEP_MM), np.arange(low[1], high[1], _STEP_MM))

@@ -1,6 +1,6 @@
-"""What can be prescribed, one value each; `InsoleDesign` holds them in order.
+"""The corrections that can be prescribed, one value each; `InsoleDesign` holds them in order.
 
-All places are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the rearmost heel point.
+All positions are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the rearmost heel point.
 Shares are shares of the foot's length, counted from the heel. Angles > 0 raise the medial edge.
 """
 
@@ -20,7 +20,7 @@ def _new_id() -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class CorrectionBase:
-    """What every correction has.
+    """Fields common to all corrections.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class CorrectionBase:
     enabled
         A correction that is switched off stays in the prescription and changes nothing.
     author, created_at
-        Who prescribed it and when (ISO 8601, UTC); empty where unknown.
+        Who prescribed it and when (ISO 8601, UTC); empty if unknown.
     """
 
     id: str = field(default_factory=_new_id)
@@ -40,33 +40,34 @@ class CorrectionBase:
 
 @dataclass(frozen=True, kw_only=True)
 class Pelott(CorrectionBase):
-    """A pad on the contact surface, thesis 6.3.2; a recess where its height is negative.
+    """A pad on the contact surface, thesis 6.3.2; a recess if its height is negative.
 
     Parameters
     ----------
     shape
         One of `pad_shapes.PAD_SHAPES`: "egg" (26), "drop", "bar", "arch_support", "horseshoe",
-        "cut_out", "mortons_extension", or "outline", a free one.
+        "cut_out", "mortons_extension", or "outline", a free-hand shape.
     centre_mm
-        Place of the apex, where the added height is `height_mm`; of a horseshoe the centre of its
-        bow, about which the height is held at half the leg's breadth.
+        Position of the apex, where the added height is `height_mm`; of a horseshoe the centre of
+        its arc, whose height is reached along the middle of the legs.
     length_mm, width_mm
-        Size of the outline along and across the pad; of a free outline its points decide.
+        Size of the outline along and across the pad; ignored for a free-hand outline.
     height_mm
         Added at the apex: the peak of the Gaussian neighbourhood (25), or the flat top.
     turn_deg
         Counter-clockwise seen from above (from the foot's side). At 0 the blunt end of an egg and
         the opening of a horseshoe point to the toes, the flat side of an arch support to +x.
     egg_ratio
-        r of (26): 0 gives an ellipse, 1 the most pointed egg. Only eggs have it.
+        r of (26): 0 gives an ellipse, 1 the most pointed egg. Only used by eggs.
     sigma_mm
-        Standard deviations (along width, along length) of (25); by default the outline decides.
-        Flat-topped shapes have none.
+        Standard deviations (along width, along length) of (25); by default half the outline's size.
+        Not used by flat-topped shapes.
     blend_mm
         Breadth of the edge over which the pad falls to zero with continuous slope; by default half
         of the way from apex to outline for domed shapes, a quarter of the width for flat ones.
     outline_mm
-        Of the shape "outline": its corners about the centre, not turned, joined by a closed curve.
+        Of the shape "outline": its corners relative to the centre, not turned, joined by a closed
+        curve.
     """
 
     type: ClassVar[str] = "pelott"
@@ -84,14 +85,14 @@ class Pelott(CorrectionBase):
 
 @dataclass(frozen=True, kw_only=True)
 class Posting(CorrectionBase):
-    """Pronation/supination: rotation of the foot against the insole's bottom, thesis 6.3.1.
+    """Pronation/supination: rotation of the foot relative to the insole's bottom, thesis 6.3.1.
 
     Parameters
     ----------
     rearfoot_deg, forefoot_deg
         Angles > 0 raise the medial edge (varus) of either foot.
     blend_start, blend_end
-        Shares of the length between which the rearfoot's angle goes over to the forefoot's.
+        Shares of the length between which the rearfoot angle blends into the forefoot angle.
     method
         "extrinsic": the whole surface turns, as on a wedge below the device. "intrinsic": the
         sole's surface turns and the rim of the device stays.
@@ -107,14 +108,14 @@ class Posting(CorrectionBase):
 
 @dataclass(frozen=True, kw_only=True)
 class ForefootTwist(CorrectionBase):
-    """The forefoot turned against the rearfoot, which stays as it is.
+    """Rotation of the forefoot relative to the rearfoot, which stays as it is.
 
     Parameters
     ----------
     angle_deg
-        Greater than 0 raises the medial edge.
+        Angles > 0 raise the medial edge.
     blend_start, blend_end
-        Shares of the length between which the angle grows from 0 to all of it.
+        Shares of the length between which the angle grows from 0 to its full value.
     """
 
     type: ClassVar[str] = "forefoot_twist"
@@ -132,9 +133,9 @@ class HeelSkive(CorrectionBase):
     border
         "medial" or "lateral".
     depth_mm
-        What the plane adds at most to the contact surface.
+        Greatest height that the plane adds to the contact surface.
     slope_deg
-        Of the plane against the bottom.
+        Inclination of the plane to the bottom.
     """
 
     type: ClassVar[str] = "heel_skive"
@@ -145,7 +146,7 @@ class HeelSkive(CorrectionBase):
 
 @dataclass(frozen=True, kw_only=True)
 class HeelLift(CorrectionBase):
-    """The heel raised: all of it up to `fade_start`, nothing from `fade_end` on (shares)."""
+    """A raised heel: full height up to `fade_start`, none from `fade_end` on (length shares)."""
 
     type: ClassVar[str] = "heel_lift"
     height_mm: float = 3.0
@@ -163,7 +164,6 @@ class ArchRaise(CorrectionBase):
         Added at the apex.
     apex_mm
         By default the apex of the foot's own arch.
-    length_mm, width_mm
     """
 
     type: ClassVar[str] = "arch_raise"
@@ -175,15 +175,14 @@ class ArchRaise(CorrectionBase):
 
 @dataclass(frozen=True, kw_only=True)
 class HeelCup(CorrectionBase):
-    """How high the rim of the heel cup stands over the heel's lowest point.
+    """Height of the heel cup's rim above the heel's lowest point.
 
-    A rim that the foot gives higher is taken down to it; a lower one is raised beside the foot.
+    A rim that is higher on the foot is lowered to it; a lower one is raised beside the foot.
 
     Parameters
     ----------
-    depth_mm
     fade_start, fade_end
-        Shares of the length between which the limit of the rim ends.
+        Shares of the length between which the limit of the rim fades out.
     """
 
     type: ClassVar[str] = "heel_cup"
@@ -194,18 +193,18 @@ class HeelCup(CorrectionBase):
 
 @dataclass(frozen=True, kw_only=True)
 class BrushStroke(CorrectionBase):
-    """One stroke of the hand over the surface; the Gaussian neighbourhood (25) follows it.
+    """One free-hand stroke over the surface; the Gaussian neighbourhood (25) follows it.
 
     Parameters
     ----------
     mode
-        "push" adds, "pull" takes away, "smooth" evens out.
+        "push" adds material, "pull" removes it, "smooth" evens out.
     points_mm
-        The way of the pointer, at least one place.
+        Path of the pointer, at least one point.
     radius_mm
-        From here on nothing changes.
+        Distance from the path beyond which nothing changes.
     strength
-        "push", "pull": mm on the stroke itself; "smooth": share from 0 to 1 of the way to even.
+        "push", "pull": mm on the path itself; "smooth": share from 0 to 1 of full smoothing.
     """
 
     type: ClassVar[str] = "brush"
@@ -233,16 +232,16 @@ class Outline:
     Parameters
     ----------
     source
-        "foot": the foot's outline and the allowances; "shoe_size": its length from the shoe's size,
+        "foot": the foot's outline with the allowances; "shoe_size": the length from the shoe size,
         the widths from the foot; "drawn": the closed curve through `points_mm`.
     extent
         "full", or "three_quarter": ends behind the metatarsal heads.
     toe_allowance_mm, ball_allowance_mm, heel_allowance_mm
-        Added to the foot before the toes, at both sides of the ball, and about the heel.
+        Added to the foot in front of the toes, on both sides of the ball, and around the heel.
     shoe_size_eu
-        Paris points, 6.67 mm each; needed where the shoe's size is the source.
+        Paris points, 6.67 mm each; required if the source is the shoe size.
     points_mm
-        At least four where the outline is drawn.
+        At least four if the outline is drawn.
     """
 
     source: str = "foot"
@@ -256,7 +255,7 @@ class Outline:
 
 @dataclass(frozen=True, kw_only=True)
 class Layers:
-    """Thickness of the layers from the foot down, mm; 0 where a layer is not made on its own."""
+    """Thickness of the layers from the foot down, mm; 0 for a layer that is not made separately."""
 
     cover_mm: float = 0.0
     shell_mm: float = 0.0
@@ -264,5 +263,5 @@ class Layers:
 
     @property
     def total_mm(self) -> float:
-        """All layers together."""
+        """Thickness of all layers together."""
         return self.cover_mm + self.shell_mm + self.base_mm

@@ -1,7 +1,7 @@
-"""The prescription of one insole as an immutable value; every surface is derived from it.
+"""The prescription of one insole as an immutable value, from which every surface is derived.
 
 The JSON form is documented in docs/formats/design.md and read by the module `design_json`.
-All places are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the rearmost heel point.
+All positions are in the insole frame: mm, x = 0 on the foot axis, y = 0 at the rearmost heel point.
 """
 
 from __future__ import annotations
@@ -33,12 +33,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class InsoleDesign:
-    """An ordered set of corrections and the make of the insole.
+    """The ordered corrections of an insole, its outline and its construction.
 
     Parameters
     ----------
-    side
-    corrections
     thickness_mm
         Least material between the contact surface and the bottom plane.
     grid_mm
@@ -46,11 +44,11 @@ class InsoleDesign:
     max_height_mm
         How far up the foot's flanks the contact surface reaches, from the sole's lowest point.
     margin_mm
-        How far the surface goes on beyond the foot's outline, on all four sides.
+        How far the surface extends beyond the foot's outline, on all four sides.
     outline
         The edge of the insole within that surface.
     layers
-        Together they are at least as thick as the insole: see `least_thickness_mm`.
+        If thicker together than `thickness_mm`, they decide: see `least_thickness_mm`.
     bottom
         "flat" on the ground, or "following" the contact surface at the least thickness.
     """
@@ -76,21 +74,21 @@ class InsoleDesign:
         return tuple(c for c in self.corrections if c.enabled)
 
     def correction(self, correction_id: str) -> Correction | None:
-        """Find a correction, or None."""
+        """Return the correction with this id, or None."""
         return next((c for c in self.corrections if c.id == correction_id), None)
 
     def with_added(self, correction: Correction) -> InsoleDesign:
-        """Append a correction."""
+        """Return the design with a correction appended."""
         return replace(self, corrections=(*self.corrections, correction))
 
     def with_changed(self, correction: Correction) -> InsoleDesign:
-        """Put `correction` where the one of the same id was."""
+        """Return the design with `correction` in place of the one with the same id."""
         return replace(
             self,
             corrections=tuple(correction if c.id == correction.id else c for c in self.corrections),
         )
 
     def with_removed(self, correction_id: str) -> InsoleDesign:
-        """Leave one correction out."""
+        """Return the design without the correction with this id."""
         kept = tuple(c for c in self.corrections if c.id != correction_id)
         return replace(self, corrections=kept)

@@ -1,4 +1,4 @@
-"""The JSON form of a design: docs/formats/design.md. Refuses what it does not understand."""
+"""The JSON form of a design: docs/formats/design.md. Anything unknown is refused."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def read_design(path: Path) -> InsoleDesign:
     Raises
     ------
     InputError
-        Names the file, and the key that is missing, unknown or out of range.
+        Naming the file, and the key that is missing, unknown or out of range.
     """
     try:
         content = json.loads(
@@ -60,7 +60,7 @@ def read_design(path: Path) -> InsoleDesign:
 
 
 def design_to_json(design: InsoleDesign) -> dict[str, Any]:
-    """Give a design as plain values for `json.dump`."""
+    """Return a design as plain values for `json.dump`."""
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -72,7 +72,7 @@ def design_to_json(design: InsoleDesign) -> dict[str, Any]:
 
 
 def design_from_json(content: Any) -> InsoleDesign:
-    """Build a design from what `json.load` gave.
+    """Build a design from the result of `json.load`.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def design_from_json(content: Any) -> InsoleDesign:
 
 
 def _to_json(value: Any) -> dict[str, Any]:
-    """The fields of a value; what is None is left out."""
+    """Return the fields of a value, without those that are None."""
     values = {f.name: getattr(value, f.name) for f in fields(value)}
     return {key: _plain(content) for key, content in values.items() if content is not None}
 

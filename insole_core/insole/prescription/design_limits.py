@@ -1,6 +1,6 @@
-"""What the values of a design may be: one table for files, spin boxes and the builder.
+"""Permitted values of a design: one table for files, spin boxes and the builder.
 
-The ranges are wide, from what devices and shops can do; what is usual or advisable is a matter of
+The ranges are wide, what devices and workshops can do; what is usual or advisable is a matter of
 the clinic's own rules (`insole_core.insole.prescription.clinic_rules`).
 """
 
@@ -109,19 +109,28 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
     BrushStroke: {"mode": ("push", "pull", "smooth")},
 }
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
-"""Least and greatest number of places in a list of them."""
+"""Least and greatest number of points in a list of them."""
 LEAST_DRAWN_POINTS = 4
 LEAST_ZONE = 0.05
-"""Share of the length over which a correction must at least fade."""
+"""Least share of the length over which a correction fades."""
 MOST_SMOOTHING = 1.0
 _ROUNDING = 1e-9
-_CURVE_STRIDE = 4  # of the curve's points, that are enough to see whether it crosses itself
+_CURVE_STRIDE = 4  # every fourth point of the curve shows whether it crosses itself
 
 
 def range_beside(part: Any, key: str, allowed: Range) -> Range:
     """Narrow the range of a value by the other values of its part.
 
-    A zone starts before it ends, and smoothing cannot do more than even out.
+    A zone starts before it ends, and smoothing strength is at most 1.
+
+    Parameters
+    ----------
+    part
+        The correction, outline or layers that hold the value.
+    key
+        Name of the field.
+    allowed
+        The field's range in the tables above.
     """
     zone, _, place = key.rpartition("_")
     if zone in ("blend", "fade") and place == "start":
@@ -136,12 +145,12 @@ def range_beside(part: Any, key: str, allowed: Range) -> Range:
 
 
 def check_design(design: InsoleDesign) -> None:
-    """Refuse a design with a value out of range or with corrections that contradict themselves.
+    """Check that all values of a design are in range and its corrections consistent.
 
     Raises
     ------
     DesignError
-        Names the key, the value, and what is allowed.
+        Naming the key, the value, and what is allowed.
     """
     _check(design, DESIGN_RANGES, "")
     _check(design.outline, OUTLINE_RANGES, " of outline")
@@ -187,7 +196,7 @@ def _check(value: Any, ranges: dict[str, Range], where: str) -> None:
 
 
 def _numbers(content: Any) -> list[float]:
-    """All numbers of a value: of one, a place, a list of places, or of nothing."""
+    """Return all numbers in a number, a point, a list of points, or None."""
     if isinstance(content, tuple):
         return [number for part in content for number in _numbers(part)]
     return [] if content is None else [content]

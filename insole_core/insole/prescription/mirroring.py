@@ -9,7 +9,7 @@ from insole_core.insole.prescription.corrections import Correction, Pelott, Plac
 from insole_core.insole.prescription.design import InsoleDesign
 
 PLACE_KEYS = ("centre_mm", "apex_mm", "points_mm")
-"""Keys that hold places on the foot: one, a list of them, or none."""
+"""Keys that hold positions on the foot: one, a list of them, or None."""
 
 _Part = TypeVar("_Part")
 
@@ -17,7 +17,7 @@ _Part = TypeVar("_Part")
 def mirrored(design: InsoleDesign) -> InsoleDesign:
     """Mirror a design in the plane x = 0; medial stays medial, ids stay the same.
 
-    Twice mirrored it is the design itself, except that turns of 360 degrees are unwound.
+    Mirroring twice returns the original, except that turns of 360 degrees are unwound.
     """
     return replace(
         design,
@@ -28,11 +28,11 @@ def mirrored(design: InsoleDesign) -> InsoleDesign:
 
 
 def mirrored_correction(correction: Correction) -> Correction:
-    """Mirror one correction; angles and borders are already told by medial and lateral."""
+    """Mirror one correction; angles and borders are already given as medial and lateral."""
     moved = with_places(correction, _reflected)
     if not isinstance(moved, Pelott):
         return moved
-    # Every shape is symmetric across, but the arch support, which is symmetric along.
+    # Every shape is symmetric across its width, but the arch support, which is along its length.
     turn = 180.0 - moved.turn_deg if moved.shape == "arch_support" else -moved.turn_deg
     corners = moved.outline_mm
     return replace(
@@ -43,14 +43,14 @@ def mirrored_correction(correction: Correction) -> Correction:
 
 
 def with_places(part: _Part, move: Any) -> _Part:
-    """Give a correction or an outline with all its places on the foot moved.
+    """Return a correction or an outline with all its positions on the foot moved.
 
     Parameters
     ----------
     part
-        A frozen dataclass; of its fields `PLACE_KEYS` are changed.
+        A frozen dataclass; its fields in `PLACE_KEYS` are changed.
     move
-        Place -> Place.
+        Maps a position (x, y) in mm to another.
     """
     changes = {}
     for key in (f.name for f in fields(part) if f.name in PLACE_KEYS):  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""A prescription in words, for the papers: a line for each correction, and the make."""
+"""A prescription in words, for printed documents: one line per correction, and the construction."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _SILENT = {"id", "enabled", "author", "created_at"}
 
 
 def correction_lines(design: InsoleDesign) -> tuple[str, ...]:
-    """Give a line for every correction that is switched on: what, every number, by whom, when."""
+    """Return a line for every active correction: type, all its numbers, author and date."""
     return tuple(_line(correction) for correction in design.active)
 
 
 def make_facts(design: InsoleDesign) -> dict[str, str]:
-    """Give thickness, layers, bottom and outline, by name."""
+    """Return thickness, layers, bottom and outline, by name."""
     layers = design.layers
     facts = {
         "least thickness": f"{design.least_thickness_mm:g} mm",

@@ -1,8 +1,9 @@
-"""A prescription without its patient: it fits another foot by that foot's landmarks.
+"""A prescription without its patient, to be applied to other feet by their landmarks.
 
-A template keeps the design and where heel, 1st and 5th head lay on its own foot. On another foot
-every place moves with them (the affine map of the three); sizes and heights stay as prescribed, as
-an arch does not scale with the foot's length. The last design on today's scan goes the same way.
+A template holds the design and the positions of heel, 1st and 5th head on its own foot. On another
+foot every position moves with them (the affine map of the three); sizes and heights stay as
+prescribed, as an arch does not scale with the foot's length. The last design is transferred to a
+new scan in the same way.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _LEAST_AREA_MM2 = 500.0
 
 @dataclass(frozen=True)
 class Template:
-    """A named design and the places (x, y) of `ANCHORS` on the foot that it was made for."""
+    """A named design and the positions (x, y) of `ANCHORS` on the foot that it was made for."""
 
     name: str
     design: InsoleDesign
@@ -38,23 +39,40 @@ class Template:
 
 
 def make_template(name: str, design: InsoleDesign, landmarks: Landmarks) -> Template:
-    """Keep a design for other feet.
+    """Make a template of a design.
+
+    Parameters
+    ----------
+    name
+        For display.
+    landmarks
+        Of the design's foot, insole frame.
 
     Raises
     ------
     DesignError
-        When the landmarks lie in an impossible order.
+        If the landmarks lie in an impossible order.
     """
     return Template(name, design, _anchors(design.side, landmarks))
 
 
 def apply_template(template: Template, side: Side, landmarks: Landmarks) -> InsoleDesign:
-    """Give the template's design on a foot; of the other side it is mirrored first.
+    """Transfer a template's design to a foot; it is mirrored first for the other side.
+
+    Parameters
+    ----------
+    landmarks
+        Of the foot of this side, insole frame.
+
+    Returns
+    -------
+    InsoleDesign
+        All positions moved by the affine map of the anchors; sizes and heights unchanged.
 
     Raises
     ------
     DesignError
-        When the landmarks of the foot lie in an impossible order.
+        If the landmarks of the foot lie in an impossible order.
     """
     design, anchors = template.design, np.array(template.anchors_mm)
     if design.side is not side:
@@ -75,7 +93,7 @@ def apply_template(template: Template, side: Side, landmarks: Landmarks) -> Inso
 
 
 def template_to_json(template: Template) -> dict[str, Any]:
-    """Give a template as plain values for `json.dump`."""
+    """Return a template as plain values for `json.dump`."""
     anchors = zip(ANCHORS, template.anchors_mm, strict=True)
     return {
         "format": FORMAT,
@@ -92,18 +110,18 @@ def read_template(path: Path) -> Template:
     Raises
     ------
     InputError
-        Names the file and what is wrong with it.
+        Naming the file and what is wrong with it.
     """
     return template_from_json(JsonObject.read(path))
 
 
 def template_from_json(content: JsonObject) -> Template:
-    """Build a template from what a file holds.
+    """Build a template from the contents of a file.
 
     Raises
     ------
     InputError
-        Names the file and what is wrong with it.
+        Naming the file and what is wrong with it.
     """
     content.check_format(FORMAT, VERSION)
     anchors = content.object("anchors_mm")
@@ -117,17 +135,22 @@ def template_from_json(content: JsonObject) -> Template:
 
 
 def write_template(template: Template, path: Path) -> None:
-    """Write a template into a file that `replacing_file` gave."""
+    """Write a template to a path, as a rule the temporary one of `replacing_file`."""
     path.write_text(json.dumps(template_to_json(template), indent=1) + "\n", encoding="utf-8")
 
 
 def check_anchors(side: Side, places: Mapping[str, Place]) -> None:
-    """Refuse landmarks that no foot can have.
+    """Check that heel, 1st and 5th metatarsal head lie as on a foot.
+
+    Parameters
+    ----------
+    places
+        Positions (x, y) in mm, insole frame, by the names in `ANCHORS`.
 
     Raises
     ------
     DesignError
-        Says which lies wrong.
+        Naming the landmark that is misplaced.
     """
     heel, first, fifth = (np.array(places[name]) for name in ANCHORS)
     for name, head in (("1st", first), ("5th", fifth)):

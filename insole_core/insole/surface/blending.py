@@ -1,4 +1,4 @@
-"""The ways in which this product goes from one value to another without an edge."""
+"""Smooth transitions between two values."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from insole_core.geometry.arrays import FloatArray
 
 
 def smooth_step(value: FloatArray, start: float, end: float) -> FloatArray:
-    """0 up to `start`, 1 from `end` on, between them a cubic with continuous slope."""
+    """Return 0 up to `start`, 1 from `end` on, and between them a cubic with continuous slope."""
     s = np.clip((value - start) / (end - start), 0, 1)
     return np.asarray(s * s * (3 - 2 * s))
 
 
 def smooth_hinge(value: FloatArray, rounding: float) -> FloatArray:
-    """0 below `-rounding`, the value itself above `rounding`, between them a parabola."""
+    """Return 0 below `-rounding`, `value` above `rounding`, and between them a parabola."""
     bend = np.clip(value + rounding, 0, 2 * rounding)
     return np.asarray(bend * bend / (4 * rounding) + np.maximum(value - rounding, 0))
 
 
 def gaussian_hill(share: FloatArray) -> FloatArray:
-    """The Gaussian neighbourhood (25) about 0, brought to zero at 1 with continuous slope."""
+    """Return the thesis's Gaussian (25) about 0, brought to zero at 1 with continuous slope."""
     return np.asarray(np.exp(-0.5 * share * share) * (1 - smooth_step(share, 0.5, 1.0)))

@@ -1,4 +1,4 @@
-"""The contact surface in a rectangular block, thesis 6.3.4."""
+"""The rectangular block with the contact surface on top, thesis 6.3.4."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ _APEX_INSET = 0.1  # an apex stays this share of a cell away from the cell's edg
 
 
 def block_solid(insole: Insole) -> TriangleMesh:
-    """Close the contact surface with walls and a bottom at z = 0: foot side towards +z.
+    """Close the contact surface with walls and a bottom at z = 0; the foot is towards +z.
 
-    The apex of each pad becomes a vertex, so that its place and height do not depend on the grid.
+    The apex of each pad becomes a vertex, so that its position and height do not depend on the
+    grid.
 
     Returns
     -------
@@ -35,9 +36,14 @@ def close_block(field: HeightField, top: IndexArray, tips: FloatArray) -> Triang
     field
         Above z = 0 everywhere.
     top : (m, 3) int32
-        Triangles between its nodes and the tips, which are counted after the nodes.
+        Triangles between its nodes and the tips, which are numbered after the nodes.
     tips : (k, 3) float64, mm
-        Further points of the surface.
+        Additional points of the surface.
+
+    Returns
+    -------
+    TriangleMesh, mm, frame of `field`
+        Closed, facing outwards.
     """
     rim = _rim(field)
     floor = field.nodes[rim] * [1, 1, 0]
@@ -48,14 +54,14 @@ def close_block(field: HeightField, top: IndexArray, tips: FloatArray) -> Triang
 
 
 def _rim(field: HeightField) -> IndexArray:
-    """Indices of the outermost nodes, counter-clockwise seen from above."""
+    """Return the indices of the outermost nodes, counter-clockwise seen from above."""
     rows, columns = field.heights_mm.shape
     index = np.arange(rows * columns, dtype=np.int32).reshape(rows, columns)
     return np.concatenate([index[0, :-1], index[:-1, -1], index[-1, :0:-1], index[:0:-1, 0]])
 
 
 def _sides(rim: IndexArray, first_floor: int) -> IndexArray:
-    """Walls between the rim and the floor below it, and the floor as a fan about its centre."""
+    """Return the walls between the rim and the floor below it, and the floor as a triangle fan."""
     count = len(rim)
     floor = np.arange(first_floor, first_floor + count, dtype=np.int32)
     next_rim, next_floor = np.roll(rim, -1), np.roll(floor, -1)
@@ -70,9 +76,9 @@ def _sides(rim: IndexArray, first_floor: int) -> IndexArray:
 
 
 def apexes(insole: Insole) -> dict[tuple[int, int], FloatArray]:
-    """Point (3,) of the exact surface at the apex of each pad, by cell (row, column) of the grid.
+    """Return the point (3,) of the exact surface at the apex of each pad, in mm.
 
-    A cell that holds several apexes gives the first.
+    Keyed by the cell (row, column) of the grid; of several apexes in one cell the first counts.
     """
     field = insole.contact
     rows, columns = field.heights_mm.shape
@@ -103,7 +109,7 @@ def _insert_apexes(insole: Insole, triangles: IndexArray) -> tuple[FloatArray, I
 
 
 def _apex(insole: Insole, i: int, j: int, u: float, v: float) -> FloatArray:
-    """Point of the exact surface at (u, v) of cell (i, j): base between nodes, pads as they are."""
+    """Evaluate the exact surface at (u, v) of cell (i, j): base interpolated, pads computed."""
     field = insole.contact
     u, v = np.clip([u, v], _APEX_INSET, 1 - _APEX_INSET)
     x, y = field.x0_mm + (j + u) * field.step_mm, field.y0_mm + (i + v) * field.step_mm

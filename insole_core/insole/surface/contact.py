@@ -33,16 +33,16 @@ from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 
 _FACING = -0.42  # z of a normal that still counts as plantar: walls up to 65 degrees
-_SAMPLES_PER_STEP = 1.5  # from sqrt 2 on, every node of a large triangle gets one
-_LAYER_MM = 3.0  # what lies higher over the lowest layer of a node belongs to another layer
+_SAMPLES_PER_STEP = 1.5  # at sqrt 2 and above, every node of a large triangle gets one
+_LAYER_MM = 3.0  # samples higher above the lowest one of a node belong to another layer
 _COVERED = 0.3  # share of a node's cell that the foot must cover
 _FRINGE_MM, _FIRM_NEIGHBOURS = 3.0, 4
-"""So wide a fringe is left out whose nodes have fewer known neighbours, of eight: a straight edge
-has five."""
+"""Width of the fringe that is removed where nodes have fewer known neighbours, of eight; a straight
+edge has five."""
 _NEIGHBOURS = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], np.int8)
 _RIM_MM, _RIM_SIGMA_MM = 4.0, 1.5
 _WIDENING_MM = 10.0
-_OUTLINE_HEIGHT_MM = 45.0  # the leg above does not widen the block
+_OUTLINE_HEIGHT_MM = 45.0  # the leg above this does not widen the block
 _KEPT_SHAPES = 32  # twice the corrections of a rich prescription
 
 
@@ -53,14 +53,13 @@ class ContactBase:
     Parameters
     ----------
     surface
-        Insole frame, z = 0 the bottom plane; its lowest height is the design's thickness.
+        Insole frame, z = 0 is the bottom plane; its lowest height is the design's thickness.
     measured : (ny, nx) bool
         Nodes where the foot was measured; the others continue it smoothly.
     arch_apex_mm
-        Place (x, y) of the foot's own medial arch, where it is highest.
+        Position (x, y) of the apex of the foot's own medial arch, insole frame.
     shapes
-        What corrections add on this grid: kept for those that stand still while another one is
-        dragged.
+        Cache of what corrections add on this grid, so that only the dragged one is recomputed.
     """
 
     surface: HeightField
@@ -78,7 +77,7 @@ class _Grid:
     shape: tuple[int, int]
 
     def node(self, xy: FloatArray) -> tuple[IntArray, BoolArray]:
-        """Nearest node of each place as a flat index, and whether it belongs to the grid."""
+        """Return the nearest node of each point as a flat index, and whether it is in the grid."""
         index = np.rint(xy / self.step_mm).astype(np.int64)
         row, column = index[:, 1] - self.first[0], index[:, 0] - self.first[1]
         inside = (row >= 0) & (row < self.shape[0]) & (column >= 0) & (column < self.shape[1])
@@ -90,7 +89,7 @@ _SHAPING = (Posting, ForefootTwist, HeelSkive, HeelLift, HeelCup)
 
 
 def base_key(design: InsoleDesign) -> BaseKey:
-    """Everything of a design that its contact base depends on; equal keys, equal base."""
+    """Return all values of a design on which its contact base depends: equal keys, equal base."""
     shaping = (c for c in design.active if isinstance(c, _SHAPING))
     return (
         *(replace(c, id="", author="", created_at="") for c in shaping),
@@ -103,21 +102,25 @@ def base_key(design: InsoleDesign) -> BaseKey:
 
 
 def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
-    """Give the plantar surface on the design's grid, shaped, and lifted to its thickness.
+    """Compute the plantar surface on the design's grid, corrected and raised to its thickness.
 
-    The corrections that shape the whole surface have an order of their own, whatever their order in
-    the design: first the foot is turned, then skived, then lifted, and last the cup is trimmed.
+    The corrections that shape the whole surface are applied in a fixed order, whatever their order
+    in the design: posting, then skive, then lift, and last the heel cup.
 
     Parameters
     ----------
-    foot
     design
-        Of it only what `base_key` names.
+        Only the values in `base_key` are read.
+
+    Returns
+    -------
+    ContactBase
+        In the insole frame, mm.
 
     Raises
     ------
     DesignError
-        When nothing of the foot faces the ground.
+        If no part of the foot faces the ground.
     """
     sole = sole_surface(foot, design, progress.part(0.0, 0.8))
     progress.step(0.8, "Turning the foot and shaping the heel")
@@ -139,9 +142,22 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
 
 
 def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) -> ContactBase:
-    """Give the plantar surface of the level foot on the design's grid; kept with the foot.
+    """Compute the plantar surface of the level foot on the design's grid; cached with the foot.
 
-    Heights are over the foot's ground, z = 0 of the insole frame.
+    Parameters
+    ----------
+    design
+        Its grid, margin, greatest height and outline are read.
+
+    Returns
+    -------
+    ContactBase
+        Its heights are in mm above the foot's ground, z = 0 of the insole frame.
+
+    Raises
+    ------
+    DesignError
+        If no part of the foot faces the ground.
     """
     grid, highest_mm = _grid_around(foot, design), design.max_height_mm
     sample = partial(_sampled_sole, foot, grid, highest_mm, progress)
@@ -161,9 +177,9 @@ def _sampled_sole(foot: Foot, grid: _Grid, max_height_mm: float, progress: Progr
 
 
 def _grid_around(foot: Foot, design: InsoleDesign) -> _Grid:
-    """Grid over foot and margin, and over the insole's outline where that reaches farther.
+    """Return a grid over foot and margin, and over the outline where that reaches farther.
 
-    The same for every posting of one foot; an outline that is dragged widens it in large steps.
+    It is the same for every posting of one foot; dragging an outline widens it in large steps.
     """
     low = foot.mesh.vertices[foot.mesh.vertices[:, 2] < _OUTLINE_HEIGHT_MM, :2]
     outline = outline_reach(foot, design.outline) + design.grid_mm * np.array([[-2], [2]])
@@ -177,10 +193,10 @@ def _grid_around(foot: Foot, design: InsoleDesign) -> _Grid:
 
 
 def _snap(mesh: TriangleMesh, grid: _Grid, max_height_mm: float) -> tuple[FloatArray, BoolArray]:
-    """Mean height of the sole at every node (thesis 3.3), and where there is one.
+    """Return the mean height of the sole at every node (thesis 3.3), and where there is one.
 
-    The points are samples of the triangles, dense against the grid. Each is carried to its node
-    along its triangle's plane, so that the mean of a sloped surface has no bias.
+    The points are samples of the triangles, dense relative to the grid. Each is moved to its node
+    in the plane of its triangle, so that the mean of a sloped surface has no bias.
     """
     node, z, area = _snapped_samples(mesh, grid, max_height_mm)
     size = grid.shape[0] * grid.shape[1]
@@ -199,9 +215,9 @@ def _snap(mesh: TriangleMesh, grid: _Grid, max_height_mm: float) -> tuple[FloatA
 
 
 def _without_fringe(known: BoolArray, step_mm: float) -> BoolArray:
-    """Leave out nodes that stand nearly alone at the rim.
+    """Remove nodes with few neighbours at the rim.
 
-    They are shreds of the flank, at which a scan ends; any height between them would be a pit.
+    They are fragments of the flank, where a scan ends; filling between them would make pits.
     """
     for _ in range(max(round(_FRINGE_MM / step_mm), 1)):
         around = convolve(known.astype(np.int8), _NEIGHBOURS, mode="constant")
@@ -213,9 +229,9 @@ def _without_fringe(known: BoolArray, step_mm: float) -> BoolArray:
 
 
 def _with_even_rim(heights: FloatArray, known: BoolArray, step_mm: float) -> FloatArray:
-    """Even out the rim, where the flanks that a scan shows end in steps, more towards the edge.
+    """Smooth the rim, more towards the edge: the flanks in a scan end in steps.
 
-    What lies farther inside keeps its height to the bit.
+    Nodes farther inside keep their height to the bit.
     """
     inside_mm = distance_transform_edt(known) * step_mm
     even = gaussian_filter(heights, _RIM_SIGMA_MM / step_mm, mode="nearest")
@@ -226,7 +242,7 @@ def _with_even_rim(heights: FloatArray, known: BoolArray, step_mm: float) -> Flo
 def _snapped_samples(
     mesh: TriangleMesh, grid: _Grid, max_height_mm: float
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Node (n,), height there (n,), and area in the (x, y)-plane (n,) of points on the sole."""
+    """Sample the sole: node (n,), height there (n,), and area in the (x, y)-plane (n,)."""
     sole = _plantar_part(mesh, max_height_mm)
     samples = sample_triangles(sole, grid.step_mm / _SAMPLES_PER_STEP)
     xy = samples.points[:, :2]
@@ -239,7 +255,7 @@ def _snapped_samples(
 
 
 def _plantar_part(mesh: TriangleMesh, max_height_mm: float) -> TriangleMesh:
-    """Triangles that face the ground and lie low: neither dorsum nor leg nor ankle."""
+    """Return the low triangles that face the ground, without dorsum, leg and ankle."""
     low = mesh.vertices[:, 2] < mesh.vertices[:, 2].min() + max_height_mm
     part = mesh.part(low)
     return replace(part, triangles=part.triangles[part.triangle_normals[:, 2] < _FACING])

@@ -1,4 +1,4 @@
-"""Corrections of the heel: skive, lift and the depth of the cup."""
+"""Corrections of the heel: skive, lift and cup depth."""
 
 from __future__ import annotations
 
@@ -12,16 +12,29 @@ from insole_core.insole.surface.blending import smooth_hinge, smooth_step
 from insole_core.insole.surface.height_field import HeightField
 
 HEEL_SHARE = 0.22
-"""Share of the foot's length that the heel takes."""
+"""Length of the heel as a share of the foot's length."""
 _SKIVE_END = 0.32
-_WALL_DEG = 80.0  # of a rim that is raised beside the scan, against the ground
-_ROUNDING_MM = 1.0  # over this height a plane and the surface merge
+_WALL_DEG = 80.0  # inclination of a rim that is raised beside the scan
+_ROUNDING_MM = 1.0  # height over which a plane and the surface blend
 
 
 def skived(
     field: HeightField, measured: BoolArray, skive: HeelSkive, side: Side, length_mm: float
 ) -> FloatArray:
-    """Heights (ny, nx) with a plane that rises to one border, `depth_mm` over them at most."""
+    """Add a heel skive: a plane that rises to one border of the heel.
+
+    Parameters
+    ----------
+    measured : (ny, nx) bool
+        Nodes where the foot was measured.
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
+        Heights, at most `skive.depth_mm` above those of `field`.
+    """
     rows = _rows(field, _SKIVE_END * length_mm)
     heights = field.heights_mm[rows]
     heel = measured[rows] & (field.y_mm[rows, None] <= HEEL_SHARE * length_mm)
@@ -39,16 +52,37 @@ def skived(
 
 
 def lifted(field: HeightField, lift: HeelLift, length_mm: float) -> FloatArray:
-    """Heights (ny, nx) with the heel raised and a smooth way down to the forefoot."""
+    """Raise the heel with a smooth transition to the forefoot.
+
+    Parameters
+    ----------
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
+    """
     fade = 1 - smooth_step(field.y_mm / length_mm, lift.fade_start, lift.fade_end)
     return np.asarray(field.heights_mm + lift.height_mm * fade[:, None])
 
 
 def cupped(field: HeightField, measured: BoolArray, cup: HeelCup, length_mm: float) -> FloatArray:
-    """Heights (ny, nx) with the rim of the heel at the depth over the heel's floor.
+    """Bring the rim of the heel to the cup depth above the heel's lowest point.
 
-    What is higher is taken down. Where the scan ends lower, a wall rises beside it, steep and as
-    high as the way to the edge allows; the sole that was measured is never raised.
+    A higher rim is lowered. Where the scan ends lower, a steep wall rises beside it, up to that
+    height as far as the margin allows; the measured sole is never raised.
+
+    Parameters
+    ----------
+    measured : (ny, nx) bool
+        Nodes where the foot was measured.
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
     """
     rows = _rows(field, cup.fade_end * length_mm)
     limit = heel_floor_mm(field, length_mm) + cup.depth_mm
@@ -63,7 +97,7 @@ def cupped(field: HeightField, measured: BoolArray, cup: HeelCup, length_mm: flo
 
 
 def heel_floor_mm(field: HeightField, length_mm: float) -> float:
-    """Height of the heel's lowest place."""
+    """Return the lowest height of the heel of a foot of this length."""
     return float(field.heights_mm[_rows(field, HEEL_SHARE * length_mm)].min())
 
 

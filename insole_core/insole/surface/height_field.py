@@ -1,4 +1,4 @@
-"""A surface over the (x, y)-plane, one height at every node of a rectangular grid."""
+"""A surface over the (x, y)-plane with one height at every node of a rectangular grid."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class HeightField:
     Parameters
     ----------
     x0_mm, y0_mm
-        Place of the node with row 0 and column 0.
+        Position of the node with row 0 and column 0.
     step_mm
-        Distance of neighbouring nodes, in x and in y.
+        Distance between neighbouring nodes, in x and in y.
     heights_mm : (ny, nx) float64
         Row i, column j lies at (x0 + j step, y0 + i step).
     """
@@ -46,9 +46,18 @@ class HeightField:
         return np.stack([x.ravel(), y.ravel(), self.heights_mm.ravel()], axis=1)
 
     def normals_of(self, rows: slice, columns: slice) -> FloatArray:
-        """(k, l, 3) unit normals of a part of the nodes, pointing up; the same as among all.
+        """Compute the unit normals of a window of the nodes, pointing up.
 
-        By central differences, one-sided where the field ends.
+        They are equal to those of the full grid: central differences, one-sided at its edge.
+
+        Parameters
+        ----------
+        rows, columns
+            Slices with step 1; the window may be empty.
+
+        Returns
+        -------
+        (k, l, 3) float64
         """
         (top, bottom), (left, right) = (
             at.indices(size)[:2]
@@ -56,7 +65,7 @@ class HeightField:
         )
         if top >= bottom or left >= right:
             return np.empty((max(bottom - top, 0), max(right - left, 0), 3))
-        # One node more on each side, so that the differences are central wherever they can be.
+        # One more node on each side, so that differences are central wherever possible.
         i, j = max(top - 1, 0), max(left - 1, 0)
         part = self.heights_mm[i : bottom + 1, j : right + 1]
         along_y, along_x = (np.gradient(part, self.step_mm, axis=axis) for axis in (0, 1))
@@ -66,7 +75,7 @@ class HeightField:
         return np.asarray(upward)
 
     def height_at(self, xy: FloatArray) -> FloatArray:
-        """Heights at places (..., 2), bilinear between nodes; NaN beyond the field."""
+        """Interpolate heights at points (..., 2) bilinearly; NaN beyond the field."""
         xy = np.asarray(xy, dtype=float)
         rows, columns = self.heights_mm.shape
         column = (xy[..., 0] - self.x0_mm) / self.step_mm
@@ -81,7 +90,7 @@ class HeightField:
         return np.asarray(np.where(inside, below * (1 - v) + above * v, np.nan))
 
     def triangles(self) -> IndexArray:
-        """(m, 3) corner indices into `nodes`, counter-clockwise seen from above."""
+        """Return corner indices (m, 3) into `nodes`, counter-clockwise seen from above."""
         rows, columns = self.heights_mm.shape
         index = np.arange(rows * columns, dtype=np.int32).reshape(rows, columns)
         a, b = index[:-1, :-1].ravel(), index[:-1, 1:].ravel()

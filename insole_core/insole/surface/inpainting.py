@@ -1,9 +1,9 @@
-"""Smooth continuation of a height field where nothing was measured.
+"""Smooth continuation of a height field into unmeasured nodes.
 
-Laplace's equation with the measured nodes held and a free outer edge: a soap film through the
-known heights. It neither steps at the seam nor overshoots (maximum principle). Solved from coarse
-to fine (nested iteration), so the cost is proportional to the number of nodes. The coarse nodes
-are those with even absolute index, which makes the result of a mirrored field the mirrored result.
+Solves Laplace's equation with the measured nodes held and a free outer edge: a soap film through
+the known heights. It neither steps at the seam nor overshoots (maximum principle). Solved from
+coarse to fine (nested iteration), so the cost is proportional to the number of nodes. The coarse
+nodes are those with even absolute index, so that a mirrored field has the mirrored result.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ def fill(heights_mm: FloatArray, known: BoolArray, first: tuple[int, int]) -> Fl
     heights_mm, known : (ny, nx)
         At least one node must be known.
     first
-        Absolute index (row, column) of the first node: its place divided by the step.
+        Absolute index (row, column) of the first node: its position divided by the step.
 
     Returns
     -------
-    (ny, nx) float64
-        No height lies outside the range of the known ones.
+    (ny, nx) float64, mm
+        Every height lies within the range of the known ones.
     """
     if known.all():
         return heights_mm
@@ -55,7 +55,7 @@ def _from_coarser(held: FloatArray, known: BoolArray, first: tuple[int, int]) ->
 
 
 def _restrict(fine: FloatArray) -> FloatArray:
-    """Sum the neighbourhood of every second node with the weights 1 2 1 (both ways)."""
+    """Sum the neighbourhood of every second node with the weights 1 2 1 along both axes."""
     ring = np.pad(fine, 1)
     rows = ring[:-2:2] + 2 * ring[1:-1:2] + ring[2::2]
     return np.asarray(rows[:, :-2:2] + 2 * rows[:, 1:-1:2] + rows[:, 2::2])
@@ -72,7 +72,7 @@ def _prolong(coarse: FloatArray) -> FloatArray:
 
 
 def _relax(heights: FloatArray, free: BoolArray, first: tuple[int, int]) -> FloatArray:
-    """Red-black Gauss-Seidel on the free nodes; the outer edge has no slope across it."""
+    """Run red-black Gauss-Seidel on the free nodes, with zero slope across the outer edge."""
     rows, columns = heights.shape
     even = (np.arange(rows)[:, None] + np.arange(columns) + sum(first)) % 2 == 0
     colors = (free & even, free & ~even)

@@ -1,8 +1,8 @@
 """Pads and strokes on the contact base: all of them, or only where something has changed.
 
-Every pad and stroke changes a window of the grid. While one is dragged, only the window where it
-was and the one where it is are computed anew, with the same operations in the same order: the
-result is that of a full rebuild, to the bit.
+Every pad and stroke changes a window of the grid. While one is dragged, only its previous and its
+new window are recomputed, with the same operations in the same order: the result equals that of a
+full rebuild to the bit.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Added: TypeAlias = Pelott | ArchRaise | BrushStroke
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a grid's nodes; `end` is the first row or column beyond."""
+    """A rectangular part of a grid's nodes; `end` is the first row or column beyond it."""
 
     first_row: int
     end_row: int
@@ -55,18 +55,18 @@ class Window:
         return self.first_row >= self.end_row or self.first_column >= self.end_column
 
     def relative_to(self, other: Window) -> tuple[slice, slice]:
-        """Rows and columns counted from the first node of another window."""
+        """Return rows and columns counted from the first node of another window."""
         return (
             slice(self.first_row - other.first_row, self.end_row - other.first_row),
             slice(self.first_column - other.first_column, self.end_column - other.first_column),
         )
 
     def meets(self, other: Window) -> bool:
-        """Whether the two have a node in common."""
+        """Return whether the two windows have a node in common."""
         return not self.common(other).is_empty
 
     def common(self, other: Window) -> Window:
-        """The nodes that lie in both."""
+        """Return the intersection of two windows."""
         return Window(
             max(self.first_row, other.first_row),
             min(self.end_row, other.end_row),
@@ -75,7 +75,7 @@ class Window:
         )
 
     def widened(self, shape: tuple[int, ...]) -> Window:
-        """One node more on each side, where the grid of this shape has it."""
+        """Return the window with one more node on each side, within a grid of this shape."""
         return Window(
             max(self.first_row - 1, 0),
             min(self.end_row + 1, shape[0]),
@@ -84,7 +84,7 @@ class Window:
         )
 
     def joined(self, other: Window) -> Window:
-        """The smallest window about both."""
+        """Return the smallest window around both."""
         if self.is_empty or other.is_empty:
             return other if self.is_empty else self
         return Window(
@@ -97,13 +97,12 @@ class Window:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceChange:
-    """A surface and the part of it that differs from the one before.
+    """A surface and the part of it that differs from the previous one.
 
     Parameters
     ----------
-    surface
     window
-        Holds every node whose height or normal differs; may be empty.
+        Contains every node whose height or normal differs; may be empty.
     """
 
     surface: HeightField
@@ -113,7 +112,15 @@ class SurfaceChange:
 def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
     """Add the design's pads, arch raises and strokes to the base, in the design's order.
 
-    Outside their outlines the surface stays the same to the bit.
+    Parameters
+    ----------
+    base
+        Of this design: see `base_key`.
+
+    Returns
+    -------
+    HeightField
+        Insole frame, mm; equal to the base to the bit outside the outlines of the corrections.
     """
     heights = base.surface.heights_mm.copy()
     for correction in added_corrections(design):
@@ -124,15 +131,19 @@ def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
 def moved_pad(
     base: ContactBase, previous: HeightField, old: InsoleDesign, new: InsoleDesign
 ) -> SurfaceChange:
-    """Give what `apply_pads` gives for the new design, computing only where it differs.
+    """Compute what `apply_pads` returns for the new design, but only where it differs.
 
     Parameters
     ----------
     base
-        The same for both designs: their `base_key` must be equal.
+        The base of both designs: their `base_key` must be equal.
     previous
         `apply_pads(base, old)`.
-    old, new
+
+    Returns
+    -------
+    SurfaceChange
+        The new surface, and the window in which it differs from `previous`.
     """
     before, after = added_corrections(old), added_corrections(new)
     window = _changed_window(base, before, after)
@@ -148,17 +159,23 @@ def moved_pad(
 
 
 def added_corrections(design: InsoleDesign) -> list[Added]:
-    """The corrections of a design that are added to its base and switched on."""
+    """Return the active corrections of a design that are added to its base."""
     return [c for c in design.active if isinstance(c, Pelott | ArchRaise | BrushStroke)]
 
 
 def active_pads(design: InsoleDesign) -> list[Pelott]:
-    """The pads of a design that are switched on."""
+    """Return the active pads of a design."""
     return [c for c in design.active if isinstance(c, Pelott)]
 
 
 def as_pad(correction: Pelott | ArchRaise, arch_apex_mm: Place) -> Pelott:
-    """Give an arch raise as the ellipse that it is; a pad stays itself."""
+    """Convert an arch raise to the elliptical pad that it is; return a pad unchanged.
+
+    Parameters
+    ----------
+    arch_apex_mm
+        Centre, insole frame, of an arch raise without one of its own.
+    """
     if isinstance(correction, Pelott):
         return correction
     return Pelott(
@@ -172,7 +189,7 @@ def as_pad(correction: Pelott | ArchRaise, arch_apex_mm: Place) -> Pelott:
 
 
 def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) -> Window:
-    """Where what is new, gone or edited lies; everything where the order has changed."""
+    """Return the window of new, removed and edited corrections; all if the order has changed."""
     old, new = {c.id: c for c in before}, {c.id: c for c in after}
     if [i for i in old if i in new] != [i for i in new if i in old]:
         return _whole(base.surface)
@@ -185,7 +202,7 @@ def _changed_window(base: ContactBase, before: list[Added], after: list[Added]) 
 
 
 def _with_smoothed(base: ContactBase, corrections: Iterable[Added], window: Window) -> Window:
-    """Widen a window by the smoothing strokes that reach into it: they carry changes on."""
+    """Widen a window by the smoothing strokes that reach into it: they propagate changes."""
     reaches = [
         _reach(base, c) for c in corrections if isinstance(c, BrushStroke) and c.mode == "smooth"
     ]
@@ -214,13 +231,13 @@ def _apply(part: FloatArray, base: ContactBase, correction: Added, window: Windo
 
 
 def _reach(base: ContactBase, correction: Added) -> Window:
-    """The nodes that a correction may change, or for smoothing looks at."""
+    """Return the window that a correction may change, or that its smoothing reads."""
     return _shape(correction, base)[0]
 
 
 @dataclass(frozen=True)
 class _Grid:
-    """Where the nodes of a height field lie."""
+    """Position of the nodes of a height field."""
 
     x0_mm: float
     y0_mm: float
@@ -233,7 +250,7 @@ class _Grid:
         return cls(field.x0_mm, field.y0_mm, field.step_mm, *field.heights_mm.shape)
 
     def window(self, low: FloatArray, high: FloatArray) -> Window:
-        """The nodes from one corner (x, y) to another."""
+        """Return the nodes between two opposite corners (x, y)."""
         first = np.ceil((low - [self.x0_mm, self.y0_mm]) / self.step_mm).astype(int)
         end = np.floor((high - [self.x0_mm, self.y0_mm]) / self.step_mm).astype(int) + 1
         (first_column, first_row), (end_column, end_row) = first.tolist(), end.tolist()
@@ -243,7 +260,7 @@ class _Grid:
 
 
 def _shape(correction: Added, base: ContactBase) -> tuple[Window, FloatArray]:
-    """What a correction adds, or how much its stroke weighs, where it reaches; kept by the base."""
+    """Return a correction's window and its height or stroke weight there; cached by the base."""
     grid = _Grid.of(base.surface)
     return base.shapes.get(
         "shape", correction, lambda: _laid_on(grid, correction, base.arch_apex_mm)

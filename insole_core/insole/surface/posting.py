@@ -1,8 +1,8 @@
-"""Pronation/supination as a rotation of the foot against the insole's bottom, thesis 6.3.1.
+"""Pronation/supination as a rotation of the foot relative to the insole's bottom, thesis 6.3.1.
 
-The foot turns about its axis on the ground (x = 0, z = 0), each cross section by the angle that the
-postings and twists give there. As the plane of a section stays the same, the contact surface can be
-turned row by row, without going back to the scan.
+The foot turns about its axis on the ground (x = 0, z = 0), each cross section by the angle that
+postings and twists define there. As every section stays in its plane, the contact surface can be
+turned row by row, without the scan.
 """
 
 from __future__ import annotations
@@ -20,17 +20,27 @@ from insole_core.insole.surface.blending import smooth_step
 from insole_core.insole.surface.height_field import HeightField
 
 _RIM_START = 0.7
-"""Share of the way from a section's middle to its border, from where intrinsic posting fades."""
+"""Intrinsic posting fades from this share of a section's half width to its border."""
 
 
 def posting_angles(design: InsoleDesign) -> tuple[float, float]:
-    """Rear- and forefoot angle in degrees, summed over the postings that are switched on."""
+    """Sum the rear- and forefoot angles of the active postings, in degrees; > 0 is medial."""
     active = [c for c in design.active if isinstance(c, Posting)]
     return sum(c.rearfoot_deg for c in active), sum(c.forefoot_deg for c in active)
 
 
 def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> TriangleMesh:
-    """Turn the foot itself as a posting with the usual blend turns its surface, for pictures."""
+    """Turn the foot's mesh as a posting with the default blend turns its surface, for display.
+
+    Parameters
+    ----------
+    rearfoot_deg, forefoot_deg
+        Angles > 0 raise the medial edge.
+
+    Returns
+    -------
+    TriangleMesh, mm, insole frame
+    """
     x, y, z = foot.mesh.vertices.T
     zone = Posting(rearfoot_deg=rearfoot_deg, forefoot_deg=forefoot_deg)
     angle = foot.side.medial_sign * np.radians(_angle_deg(zone, y / foot.length_mm))
@@ -45,16 +55,17 @@ def posted(
 
     Parameters
     ----------
-    field, measured
-        The surface on the level foot; heights over the sole's lowest point.
-    design
+    field
+        Surface of the level foot, heights above the sole's lowest point.
+    measured : (ny, nx) bool
+        Nodes where the foot was measured.
     length_mm
         Of the foot.
 
     Returns
     -------
     (ny, nx) float64, mm
-        Equal rear- and forefoot angles give a rigid rotation of what was measured.
+        Equal rear- and forefoot angles yield a rigid rotation of the measured surface.
     """
     share = field.y_mm / length_mm
     turned = field.heights_mm
@@ -68,7 +79,7 @@ def posted(
 
 
 def _angles_deg(design: InsoleDesign, share: FloatArray, method: str) -> FloatArray:
-    """(ny,) sum of the angles in each section."""
+    """Sum the angles in each section, (ny,)."""
     angle = np.zeros_like(share)
     for c in design.active:
         if isinstance(c, Posting) and c.method == method:
@@ -84,12 +95,12 @@ def _angle_deg(posting: Posting, share: FloatArray) -> FloatArray:
 
 
 def _turned(field: HeightField, angle: FloatArray) -> FloatArray:
-    """Rotate each row in its plane: the places of its nodes move, heights are read off between."""
+    """Rotate each row in its plane: its nodes move, and heights are interpolated between them."""
     cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
     x, z = field.x_mm, field.heights_mm
-    # Where a steep flank would fold over, its foremost places win.
+    # Where a steep flank would fold over, its foremost points win.
     moved = np.maximum.accumulate(x * cos - z * sin, axis=1)
-    # All rows in one interpolation: each is shifted to a stretch of its own.
+    # All rows in one interpolation: each is shifted to an interval of its own.
     apart = 2 * float(np.abs(moved).max() + np.abs(x).max()) * np.arange(len(z))[:, None]
     lifted = (z * cos + x * sin).ravel()
     within = np.clip(x, moved[:, :1], moved[:, -1:])
@@ -101,7 +112,7 @@ def _turned(field: HeightField, angle: FloatArray) -> FloatArray:
 def _inner_tilt(
     field: HeightField, measured: BoolArray, side: Side, angle_deg: FloatArray
 ) -> FloatArray:
-    """What the tilt adds to the sole, and nothing at its borders: the rim stays."""
+    """Return what the tilt adds to the sole; it vanishes at the borders, so that the rim stays."""
     x = np.where(measured, field.x_mm, np.nan)
     seen = measured.any(axis=1)
     low, high = (np.zeros(len(measured)) for _ in range(2))
