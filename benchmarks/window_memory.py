@@ -20,9 +20,8 @@ from benchmarks._measure import print_table, resident_mb
 
 CASES, SCANS = 50, 3
 SCAN_TRIANGLES = 3_000_000
-_EACH_CALL = (
-    "import sys, benchmarks.window_memory as b; b.measure(sys.argv[1], sys.argv[2] == 'tended')"
-)
+_TENDED, _LEFT = "tended", "left to the C library"
+_CALL = "import sys, benchmarks.window_memory as b; b.measure(*sys.argv[1:])"
 
 
 def main() -> None:
@@ -30,30 +29,30 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         scan = Path(name) / "scan.ply"
         write_large_scan(scan)
-        for heaps in ("tended", "left to the C library"):
+        for heaps in (_TENDED, _LEFT):
             done = subprocess.run(
-                [sys.executable, "-c", _EACH_CALL, str(scan), heaps],
+                [sys.executable, "-c", _CALL, str(scan), heaps],
                 check=True, capture_output=True, text=True,
                 env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
             )  # fmt: skip
             figures = [float(word) for word in done.stdout.split()]
-            rows.append(
-                [heaps, *(f"{mb:.0f}" for mb in figures), f"{figures[2] - figures[1]:+.0f}"]
-            )
+            more = figures[2] - figures[1]
+            rows.append([heaps, *(f"{mb:.0f}" for mb in figures), f"{more:+.0f}"])
     print_table(
         [
             "MB resident", "empty window", "1 case closed", f"{CASES} closed",
-            f"then {SCANS} of {SCAN_TRIANGLES / 1e6:g} M triangles closed", f"1 to {CASES} (<= 150)",
+            f"then {SCANS} scans of {SCAN_TRIANGLES / 1e6:g} M triangles closed",
+            f"1 to {CASES} (<= 150)",
         ],
         rows,
     )  # fmt: skip
 
 
-def measure(scan: str, tended: bool) -> None:
+def measure(scan: str, heaps: str) -> None:
     """Print the resident memory at each stage; in a process of its own."""
     from insole_studio import native_heap
 
-    if not tended:
+    if heaps == _LEFT:
         native_heap._glibc = lambda: None  # type: ignore[assignment]
     from insole_core.cases.case_record import CaseRecord
     from insole_core.geometry.side import Side
@@ -84,12 +83,12 @@ def measure(scan: str, tended: bool) -> None:
 
 def write_large_scan(path: Path) -> None:
     """Write a simulated foot whose triangles are divided until there are enough of them."""
+    import trimesh
+
     from insole_core.export.ply import write_ply
     from insole_core.geometry.mesh import TriangleMesh
     from insole_core.simulate.foot_model import build_foot
     from insole_core.simulate.foot_shape import FootShape
-
-    import trimesh
 
     mesh = build_foot(FootShape(), np.random.default_rng(7)).mesh
     vertices, triangles = mesh.vertices, mesh.triangles

@@ -39,7 +39,7 @@ class ExportActions(StageWindow["ExportStage"]):
         self._messages = services.messages
         self.exported: CaseRecord | None = None
         """What was exported last of the open case."""
-        self._case.opened.connect(self._forget)
+        self._case.opened.connect(self._forget_exported)
 
     def make_stage(self) -> ExportStage:
         """Begin with the clinic's rules and the last order."""
@@ -67,7 +67,7 @@ class ExportActions(StageWindow["ExportStage"]):
         kinds = f"{suffix[1:].upper()} (*{suffix})"
         return self._messages.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
 
-    def _forget(self) -> None:
+    def _forget_exported(self) -> None:
         self.exported = None
 
     def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
