@@ -62,3 +62,9 @@ def recorded_session(folder: Path) -> Path:
         stderr=subprocess.DEVNULL,
     )
     return path
+
+
+def resident_mb() -> float:
+    """Memory of this process that is in use now (Linux)."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6

@@ -8,17 +8,23 @@ from pathlib import Path
 
 from arabic_reshaper import reshape
 from bidi import get_display
-from matplotlib import get_data_path
-from matplotlib.font_manager import get_font
 
-FONT_PATH = Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
-"""DejaVu Sans comes with matplotlib: Latin, Greek, Cyrillic, Hebrew, Arabic and more."""
 _UNKNOWN = "?"
 
 
 @cache
+def font_path() -> Path:
+    """Where DejaVu Sans lies: Latin, Greek, Cyrillic, Hebrew, Arabic and more."""
+    from matplotlib import get_data_path  # it brings the font; importing it takes long
+
+    return Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
+
+
+@cache
 def _letters() -> frozenset[int]:
-    return frozenset(get_font(FONT_PATH).get_charmap())
+    from matplotlib.font_manager import get_font  # as above
+
+    return frozenset(get_font(font_path()).get_charmap())
 
 
 def with_known_letters(text: str) -> str:

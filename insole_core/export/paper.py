@@ -38,7 +38,7 @@ from reportlab.platypus import (
 
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
-from insole_core.export.lettering import FONT_PATH, as_written, with_known_letters
+from insole_core.export.lettering import as_written, font_path, with_known_letters
 from insole_core.geometry.arrays import FloatArray
 from insole_core.resources import resource_path
 
@@ -244,8 +244,8 @@ def sha256_of(path: Path) -> str:
 @cache
 def _register_font() -> None:
     """Register the font with reportlab, which requires italics too: they are upright here."""
-    pdfmetrics.registerFont(TTFont(_FONT, str(FONT_PATH)))
-    pdfmetrics.registerFont(TTFont(BOLD, str(FONT_PATH.with_stem(BOLD))))
+    pdfmetrics.registerFont(TTFont(_FONT, str(font_path())))
+    pdfmetrics.registerFont(TTFont(BOLD, str(font_path().with_stem(BOLD))))
     faces = {"normal": _FONT, "bold": BOLD, "italic": _FONT, "boldItalic": BOLD}
     pdfmetrics.registerFontFamily(_FONT, **faces)
 

@@ -5,16 +5,18 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-import trimesh
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
+
+if TYPE_CHECKING:
+    import trimesh
 
 Unit = Literal["mm", "m", "inch"]
 
@@ -27,7 +29,7 @@ _MOST_BYTES = 600_000_000
 _MOST_TRIANGLES = 4_000_000
 _UNREADABLE = (
     ValueError, LookupError, TypeError, AttributeError, struct.error, EOFError, OSError,
-    NotImplementedError, MemoryError, trimesh.exchange.stl.HeaderError,
+    NotImplementedError, MemoryError,
 )  # fmt: skip
 
 
@@ -90,13 +92,15 @@ def _load(path: Path) -> TriangleMesh:
         raise InputError("{path} does not exist; check the name of the file.", path=path)
     if path.stat().st_size > _MOST_BYTES:
         raise InputError(_too_large(path))
+    import trimesh  # with all that it imports it would take a third of the start of the window
+
     try:
         loaded = trimesh.load_mesh(path, process=False, skip_materials=True)
         vertices = np.array(loaded.vertices, dtype=float)
         triangles = np.array(loaded.faces, dtype=np.int32)
         colors = _vertex_colors(loaded)
         touches = _touches(loaded)
-    except _UNREADABLE as error:
+    except (*_UNREADABLE, trimesh.exchange.stl.HeaderError) as error:
         raise InputError(
             "{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, "
             "so export it again.",

@@ -8,11 +8,10 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from insole_core.errors import UsageError
 from insole_core.export.atomic import replacing_file
-from insole_core.export.paper import JobSheet, section_along, write_job_sheet, write_prescription
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
@@ -20,6 +19,10 @@ from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override, require_export, survey_heights
 from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.shop import Block, Shop
+
+# `paper` is imported by the functions that write one: it brings reportlab and matplotlib.
+if TYPE_CHECKING:
+    from insole_core.export.paper import JobSheet
 
 _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 """Share of the length or width, and whether the cut goes across."""
@@ -143,6 +146,8 @@ def run_export_job(
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
         beside.checks.write_text(text + "\n", encoding="utf-8")
     if beside.job_sheet is not None:
+        from insole_core.export.paper import write_job_sheet
+
         progress.step(0.4, "Writing the job sheet")
         sheets = [_job_sheet(job, piece, places, beside) for piece in job.pieces]
         write_job_sheet(sheets, beside.job_sheet)
@@ -162,6 +167,8 @@ def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def _job_sheet(job: ExportJob, piece: Part, places: ExportPaths, beside: ExportPaths) -> JobSheet:
+    from insole_core.export.paper import JobSheet, section_along
+
     top, bottom = survey_heights(piece.solid)
     return JobSheet(
         identification={
@@ -220,6 +227,8 @@ def _released(job: ExportJob, piece: Part) -> tuple[str, ...]:
 
 
 def _write_prescription(job: ExportJob, path: Path) -> None:
+    from insole_core.export.paper import write_prescription
+
     lines, make = [], {}
     for piece in job.pieces:
         lines += [

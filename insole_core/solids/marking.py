@@ -6,11 +6,9 @@ from typing import Literal, TypeAlias
 
 import manifold3d
 import numpy as np
-from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import TextPath
 
 from insole_core.errors import DesignError
-from insole_core.export.lettering import FONT_PATH, with_known_letters
+from insole_core.export.lettering import font_path, with_known_letters
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.solids.simplification import from_manifold, to_manifold
@@ -85,7 +83,11 @@ def _check_depth(
 
 def _section(lines: list[str]) -> manifold3d.CrossSection:
     """Return letters of unit capital height, the lines below each other, centred on the origin."""
-    font = FontProperties(fname=str(FONT_PATH))
+    # Letters are rarely wanted, and matplotlib takes long to import.
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextPath
+
+    font = FontProperties(fname=str(font_path()))
     polygons: list[FloatArray] = []
     for number, text in enumerate(lines):
         path = TextPath((0, 0), text, size=1.0, prop=font)

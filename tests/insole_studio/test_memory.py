@@ -6,11 +6,12 @@ import gc
 import weakref
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
-from insole_core.cases.case_record import ScanSource
+from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -21,9 +22,9 @@ MakeFoot = Callable[[Side], Foot]
 Settle = Callable[[], None]
 
 
-def own_foot(make_foot: MakeFoot) -> Foot:
+def own_foot(make_foot: MakeFoot, side: Side = Side.LEFT) -> Foot:
     """A foot that nobody else holds."""
-    foot = make_foot(Side.LEFT)
+    foot = make_foot(side)
     return replace(foot, mesh=replace(foot.mesh, vertices=foot.mesh.vertices.copy()))
 
 
@@ -75,3 +76,41 @@ def test_an_application_is_freed_when_it_is_closed(
     del app
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert living(watched) == []
+
+
+def test_a_closed_case_leaves_nothing_behind_in_an_empty_window(
+    app: Application, make_foot: MakeFoot, settle: Settle, export, tmp_path: Path
+) -> None:
+    left, right = own_foot(make_foot), own_foot(make_foot, Side.RIGHT)
+    app.case.open_foot(right, NOWHERE)
+    settle()
+    export(tmp_path / "right.stl")
+    exported = app.features.export.exported
+    assert exported is not None
+    app.case.apply(FootRecord.begun(left, NOWHERE), "Add a foot")
+    settle()
+    for key in ("beside_foot", "map_difference", "ghost", "tool_pelott", "tool_key_point"):
+        app.window.actions_by_key[key].trigger()
+        settle()
+    built = app.stage.counterpart.built
+    assert built is not None
+    assert app.stage.preview.mesh is not None
+    watched: dict[str, weakref.ref[object]] = {
+        "left foot": weakref.ref(left),
+        "left mesh": weakref.ref(left.mesh),
+        "right foot": weakref.ref(right),
+        "right mesh": weakref.ref(right.mesh),
+        "insole": weakref.ref(app.stage.preview.mesh),
+        "contact surface": weakref.ref(app.stage.preview.base),
+        "what stood beside": weakref.ref(built),
+        "solid beside": weakref.ref(built.solid),
+        "surface of the renderer": weakref.ref(app.stage.foot.scene.painter._surface),
+        "record": weakref.ref(app.case.record),
+        "exported record": weakref.ref(exported),
+    }
+    del left, right, built, exported
+    app.case.open(CaseRecord(), None)
+    settle()
+    assert living(watched) == []
+    assert app.stage.foot.scene.painter.shown == frozenset()
+    assert app.stage.insole.scene.painter.shown == frozenset()

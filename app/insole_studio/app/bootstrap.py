@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from insole_core.geometry.side import Side
@@ -22,6 +22,7 @@ from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
 from insole_studio.app.main_window import MainWindow
+from insole_studio.app.preload import Preload
 from insole_studio.app.status_bar import StatusBar
 from insole_studio.app.theme import apply_theme
 from insole_studio.app.window_feature import WindowFeature
@@ -31,6 +32,7 @@ from insole_studio.features.design.correction_names import pad_text
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
+from insole_studio.native_heap import return_freed_memory, share_one_heap
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.color_scheme import is_dark
 from insole_studio.services.notices import Notices
@@ -102,11 +104,14 @@ def build_application(
     emulate
         A recorded session that plays as live sensors; None for the real ones.
     """
+    share_one_heap()
     settings = load_settings(paths.settings_file)
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
     case, jobs = Case(), Jobs()
+    # Once all that listens has let go of the case before.
+    case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
     stage = make_design_stage(case, jobs, dark)
     window = _make_window(stage, jobs)
     services = AppServices(
@@ -181,6 +186,7 @@ def run_application(
     sys.excepthook = _show_unexpected(app.services.messages)
     app.controller.closed.connect(qt.quit)
     app.window.show()
+    Preload(app.window)
     for recovered in find_recovered(app.services.paths.autosave_folder)[:1]:
         opener.offer_recovered(recovered)
     if not app.settings.tour_seen:

@@ -147,6 +147,7 @@ class SideBySide(QObject):
 
     def _forget(self) -> None:
         self._jobs.cancel(CHANNEL)
+        self._laid = None
         if self.built is not None:
             self.built = None
             self.changed.emit()

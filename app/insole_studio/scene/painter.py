@@ -84,6 +84,16 @@ class Painter:
         """Names of what is drawn now."""
         return frozenset(self._plotter.actors)
 
+    def clear(self) -> None:
+        """Show nothing at all."""
+        self._mesh = self._surface = None
+        self._shapes.clear()
+        self._texts.clear()
+        self._directions = ([], [])
+        self._named = ()
+        self._tags.show((), NAME_PX, self.scheme.text, self.scheme.bottom)
+        self._plotter.renderer.clear_actors()
+
     def set_dark(self, dark: bool) -> None:
         """Change the scheme of the background, of words and of marks."""
         before, self.scheme = self.scheme, Scheme.of(dark)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -23,13 +24,15 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
-from insole_studio.scene.canvas import make_canvas
+from insole_studio.scene.canvas import Canvas, make_canvas
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.keyboard_cursor import KeyboardCursor
-from insole_studio.scene.painter import Painter
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
-from insole_studio.scene.secondary_mesh import SecondaryMesh
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
+
+if TYPE_CHECKING:
+    from insole_studio.scene.painter import Painter
+    from insole_studio.scene.secondary_mesh import SecondaryMesh
 
 FRAME_PX = 2
 """Shows which view the keys act on."""
@@ -98,6 +101,15 @@ class PointerSink(Protocol):
         ...
 
 
+@dataclass(frozen=True, eq=False)
+class _Renderer:
+    """What draws a scene, and the widget it draws into."""
+
+    canvas: Canvas
+    painter: Painter
+    companion: SecondaryMesh
+
+
 class SceneView(QWidget):
     """Shows one subject through a camera that may be shared with other views."""
 
@@ -122,29 +134,47 @@ class SceneView(QWidget):
         self._picker: SurfacePicker | None = None
         self._dragging: str | None = None
         self._last = QPointF()
-        self._canvas = make_canvas(self._aim, self)
-        self.painter = Painter(self._canvas.plotter, dark, self.devicePixelRatioF())
-        self.companion = SecondaryMesh(self._canvas.plotter, self.devicePixelRatioF())
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(FRAME_PX, FRAME_PX, FRAME_PX, FRAME_PX)
-        layout.addWidget(self._canvas)
-        surface = self._canvas.surface
-        surface.setMouseTracking(True)
-        surface.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        surface.installEventFilter(self)
-        self.setFocusProxy(surface)
+        self._dark = dark
+        self._renderer: _Renderer | None = None
+        """Made with the first thing to draw: the empty window opens without waiting for VTK."""
+        self._frame = QVBoxLayout(self)
+        self._frame.setContentsMargins(FRAME_PX, FRAME_PX, FRAME_PX, FRAME_PX)
         self._is_alive = True
+
+    @property
+    def painter(self) -> Painter:
+        """Draws the subject and the marks on it."""
+        return self._opened().painter
+
+    @property
+    def companion(self) -> SecondaryMesh:
+        """Draws what stands beside the subject."""
+        return self._opened().companion
 
     @property
     def surface(self) -> QWidget:
         """The widget that receives mouse and keys."""
-        return self._canvas.surface
+        return self if self._renderer is None else self._canvas.surface
+
+    def take_focus(self) -> None:
+        """Let the keys act here."""
+        self._canvas.surface.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     @property
     def look(self) -> ViewTransform:
         """The camera made concrete for the size of the widget."""
-        size = (max(self._canvas.width(), 1), max(self._canvas.height(), 1))
+        width, height = self._size_px
+        size = (max(width, 1), max(height, 1))
         return look(self.camera, self.subject, self.side, size)
+
+    def clear(self) -> None:
+        """Show nothing, and let go of the meshes that were shown."""
+        self.handles = ()
+        self._take(None)
+        self._picker = None
+        if self._renderer is not None:
+            self._renderer.painter.clear()
+            self._renderer.companion.clear()
 
     def show_mesh(
         self,
@@ -190,12 +220,12 @@ class SceneView(QWidget):
 
     def aim_at(self, preset: Preset, bounds_mm: FloatArray) -> ViewCamera:
         """Give the camera of a preset that shows the whole box in this view."""
-        size = (self._canvas.width(), self._canvas.height())
-        return fitted(ViewCamera(preset), bounds_mm, size)
+        return fitted(ViewCamera(preset), bounds_mm, self._size_px)
 
     def request_render(self) -> None:
         """Draw soon."""
-        self._canvas.request_render()
+        if self._renderer is not None:
+            self._canvas.request_render()
 
     def picture(self) -> QImage:
         """Draw now and give the picture."""
@@ -204,19 +234,26 @@ class SceneView(QWidget):
     def close_scene(self) -> None:
         """Free the renderer; may be called twice."""
         self._is_alive = False
-        self._canvas.surface.removeEventFilter(self)
-        self._canvas.close_plotter()
+        if self._renderer is not None:
+            self._canvas.surface.removeEventFilter(self)
+            self._canvas.close_plotter()
+
+    def set_dark(self, dark: bool) -> None:
+        """Change the scheme of the scene."""
+        self._dark = dark
+        if self._renderer is not None:
+            self._renderer.painter.set_dark(dark)
+            self.request_render()
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the theme, whichever stage is open."""
         if event.type() == QEvent.Type.PaletteChange and self._is_alive:
-            self.painter.set_dark(self.palette().window().color().lightness() < _DARK)
-            self.request_render()
+            self.set_dark(self.palette().window().color().lightness() < _DARK)
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Frame the view that the keys act on."""
-        has_keys = self._canvas.surface.hasFocus()
+        has_keys = self.surface.hasFocus()
         role = QPalette.ColorRole.Highlight if has_keys else QPalette.ColorRole.Window
         QPainter(self).fillRect(self.rect(), self.palette().color(role))
 
@@ -247,6 +284,39 @@ class SceneView(QWidget):
             self.request_render()
             self.camera_changed.emit(self.camera)
         return False
+
+    @property
+    def _canvas(self) -> Canvas:
+        return self._opened().canvas
+
+    @property
+    def _size_px(self) -> tuple[int, int]:
+        """Width and height within the frame."""
+        inside = self if self._renderer is None else self._canvas
+        return inside.width(), inside.height()
+
+    def _opened(self) -> _Renderer:
+        if self._renderer is None:
+            self._renderer = self._open()
+        return self._renderer
+
+    def _open(self) -> _Renderer:
+        # VTK takes most of the time and memory of a start.
+        from insole_studio.scene.painter import Painter
+        from insole_studio.scene.secondary_mesh import SecondaryMesh
+
+        canvas, ratio = make_canvas(self._aim, self), self.devicePixelRatioF()
+        self._frame.addWidget(canvas)
+        surface = canvas.surface
+        surface.setMouseTracking(True)
+        surface.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        surface.installEventFilter(self)
+        self.setFocusProxy(surface)
+        return _Renderer(
+            canvas,
+            Painter(canvas.plotter, self._dark, ratio),
+            SecondaryMesh(canvas.plotter, ratio),
+        )
 
     def _aim(self) -> None:
         self.painter.aim(self.look)

@@ -3,26 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from pyvista import Color
 
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.painter import MATERIAL, polydata
 
 NAME_PX, FRAME_PX = 15, 4
-
-
-@dataclass(frozen=True, eq=False)
-class NameLabel:
-    """A word on a coloured ground at a place (3,), mm."""
-
-    text: str
-    place_mm: FloatArray
-    color: str
 
 
 class SecondaryMesh:
@@ -44,6 +34,11 @@ class SecondaryMesh:
         self._plotter.add_mesh(
             polydata(mesh), name="companion", render=False, reset_camera=False, specular=0.0, **look
         )
+
+    def clear(self) -> None:
+        """Show nothing at all."""
+        self.show(None)
+        self.show_names(())
 
     def show_names(self, names: Sequence[NameLabel]) -> None:
         """Write these names and no others."""

@@ -21,9 +21,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.guide_lines import GuideLines
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
-from insole_studio.scene.secondary_mesh import NameLabel
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.empty_page import EmptyPage
@@ -88,6 +88,10 @@ class ModelView(QWidget):
         self._empty.show_offers(sentence, offers)
         self._pages.setCurrentWidget(self._empty)
         self._scale.show_scale(0)
+
+    def clear(self) -> None:
+        """Let go of what the scene has shown."""
+        self.scene.clear()
 
     def show_mesh(
         self,

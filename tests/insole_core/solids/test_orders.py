@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from insole_core.errors import DesignError, InputError, UsageError
-from insole_core.export.lettering import FONT_PATH, as_written, missing_letters
+from insole_core.export.lettering import as_written, font_path, missing_letters
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
@@ -173,7 +173,7 @@ def test_names_of_many_scripts_are_engraved(left_foot, text):
 def test_letters_that_run_from_the_right_are_joined_and_turned():
     assert as_written("محمد 7") == "7 ﺪﻤﺤﻣ"
     assert as_written("אב") == "בא"
-    assert FONT_PATH.exists()
+    assert font_path().exists()
 
 
 def test_prescription_names_every_number_and_its_author():

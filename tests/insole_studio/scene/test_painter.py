@@ -12,9 +12,10 @@ import pyvista as pv
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.painter import Painter, direction_words
 from insole_studio.scene.pointer import Handle, MarkedPoint
-from insole_studio.scene.secondary_mesh import NameLabel, SecondaryMesh
+from insole_studio.scene.secondary_mesh import SecondaryMesh
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, fitted, look
 
 SIZE = (300, 400)

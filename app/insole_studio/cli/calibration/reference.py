@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.progress import Progress
@@ -119,7 +118,7 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
 
 
 def _check_certain(survey: MarkerSurvey, moved_mm: float) -> None:
-    worst = max(float(np.linalg.norm(one)) for one in survey.deviation_mm.values())
+    worst = max(math.hypot(*one) for one in survey.deviation_mm.values())
     if worst > moved_mm:
         raise CalibrationError(
             f"The views lie too near together to measure the markers: a standard deviation of "

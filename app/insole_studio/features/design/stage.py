@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from insole_core.insole.prescription.clinic_rules import ClinicRules
@@ -147,8 +147,9 @@ class DesignStage(QObject):
 
     def focus_view(self) -> None:
         """Give the keys to the foot; to the insole while the foot is hidden."""
-        shown = self.foot if self.foot.isVisible() else self.insole
-        shown.scene.surface.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        if self._case.foot is not None:  # else there is nothing that keys could act on
+            shown = self.foot if self.foot.isVisible() else self.insole
+            shown.scene.take_focus()
 
     def look(self, preset: Preset) -> None:
         """Look at both subjects from a named direction, whole."""
@@ -205,9 +206,8 @@ class DesignStage(QObject):
     def set_dark(self, dark: bool) -> None:
         """Change the scheme of the scenes."""
         for view, presenter in self._presenters.values():
-            view.scene.painter.set_dark(dark)
+            view.scene.set_dark(dark)
             presenter.show_all()
-            view.scene.request_render()
         self.patient.variants.renew_icons()
         self._patient_presenter.show()
 

@@ -38,7 +38,8 @@ class ExportActions(StageWindow["ExportStage"]):
         self._case = services.case
         self._messages = services.messages
         self.exported: CaseRecord | None = None
-        """What was exported last."""
+        """What was exported last of the open case."""
+        self._case.opened.connect(self._forget_exported)
 
     def make_stage(self) -> ExportStage:
         """Begin with the clinic's rules and the last order."""
@@ -65,6 +66,9 @@ class ExportActions(StageWindow["ExportStage"]):
             stem = stem.removesuffix(f"-{self._case.side}")
         kinds = f"{suffix[1:].upper()} (*{suffix})"
         return self._messages.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
+
+    def _forget_exported(self) -> None:
+        self.exported = None
 
     def _note(self, record: CaseRecord, paths: Sequence[Path]) -> None:
         self.exported = record

@@ -37,7 +37,7 @@ class RepeatActions(QObject):
         self._mirror_offered: Foot | None = None
         self._found: dict[tuple[object, Side], Template | None] = {}
         self._offered: tuple[Foot, Template] | None = None
-        case.opened.connect(self._found.clear)
+        case.opened.connect(self._forget)
         case.foot_changed.connect(self.offer)
         case.changed.connect(self.offer)
 
@@ -96,6 +96,11 @@ class RepeatActions(QObject):
     def _mirror(self) -> None:
         self._feet.take_other()
         self._feet.copy_prescription()
+
+    def _forget(self) -> None:
+        """Begin anew with another case, and let go of the feet of the one before."""
+        self._found.clear()
+        self._withdraw()
 
     def _withdraw(self) -> None:
         self._offered = None

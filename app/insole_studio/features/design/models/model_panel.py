@@ -11,8 +11,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.guide_lines import GuideLines
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
-from insole_studio.scene.secondary_mesh import NameLabel
 
 
 class ModelPanel(Protocol):
@@ -20,6 +20,7 @@ class ModelPanel(Protocol):
 
     def show_side(self, side: Side | None) -> None: ...  # noqa: D102
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
+    def clear(self) -> None: ...  # noqa: D102
     def show_mesh(  # noqa: D102
         self,
         mesh: TriangleMesh,

@@ -158,6 +158,8 @@ class ModelPresenter:
     def show_all(self) -> None:
         """Show another case."""
         self._marked = _NOTHING
+        if self._case.foot is None:
+            self.panel.clear()
         self.panel.show_side(self._case.side)
         self.show_surface()
 
@@ -370,6 +372,8 @@ class FootPresenter(ModelPresenter):
 
     def show_surface(self) -> None:
         """The foot stays; what is drawn on it follows the insole."""
+        if self._case.foot is None:
+            return
         self.show_marks()
         self._show_ghost()
 
@@ -462,6 +466,7 @@ class InsolePresenter(ModelPresenter):
         """Follow the surface."""
         mesh, normals = self._surface.mesh, self._surface.normals
         if mesh is None or normals is None:
+            self._contoured = None, False
             self._show_why_empty()
         elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
             self._show_contours()
