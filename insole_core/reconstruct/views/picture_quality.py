@@ -1,4 +1,4 @@
-"""What is wrong with a colour picture: dark, overexposed, out of focus."""
+"""Faults of a colour picture: dark, overexposed, out of focus."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from insole_core.geometry.arrays import BoolArray, ByteArray
 from insole_core.reconstruct.markers.blobs import Blobs, blueness
 
 _DARK = 40
-"""Brightness, of 255, that a hundredth of the pixels exceeds; 140 and more in a usual picture."""
+"""Brightness (of 255) exceeded by one pixel in a hundred; 140 and more in a usual picture."""
 _MARGIN_PX = 6
 _GLARING = 250
 _GLARING_SHARE = 0.25
@@ -19,13 +19,13 @@ when it is blurred by 3 px."""
 
 
 def picture_fault(color: ByteArray, blobs: Blobs) -> str:
-    """Say what is wrong with a picture, as the start of a sentence; empty when nothing is.
+    """Return the fault of a picture, as the start of a sentence; empty when it has none.
 
     Parameters
     ----------
     color : (height, width, 3) uint8, RGB
     blobs
-        What was found in it; focus is judged at the rims of the markers.
+        Marker candidates found in `color`; focus is judged at their rims.
     """
     small = cv2.resize(color, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     red, green, blue = cv2.split(small)
@@ -57,6 +57,6 @@ def _sharpness(color: ByteArray, blobs: Blobs) -> float:
 
 
 def _extent(occupied: BoolArray) -> slice:
-    """Span what is occupied, with the pixels around that a blur takes in."""
+    """Return the occupied span, with the margin that a blur needs."""
     index = np.flatnonzero(occupied)
     return slice(max(int(index[0]) - _MARGIN_PX, 0), int(index[-1]) + _MARGIN_PX + 1)
