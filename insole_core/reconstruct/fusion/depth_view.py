@@ -126,7 +126,7 @@ class DepthView:
         return np.asarray(normalised @ rotation[:, :2].T + rotation[:, 2])
 
     def points(self, raw: FloatArray) -> FloatArray:
-        """Compute the points (height, width, 3), mm, reference frame, of raw values of this part."""
+        """Compute the points (height, width, 3), mm, reference frame, of this part's raw values."""
         depth_mm = self.sensor.disparity.depth_mm(raw)
         return self.origin_mm + depth_mm[..., None] * self.rays
 
