@@ -41,12 +41,17 @@ class Axis:
     confidence: float
 
     def lean_deg(self, up: FloatArray, ahead: FloatArray, medial: FloatArray) -> float:
-        """Compute the angle against `up` as seen along `ahead`; > 0 with the upper end medial.
+        """Compute the lean of the axis as seen along a direction.
 
         Parameters
         ----------
         up, ahead, medial : (3,) float64
-            Unit vectors, insole frame.
+            Orthogonal unit vectors, insole frame.
+
+        Returns
+        -------
+        float, degrees
+            Angle to `up` in the plane across `ahead`; > 0 when the upper end lies medially.
         """
         way = self.upper - self.lower
         way = way - (way @ ahead) * ahead

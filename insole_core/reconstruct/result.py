@@ -89,6 +89,11 @@ def refused_result(name: str, error: ReconstructionError) -> ViewResult:
         Of the view.
     error
         The reason; a `PoseRefusedError` also gives the pose and its markers.
+
+    Returns
+    -------
+    ViewResult
+        Not used, with the reason and, when a pose was found, the pose and its markers.
     """
     if isinstance(error, PoseRefusedError):
         return replace(placed_result(name, error.registration), reason=str(error))

@@ -19,13 +19,18 @@ when it is blurred by 3 px."""
 
 
 def picture_fault(color: ByteArray, blobs: Blobs) -> str:
-    """Return the fault of a picture, as the start of a sentence; empty when it has none.
+    """Check whether a picture is dark, overexposed or out of focus.
 
     Parameters
     ----------
     color : (height, width, 3) uint8, RGB
     blobs
         Marker candidates found in `color`; focus is judged at their rims.
+
+    Returns
+    -------
+    str
+        The fault, as the start of a sentence; empty when there is none.
     """
     small = cv2.resize(color, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     red, green, blue = cv2.split(small)
