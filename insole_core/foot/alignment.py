@@ -115,7 +115,7 @@ def _low_length_mm(foot: Foot) -> float:
 
 
 def _landmark_frame(foot: Foot, landmarks: Landmarks) -> FloatArray:
-    """(3, 3) rotation to the frame of the landmarks: its rows are across, ahead and up."""
+    """Return the rotation (3, 3) to the landmarks' frame: its rows are across, ahead and up."""
     names = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5", "toe_tip_2")
     heel, first, fifth, toe = (landmarks[name].point for name in names)
     up = np.cross(first - heel, fifth - heel) * foot.side.medial_sign

@@ -131,7 +131,7 @@ def fit_border(
     between_mm: tuple[float, float],
     usual: UsualBorder,
 ) -> BorderFit:
-    """Fit the border of a foot in strips across a direction.
+    """Fit the border of a foot in strips across a direction, by its support function (see above).
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ class DepthView:
 
     @cached_property
     def surface_points(self) -> FloatArray:
-        """(n, 3) places of all that was measured, mm, reference frame."""
+        """(n, 3) points of all readings, mm, reference frame."""
         return self.points(self.raw)[self.known]
 
     @cached_property

@@ -147,7 +147,7 @@ def _divided(points: FloatArray) -> FloatArray:
 
 
 def _design(turned: FloatArray, points: FloatArray) -> FloatArray:
-    """Derivative (t, m, 2, 6) of the projections by a rotation about the origin and a shift."""
+    """Differentiate the projections by rotation about the origin and shift, (t, m, 2, 6)."""
     depth = np.maximum(points[..., 2], 1.0)
     by_point = np.zeros((*points.shape[:2], 2, 3))
     by_point[..., 0, 0] = by_point[..., 1, 1] = 1 / depth

@@ -73,7 +73,7 @@ def _sole_coverage(mesh: TriangleMesh, sole: BoolArray) -> dict[str, float]:
 
 
 def _filled(occupied: BoolArray, span: BoolArray, rows: BoolArray) -> float:
-    """Occupied share of the cells between the borders; an empty row counts with the usual width."""
+    """Compute the occupied share of the cells between the borders; an empty row has usual width."""
     usual = np.median(span.sum(0)[span.any(0)])
     expected = np.maximum(span[:, rows].sum(0), np.where(span[:, rows].any(0), 0, usual)).sum()
     return float(occupied[:, rows].sum() / expected) if expected else 0.0

@@ -44,7 +44,7 @@ def picture_fault(color: ByteArray, blobs: Blobs) -> str:
 
 
 def _sharpness(color: ByteArray, blobs: Blobs) -> float:
-    """Steepest change of the blueness per pixel, as a share of it, of the sharpest blobs."""
+    """Compute the steepest relative change of the blueness per pixel of the sharpest blobs."""
     rows, columns = (_extent(np.any(blobs.labels >= 0, axis=axis)) for axis in (1, 0))
     labels = blobs.labels[rows, columns]
     blue = cv2.GaussianBlur(blueness(color[rows, columns]).astype(np.float32), (0, 0), 0.7)

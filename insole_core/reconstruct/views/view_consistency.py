@@ -58,7 +58,7 @@ def view_consistency(mesh: TriangleMesh, readings: Iterable[DepthView]) -> ViewC
 
 
 def _heights(mesh: TriangleMesh, reading: DepthView) -> FloatArray:
-    """Height of a view's surface above each vertex along the normal, mm; NaN = not seen."""
+    """Compute a view's height above each vertex along the normal, mm; NaN = not seen."""
     depth_mm = smooth_depth(reading).depth_mm
     way = reading.origin_mm - mesh.vertices
     cosine = np.einsum("nc,nc->n", mesh.vertex_normals, way) / np.linalg.norm(way, axis=1)
