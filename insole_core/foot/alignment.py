@@ -1,7 +1,7 @@
-"""The foot turned in its frame: by its landmarks, or by angles that the user wants.
+"""Rotate a foot in its frame: by its landmarks, or by angles that the user sets.
 
-The landmarks tell how the foot lies: heel centre, 1st and 5th head stand on one level, and the way
-from the heel centre to the tip of the 2nd toe runs along y. The angles count from there.
+The landmarks define the frame: heel centre, 1st and 5th head lie at the same height, and the line
+from the heel centre to the tip of the 2nd toe runs along y. All angles are relative to it.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 
-_LEAST_BASE_MM = 30.0  # the three points of the sole must span this much, or no plane is told
+_LEAST_BASE_MM = 30.0  # the three points of the sole must span this much to define a plane
 
 
 @dataclass(frozen=True)
 class PoseAngles:
-    """How a foot lies against the frame of its landmarks, degrees.
+    """The rotation of a foot relative to the frame of its landmarks, degrees.
 
     Parameters
     ----------
@@ -40,12 +40,22 @@ class PoseAngles:
 
 
 def pose_angles(foot: Foot, landmarks: Landmarks) -> PoseAngles:
-    """Tell how a foot lies; all angles are 0 right after it was aligned.
+    """Compute the rotation of a foot relative to its landmarks; 0 right after it was aligned.
+
+    Parameters
+    ----------
+    foot
+    landmarks
+        With heel centre, 1st and 5th head and the tip of the 2nd toe; insole frame.
+
+    Returns
+    -------
+    PoseAngles
 
     Raises
     ------
     InputError
-        When the landmarks stand where they do on no foot.
+        When the landmarks are in an order that no foot has.
     """
     lies = _landmark_frame(foot, landmarks).T  # = z-turn @ x-turn @ y-turn
     sign = foot.side.medial_sign
@@ -57,14 +67,26 @@ def pose_angles(foot: Foot, landmarks: Landmarks) -> PoseAngles:
 
 
 def turned(foot: Foot, landmarks: Landmarks, angles: PoseAngles) -> Foot:
-    """Let a foot lie at these angles against the frame of its landmarks; all 0 aligns it.
+    """Rotate a foot to the given angles relative to its landmarks; all 0 aligns it.
 
-    The heel centre comes to x = 0, the rearmost place of the heel to y = 0, the lowest to z = 0.
+    The heel centre is moved to x = 0, the rearmost point of the heel to y = 0, the lowest to z = 0.
+
+    Parameters
+    ----------
+    foot
+    landmarks
+        With heel centre, 1st and 5th head and the tip of the 2nd toe; insole frame of `foot`.
+    angles
+
+    Returns
+    -------
+    Foot
+        In the new insole frame.
 
     Raises
     ------
     InputError
-        When the landmarks stand where they do on no foot.
+        When the landmarks are in an order that no foot has.
     """
     x, y, z = np.eye(3)
     sign = foot.side.medial_sign
@@ -93,7 +115,7 @@ def _low_length_mm(foot: Foot) -> float:
 
 
 def _landmark_frame(foot: Foot, landmarks: Landmarks) -> FloatArray:
-    """(3, 3) rotation to the frame of the landmarks: its rows are across, ahead and up."""
+    """Return the rotation (3, 3) to the landmarks' frame: its rows are across, ahead and up."""
     names = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5", "toe_tip_2")
     heel, first, fifth, toe = (landmarks[name].point for name in names)
     up = np.cross(first - heel, fifth - heel) * foot.side.medial_sign

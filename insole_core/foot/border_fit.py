@@ -1,13 +1,13 @@
-"""How far a foot reaches in a direction, strip by strip across it, and how certain that is.
+"""How far a foot reaches in a direction, strip by strip across it, with its uncertainty.
 
-The border of a foot is round in a section. Written by its support function, the distance H of the
-tangent whose slope against the upright is b, it needs three numbers near the outermost place:
+The border of a foot is round in a section. Described by its support function, the distance H of the
+tangent whose slope against the vertical is b, it has three parameters near the outermost point:
 
-    H(b) = reach + height b + radius b² / 2      and the place touched lies at   height + radius b
+    H(b) = reach + height b + radius b² / 2      and the tangent touches at   height + radius b
 
-(the derivative of the support function). So outlines in pictures, of which only the tangents are
-known, the measured surface, and what is usual of radius and height come together in one linear
-least-squares problem, whose covariance tells how far to trust the reach.
+(the derivative of the support function). So contours in images, of which only the tangents are
+known, the measured surface, and the usual radius and height form one linear least-squares problem,
+whose covariance gives the uncertainty of the reach.
 """
 
 from __future__ import annotations
@@ -19,32 +19,32 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 
-_LEAST_TOWARDS = 0.75  # cosine against the direction: farther round, three numbers do not do
+_LEAST_TOWARDS = 0.75  # cosine against the direction: beyond, three parameters do not suffice
 _STRIP_MM, _SPREAD_MM = 2.0, 2.5
-_TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of an outline, and how many share it
+_TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of a contour, and how many points share it
 _SURFACE_MM, _PLACE_MM, _SURFACE_WORTH = 0.8, 2.0, 2.0
-"""Noise of the measured surface near its rim, of the height there, and how many independent places
-a strip of it is worth."""
+"""Noise of the measured surface near its rim, of the height there, and the number of independent
+points to which a strip of it is equivalent."""
 _OUTLYING_TOUCH_MM, _OUTLYING = 1.0, 2.0
 _ROUNDS = 4
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
 _ARC = 0.2
-"""Share of its radius, on either side of its outermost place, that a border is about an arc."""
+"""Share of its radius, to either side of its outermost point, in which a border is like an arc."""
 USUAL_MM = 12.0
-"""So far from its usual place an end must lie a millimetre farther out."""
+"""Distance from its usual position at which an end must lie one millimetre farther out."""
 
 
 @dataclass(frozen=True)
 class UsualBorder:
-    """What is usual of a border about its outermost place.
+    """The usual shape of a border about its outermost point.
 
     Parameters
     ----------
     height_mm, radius_mm
-        Of that place, and of the section there, each with its standard deviation.
+        Height of that point and radius of the section there, each with its standard deviation.
     bend_mm
-        Radius of the border as seen from below; None where it is too small to go by.
+        Radius of the border as seen from below; None where it is too small to be used.
     """
 
     height_mm: tuple[float, float]
@@ -52,7 +52,7 @@ class UsualBorder:
     bend_mm: float | None = None
 
     def scaled(self, factor: float) -> UsualBorder:
-        """For a foot of another size."""
+        """Scale all lengths, for a foot of another size."""
         height, radius = (
             (factor * value, factor * spread) for value, spread in (self.height_mm, self.radius_mm)
         )
@@ -61,7 +61,7 @@ class UsualBorder:
 
 @dataclass(frozen=True, eq=False)
 class BorderFit:
-    """The border in strips across the direction.
+    """The fitted border in strips across the direction.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class BorderFit:
         Middle of each strip, how far the foot reaches there, at which height, and the standard
         deviation of the reach.
     touched : (s,) float64
-        How many outlines count there.
+        Total weight of the contour points there.
     """
 
     across_mm: FloatArray
@@ -81,18 +81,22 @@ class BorderFit:
     def summit(self, counts: BoolArray, bend_mm: float | None, usual_mm: float | None) -> Extremum:
         """Find where the border reaches farthest.
 
-        Where its bend is known, the strips about the one that reaches farthest tell it together:
-        alone it is often its noise that makes a strip the farthest.
+        Where its bend is known, it is fitted to all strips near the farthest one: often a single
+        strip is the farthest only by its noise.
 
         Parameters
         ----------
         counts : (s,) bool
-            Strips to go by; one at least.
+            The strips that are used, at least one.
         bend_mm
             See `UsualBorder`.
         usual_mm
-            Where across the direction the place usually lies: aside of it, the border must reach
-            farther to count as far.
+            Usual position across the direction; away from it the border must reach farther to be
+            rated as far. None when there is none.
+
+        Returns
+        -------
+        Extremum
         """
         pull = 0.0 if usual_mm is None else USUAL_MM**-2
         aside = self.across_mm - (usual_mm or 0.0)
@@ -113,7 +117,7 @@ class BorderFit:
 
 @dataclass(frozen=True)
 class Extremum:
-    """Where a border reaches farthest: across the direction and along it; and the strip there."""
+    """Where a border reaches farthest: across and along the direction, and the strip there."""
 
     across_mm: float
     reach_mm: float
@@ -127,18 +131,24 @@ def fit_border(
     between_mm: tuple[float, float],
     usual: UsualBorder,
 ) -> BorderFit:
-    """Fit the border in strips.
+    """Fit the border of a foot in strips across a direction, by its support function (see above).
 
     Parameters
     ----------
     surface
-        Places and normals of what was measured.
+        Points and normals of the measured surface, mm.
     touches
-        Outlines.
-    direction : (3,) horizontal
+        Contour points with their normals, same frame.
+    direction : (3,) float64
+        Along an axis of the frame, horizontal.
     between_mm
-        Of the coordinate across the direction, x along y or y along x.
+        Range of the coordinate across the direction: of x along y, or of y along x.
     usual
+        The prior.
+
+    Returns
+    -------
+    BorderFit
     """
     outlines, measured = (_Rows.of(seen, direction, between_mm) for seen in (touches, surface))
     count = max(int(np.ptp(between_mm) / _STRIP_MM), 1)
@@ -149,7 +159,7 @@ def fit_border(
 
 @dataclass(frozen=True, eq=False)
 class _Rows:
-    """Tangents of sections: where across, distance, slope, and height of the place."""
+    """Tangents of sections: position across, distance, slope, and height of the point touched."""
 
     across: FloatArray
     distance: FloatArray
@@ -178,7 +188,7 @@ class _Rows:
 def _fit(
     outlines: _Rows, measured: _Rows, middle: float, usual: UsualBorder
 ) -> tuple[float, float, float, float]:
-    """Reach, height, deviation of the reach, and weight of the outlines of one strip."""
+    """Compute reach, height, standard deviation of the reach, and contour weight of one strip."""
     touched, near = outlines.weights(middle), measured.weights(middle)
     worth = _SURFACE_WORTH * near / max(near.sum(), _SURFACE_WORTH)
     rows = np.concatenate(
@@ -208,8 +218,8 @@ def _fit(
         solution = np.linalg.solve(normal, rows.T @ (weights * values) + prior @ known)
         off = (values - rows @ solution) / outlying
         weights = information / (1 + off**2) ** 2
-    deviation = float(np.sqrt(np.linalg.inv(normal)[0, 0]))
-    return float(solution[0]), float(solution[1]), deviation, float(touched.sum())
+    std = float(np.sqrt(np.linalg.inv(normal)[0, 0]))
+    return float(solution[0]), float(solution[1]), std, float(touched.sum())
 
 
 def _tangents(slope: FloatArray) -> FloatArray:

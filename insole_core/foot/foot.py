@@ -1,4 +1,4 @@
-"""A foot that stands ready for design: its surface in the insole frame."""
+"""A foot, ready for design: its surface in the insole frame."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.memo import Memo
 
-_KEPT = 2  # so that two variants of a prescription do not drive out each other's results
+_KEPT = 2  # so that two variants of a prescription do not evict each other's results
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,13 +22,13 @@ class Foot:
     mesh : mm, insole frame
         y = 0 at the rearmost point of the heel, z = 0 at the lowest point of the sole.
     source2insole : (4, 4) float64, mm
-        From the frame the surface came in (for a session the reference frame) to the insole frame.
+        From the surface's original frame (of a session the reference frame) to the insole frame.
     length_mm
         Heel to the tip of the longest toe, along the foot axis.
     notes
         How pose and side were decided, a sentence each.
     derived
-        What was computed of this foot lately: landmarks, border, outline, sole.
+        Cache of recent results for this foot: landmarks, border, outline, sole.
     """
 
     side: Side

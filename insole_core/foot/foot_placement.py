@@ -1,4 +1,4 @@
-"""A scanned surface becomes a foot: brought to the insole frame, its side checked."""
+"""Make a foot of a scanned surface: bring it to the insole frame and check its side."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from insole_core.messages import Message
 Frame = Literal["reference", "unknown"]
 
 _CLEAR = 1.25
-"""From this ratio of the two unlikenesses on, the shape tells the side."""
-_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the last of a heel, and the heel; share of its breadth
+"""Least ratio of the two dissimilarities at which the shape determines the side."""
+_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
 _NO_FOOT = 0.6
-"""From this unlikeness on, it is no foot at all."""
+"""Dissimilarity from which on the surface is not a foot."""
 
 _HELD_DEG = 45.0
-"""So far a foot may be turned and tilted in a frame whose directions are known."""
+"""Largest rotation of a foot in a frame whose directions are known."""
 
 
 class SideMismatchError(InsoleError):
@@ -37,7 +37,7 @@ class SideMismatchError(InsoleError):
 
 @dataclass(frozen=True, eq=False)
 class _Candidate:
-    """The surface as a foot of one side, in its best pose, and levelled there."""
+    """The surface as a foot of one side, levelled from its best pose."""
 
     pose: Pose
     foot: LevelFoot
@@ -48,24 +48,30 @@ class _Candidate:
 
 
 def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = False) -> Foot:
-    """Bring a surface to the insole frame; small pieces that float beside it are left out.
+    """Bring a surface to the insole frame, without small pieces that float beside it.
 
     Parameters
     ----------
-    mesh : mm
+    mesh : mm, any frame
     side
+        Which foot it is.
     frame
         "reference": toes towards +y and dorsal +z are known, and only the last degrees are found;
         "unknown": the surface may lie in any way.
     force
-        Go on although the shape looks like the other foot.
+        Continue even if the shape looks like the other foot.
+
+    Returns
+    -------
+    Foot
+        With notes on how pose and side were decided.
 
     Raises
     ------
     SideMismatchError
         When the shape is clearly that of the other foot, unless `force`.
     InputError
-        When the surface looks like no foot in any pose, or has no sole.
+        When the surface does not look like a foot in any pose, or has no sole.
     """
     mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
@@ -78,7 +84,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
         if not force:
             raise SideMismatchError(_mismatch(asked, other))
-        # The ways of ground and toes are those of the shape, whatever the side.
+        # The directions of ground and toes follow from the shape, whatever the side.
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
     placed = mesh.transformed(found.source2insole)
@@ -92,7 +98,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
-    """Find the ways the surface may lie, the likeliest first, which must look like a foot."""
+    """Find the possible poses, the most likely first, which must look like a foot."""
     poses = find_poses(mesh, points)
     if poses[0].side_dissimilarity > _NO_FOOT:
         raise InputError(
@@ -103,7 +109,7 @@ def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
 
 
 def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[TriangleMesh, bool]:
-    """Turn an open sheet whose sole faces into the foot; only the pose tells which way that is."""
+    """Flip an open surface whose sole faces into the foot, which only the pose can show."""
     up = source2rough[2, :3]
     height = mesh.vertices @ up
     low = mesh.part(height < height.min() + OUTLINE_HEIGHT_MM)
@@ -112,12 +118,12 @@ def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[Triangle
 
 
 def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
-    """The poses of a surface whose directions are known, the likeliest first."""
+    """Return the poses of a surface whose directions are known, the most likely first."""
     return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.side_dissimilarity)
 
 
 def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
-    """The poses of a surface that lies as its frame says, but for how a foot may be held."""
+    """Return the poses of a surface that lies as its frame says, or up to `_HELD_DEG` off."""
     poses = _as_it_lies(points, np.eye(4))
     if poses[0].side_dissimilarity <= _NO_FOOT:
         return poses
@@ -130,7 +136,7 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
 
 
 def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
-    """The surface as a foot of one side; its likeness is that of the levelled pose."""
+    """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
     foot = level(mesh, side, rough.source2rough, rough.covered)
     levelled = next(
@@ -183,7 +189,7 @@ def _reason(candidate: _Candidate) -> str:
 
 
 def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
-    """How the pose was decided, and what was missing for it."""
+    """Say how the pose was decided, and what was missing for it."""
     if frame == "unknown":
         _, ahead, up = found.foot.source2insole[:3, :3]
         yield (
@@ -207,7 +213,7 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
 
 
 def _rear_notes(mesh: TriangleMesh) -> Iterator[str]:
-    """Whether the rear was cut off: a heel is round from above, so its end is narrow."""
+    """Warn of a rear that was cut off: a heel is round from above, so its end is narrow."""
     x, y, z = mesh.vertices.T
     end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < reach)]) for reach in _REAR_MM)
     if end > _BLUNT * rear:
@@ -226,6 +232,6 @@ def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:
 
 
 def _direction(vector: FloatArray) -> str:
-    """The axis nearest to a direction, for example "-z"."""
+    """Name the axis nearest to a direction, for example "-z"."""
     axis = int(np.abs(vector).argmax())
     return ("-" if vector[axis] < 0 else "+") + "xyz"[axis]

@@ -1,9 +1,9 @@
-"""The points of a foot that corrections and measures stand on, found on its surface.
+"""The landmarks of a foot, on which corrections and measures are based, found on its surface.
 
-All of it happens on a foot in the insole frame. Extreme places are found by `support`, which looks
-at how a rounded border turns towards its end, so that neither noise nor a border that the sensors
-did not quite see moves them much. The metatarsal heads lie under the skin: they are placed by the
-usual proportions between the outermost points of the ball (table `_HEADS`).
+All points are in the insole frame. Outermost points are found by `SoleSurface.support`, which fits
+how a rounded border turns towards its end, so that neither noise nor a border that was measured in
+part moves them much. The metatarsal heads lie under the skin: they are placed by the usual
+proportions between the outermost points of the ball (table `_HEADS`).
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _HEEL_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0), 50.0)
 _MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0), 50.0)
 _LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0), 50.0)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
-_ARCH_RISE_MM = 3.0  # of an arch that is one
+_ARCH_RISE_MM = 3.0  # least height of a clear arch
 _SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
 
 
@@ -57,11 +57,11 @@ class Landmark:
     ----------
     point : (3,) float64, mm, insole frame
     confidence
-        0 (a guess from the usual proportions) to 1 (set by hand).
+        0 (a guess from the usual proportions) to 1 (set by the user).
     origin
         "shape" or "hand".
     deviation_mm
-        Standard deviation of an outermost place in its direction, where pictures tell it.
+        Standard deviation of an outermost point in its direction, where contours give it.
     """
 
     point: FloatArray
@@ -74,13 +74,13 @@ Landmarks: TypeAlias = Mapping[str, Landmark]
 
 
 def find_landmarks(foot: Foot) -> dict[str, Landmark]:
-    """Find the landmarks of a foot by its shape; where a part is missing, its usual place.
+    """Find the landmarks of a foot by its shape; those of a missing part at their usual positions.
 
     Returns
     -------
     dict
-        By the names in `NAMES`; the axes of the rear only where the back of the heel and the leg
-        were measured. Kept with the foot, and not to be changed.
+        By the names in `NAMES`; the rear axes only where the back of the heel and the leg were
+        measured. It is cached with the foot and must not be modified.
     """
     return foot.derived.get("landmarks", (), lambda: dict(_search(foot)))
 
@@ -88,14 +88,19 @@ def find_landmarks(foot: Foot) -> dict[str, Landmark]:
 def with_places(
     foot: Foot, landmarks: Landmarks, places: Mapping[str, tuple[float, float, float]]
 ) -> dict[str, Landmark]:
-    """Put landmarks that were set by hand in the place of those found.
+    """Replace landmarks by those that the user set.
 
     Parameters
     ----------
     foot
     landmarks
     places
-        Points in the insole frame, by name.
+        The user's points by name, mm, insole frame.
+
+    Returns
+    -------
+    dict
+        All landmarks by name.
     """
     by_hand = {name: Landmark(np.array(point), 1.0, "hand") for name, point in places.items()}
     return {**landmarks, **by_hand}
@@ -133,7 +138,7 @@ def _landmark(sole: SoleSurface, end: End) -> Landmark:
 
 
 def _along_foot_axis(foot: Foot) -> SoleSurface:
-    """The sole, turned so that pternion and tip of the 2nd toe lie along y."""
+    """Return the sole, rotated so that pternion and tip of the 2nd toe lie along y."""
     sole = SoleSurface(LowFoot.of(foot))
     for _ in range(2):
         sole = sole.along(sole.toe_tips()[1].point - _pternion(sole).point)
@@ -145,9 +150,9 @@ def _pternion(sole: SoleSurface) -> End:
 
 
 def _ball(sole: SoleSurface, pternion: End) -> dict[str, End]:
-    """The outermost places of the ball, as seen along the foot from the heel to its middle.
+    """Find the outermost points of the ball, along the line from the heel to the ball's middle.
 
-    Not along the foot axis: where the toes stand to a side, that would bring one of them forward.
+    Not along the foot axis: when the toes point to a side, that would favour one of them.
     """
     tibiale, fibulare = _across_ball(sole)
     body = sole.along((tibiale.point + fibulare.point) / 2 - pternion.point)
@@ -166,12 +171,12 @@ def _across_ball(sole: SoleSurface) -> tuple[End, End]:
 
 
 def _least(ends: Mapping[str, End], part: str) -> float:
-    """Confidence of the less certain of two ends."""
+    """Return the confidence of the less certain of two ends."""
     return min(end.confidence for name, end in ends.items() if name.startswith(part))
 
 
 def _head_places(tibiale: FloatArray, fibulare: FloatArray) -> FloatArray:
-    """(5, 2) below the metatarsal heads, medial = +x."""
+    """Return the points (5, 2) below the metatarsal heads, medial = +x."""
     ball = float(np.hypot(*(tibiale - fibulare)[:2]))
     first, fifth = tibiale[:2] + ball * _FIRST, fibulare[:2] + ball * _FIFTH
     across, ahead = _HEADS.T
@@ -181,7 +186,7 @@ def _head_places(tibiale: FloatArray, fibulare: FloatArray) -> FloatArray:
 
 
 def _arch_apex(sole: SoleSurface, heel: FloatArray, head: FloatArray) -> tuple[FloatArray, float]:
-    """Highest point of the sole on the way from the heel to the 1st head, and its height."""
+    """Find the highest point of the sole between the heel and the 1st head, and its height."""
     share = np.linspace(*_ARCH, 61)
     way = heel[:2] + share[:, None] * (head - heel)[:2]
     heights = np.array([sole.on_sole(xy)[2] for xy in way])
@@ -202,5 +207,5 @@ def _axes(foot: Foot) -> Iterator[tuple[str, Landmark]]:
 
 
 def moved(landmark: Landmark, point: FloatArray) -> Landmark:
-    """Give a landmark that was dragged."""
+    """Return a landmark moved by the user to a point (3,), mm, insole frame."""
     return Landmark(point, 1.0, "hand")

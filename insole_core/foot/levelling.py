@@ -1,7 +1,7 @@
-"""The last degrees of a foot's pose: sole level, axis along y, origin at heel and ground.
+"""Refine the pose of a foot: sole level, axis along y, origin at heel and ground.
 
-The pose is known to some ten degrees; heel, heads and toe are looked for where they lie in any
-foot, and the frame is laid through them, again and again until it rests.
+The pose is known to some ten degrees; heel, heads and toe are found at their usual positions and
+define the frame, which is iterated until it converges.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 
 OUTLINE_HEIGHT_MM = 45.0
-"""Everything higher over the sole is leg and does not belong to the outline."""
+"""Height over the sole above which the surface is leg and does not belong to the outline."""
 
 # Shares of the foot's length, and of the ball's width from the medial border.
 _HEEL_BANDS = (0.10, 0.13, 0.16, 0.19, 0.22)
@@ -34,15 +34,15 @@ _ROUNDS, _AT_REST_DEG = 40, 0.002
 
 @dataclass(frozen=True, eq=False)
 class LevelFoot:
-    """A foot in its own frame.
+    """The insole frame of a foot.
 
     Parameters
     ----------
-    source2insole : (4, 4) float64
+    source2insole : (4, 4) float64, mm
     length_mm
         Heel to the tip of the longest toe; an estimate where the toes are missing.
     toes_told_apart
-        Whether the tip of the 2nd toe was seen; otherwise its usual place was taken.
+        Whether the tip of the 2nd toe was found; otherwise its usual position is used.
     """
 
     source2insole: FloatArray
@@ -53,16 +53,20 @@ class LevelFoot:
 def level(
     mesh: TriangleMesh, side: Side, source2rough: FloatArray, covered: float = 1.0
 ) -> LevelFoot:
-    """Bring a foot of roughly known pose to the insole frame.
+    """Find the insole frame of a foot of roughly known pose.
 
     Parameters
     ----------
     mesh : mm, source frame
     side
-    source2rough : (4, 4)
-        To a frame with the toes towards +y and the sole towards -z, right to some 15 degrees.
+    source2rough : (4, 4) float64, mm
+        To a frame with the toes towards +y and the sole towards -z, accurate to some 15 degrees.
     covered
         Share of the foot's length that the surface covers from the heel on.
+
+    Returns
+    -------
+    LevelFoot
 
     Raises
     ------
@@ -84,7 +88,7 @@ def level(
 
 @dataclass(frozen=True, eq=False)
 class _Surface:
-    """What the marks are looked for on, in the source frame."""
+    """The surface on which the marks are found, source frame."""
 
     vertices: FloatArray
     normals: FloatArray
@@ -92,14 +96,14 @@ class _Surface:
 
 
 def _low_part(mesh: TriangleMesh, source2rough: FloatArray) -> _Surface:
-    """Leave out the leg, with room for a tilt of the pose."""
+    """Leave out the leg, with a margin for a tilt of the pose."""
     height = mesh.vertices @ source2rough[2, :3]
     low = height < height.min() + 2 * OUTLINE_HEIGHT_MM
     return _Surface(mesh.vertices[low], mesh.vertex_normals[low], mesh.vertex_areas[low])
 
 
 class _Marks:
-    """Where heel, heads and toe lie, in the present pose."""
+    """The positions of heel, heads and toe in the current pose."""
 
     def __init__(self, surface: _Surface, side: Side, pose: FloatArray, covered: float) -> None:
         self.side = side
@@ -119,7 +123,7 @@ class _Marks:
         self.length = float(np.ptp(self.outline[:, 1])) / covered
 
     def borders(self, share: float) -> tuple[float, float]:
-        """Medial and lateral x of the outline at a share of the length."""
+        """Return medial and lateral x of the outline at a share of the length."""
         y = (self.outline[:, 1] - self.back) / self.length
         x = self.outline[np.abs(y - share) < _BAND, 0] * self.side.medial_sign
         if len(x) == 0:
@@ -134,7 +138,7 @@ class _Marks:
 
     @cached_property
     def heads(self) -> tuple[FloatArray, FloatArray]:
-        """(2,) each: below the 1st and the 5th metatarsal head."""
+        """(2,) each, below the 1st and the 5th metatarsal head."""
         inset = _HEAD_INSET * self.length * self.side.medial_sign
         first = np.array([self.borders(_FIRST_HEAD)[0] - inset, self._y(_FIRST_HEAD)])
         fifth = np.array([self.borders(_FIFTH_HEAD)[1] + inset, self._y(_FIFTH_HEAD)])
@@ -142,7 +146,7 @@ class _Marks:
 
     @cached_property
     def second_toe(self) -> tuple[FloatArray, bool]:
-        """(2,) tip of the 2nd toe, and whether it was seen as a tip of its own."""
+        """(2,) tip of the 2nd toe, and whether it was found as a separate tip."""
         medial, lateral = self.borders(_BALL_BAND)
         usual = np.array(
             [medial + _SECOND_TOE_ACROSS * (lateral - medial), self.back + self.length]
@@ -154,7 +158,7 @@ class _Marks:
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def height(self, xy: FloatArray) -> float:
-        """Height of the sole about a place."""
+        """Compute the mean height of the sole about a position (2,)."""
         far2 = ((self.sole[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
         far2 -= far2.min()
         near = np.flatnonzero(far2 < _PATCH_END**2)
@@ -164,7 +168,7 @@ class _Marks:
         return float(weights @ self.sole[near, 2] / weights.sum())
 
     def frame(self) -> FloatArray:
-        """(4, 4) from the present pose to the frame through the marks; heel centre on x = 0."""
+        """Return the transform (4, 4) from the current pose to the frame of the marks."""
         heel, first, fifth = (np.array([*xy, self.height(xy)]) for xy in (self.heel, *self.heads))
         up = np.cross(first - heel, fifth - heel) * self.side.medial_sign
         up /= np.linalg.norm(up)

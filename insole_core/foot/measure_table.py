@@ -1,4 +1,4 @@
-"""The measures of one foot or of both beside each other, with their asymmetry."""
+"""A table of the measures of one or both feet, with their asymmetry."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ class MeasureRow:
 
 
 def measure_table(measures: Mapping[Side, Measured]) -> list[MeasureRow]:
-    """Give a row for each measure that at least one of the feet has, in their usual order."""
+    """Return a row for each measure that at least one foot has, in the order of `DEFINITIONS`."""
     left, right = measures.get(Side.LEFT, {}), measures.get(Side.RIGHT, {})
     rows = (MeasureRow(key, left.get(key), right.get(key)) for key in DEFINITIONS)
     return [row for row in rows if row.left is not None or row.right is not None]
 
 
 def table_csv(rows: Iterable[MeasureRow]) -> str:
-    """Give the table with a head line; numbers with a point, empty where there is none."""
+    """Format the table as CSV with a header; decimal points, empty where there is no value."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADS)
@@ -66,7 +66,7 @@ def table_csv(rows: Iterable[MeasureRow]) -> str:
 
 
 def unlike_sizes(left: Foot, right: Foot) -> str:
-    """Warn in a sentence of two feet that can hardly be one patient's; empty where they can."""
+    """Return a warning when two feet can hardly belong to one patient; empty when they can."""
     apart = abs(left.length_mm - right.length_mm)
     if apart <= max(_UNLIKE_MM, _UNLIKE_SHARE * min(left.length_mm, right.length_mm)):
         return ""

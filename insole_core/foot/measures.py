@@ -1,4 +1,4 @@
-"""The measures of a foot that clinicians go by, each with its definition.
+"""The clinical measures of a foot, each with its definition.
 
 Lengths lie along the foot axis (pternion to tip of the 2nd toe), widths across it. What was not
 scanned has no measure: it is None, and `MISSING` says why.
@@ -17,7 +17,7 @@ from insole_core.foot.rear_axes import Axis
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.messages import Message, joined
 
-_FOOTPRINT_MM = 5.0  # of the unloaded sole over its ground, that touches it under load
+_FOOTPRINT_MM = 5.0  # height of the unloaded sole that touches the ground under load
 _FOOTING_MM = 12.0
 _TOE_GAP = 0.07  # share of the length ahead of the heads, where the toeless footprint ends
 _INSTEP = 0.5
@@ -29,7 +29,7 @@ PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
 
 @dataclass(frozen=True)
 class Definition:
-    """What a measure means.
+    """Unit and meaning of a measure.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ _PLACING_MM = 0.5  # of the views against each other, in every size
 
 
 def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
-    """Give the standard deviation of the sizes whose ends pictures show, by measure, mm."""
+    """Compute the standard deviations, mm, by measure, of the sizes whose ends lie on contours."""
     found = {}
     for name in _SIZES:
         ends = [landmarks[mark].deviation_mm for mark in _ends(name, landmarks)]
@@ -119,7 +119,7 @@ def _ends(name: str, landmarks: Landmarks) -> tuple[str, ...]:
 
 
 def doubts(landmarks: Landmarks) -> dict[str, str]:
-    """Say of each measure that is rather a guess why it is, by the names in `DEFINITIONS`."""
+    """Explain why a measure is uncertain, by the names in `DEFINITIONS`; only those that are."""
     found: dict[str, str] = {}
     for name, stands_on in _STANDS_ON.items():
         seen_badly = [
@@ -139,7 +139,19 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
 
 
 def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
-    """Measure a foot by its landmarks; keys and units as in `DEFINITIONS`."""
+    """Measure a foot by its landmarks.
+
+    Parameters
+    ----------
+    foot
+    landmarks
+        Of the foot, mm, insole frame.
+
+    Returns
+    -------
+    dict
+        Keys and units as in `DEFINITIONS`; None for what was not scanned (see `MISSING`).
+    """
     at = _Along(foot, landmarks)
     length = at.length_mm
     instep = at.dorsal_height(_INSTEP * length)
@@ -167,7 +179,7 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
 
 
 def shoe_size_eu(foot_length_mm: float) -> float:
-    """The shoe in Paris points, to the half, that leaves 15 mm before the toes."""
+    """Return the shoe size in Paris points, to the half, with 15 mm before the toes."""
     return round(2 * (foot_length_mm + _SHOE_ALLOWANCE_MM) / PARIS_MM) / 2
 
 
@@ -200,7 +212,7 @@ class _Along:
         return float(self["metatarsal_head_1"][1] - self["pternion"][1])
 
     def over_ground(self, points: FloatArray) -> FloatArray:
-        """Heights (n,) over the plane that heel, 1st and 5th head stand on."""
+        """Compute the heights (n,) over the plane through heel, 1st and 5th head."""
         corner, first, fifth = (
             self._footing(name)
             for name in ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
@@ -210,20 +222,20 @@ class _Along:
         return np.asarray((points - corner) @ up)
 
     def _footing(self, name: str) -> FloatArray:
-        """(3,) how low the sole reaches about a landmark: its last hundredth apart, it is noise."""
+        """Return the lowest point (3,) of the sole about a landmark, but for 1 % of noise."""
         point = self[name]
         near = np.hypot(*(self.vertices[:, :2] - point[:2]).T) < _FOOTING_MM
         z = self.vertices[near & self._faces_ground, 2]
         return np.array([*point[:2], np.quantile(z, 0.01) if len(z) else point[2]])
 
     def dorsal_height(self, from_heel_mm: float) -> float | None:
-        """Highest point of a section over the ground; None where only the sole is there."""
+        """Return the height of a section over the ground; None where only the sole was scanned."""
         y = float(self["pternion"][1]) + from_heel_mm
         section = np.abs(self.vertices[:, 1] - y) < _BAND_MM
         return float(self.vertices[section, 2].max()) if self._has_back(section) else None
 
     def girth(self, tibiale: FloatArray, fibulare: FloatArray) -> float | None:
-        """Length of a tape round the upright section through two points."""
+        """Return the length of a tape round the vertical section through two points."""
         across = (tibiale - fibulare)[:2] / np.hypot(*(tibiale - fibulare)[:2])
         ahead = (self.vertices[:, :2] - fibulare[:2]) @ np.array([-across[1], across[0]])
         section = np.abs(ahead) < _BAND_MM
@@ -233,7 +245,7 @@ class _Along:
         return float(ConvexHull(np.column_stack([points[:, :2] @ across, points[:, 2]])).area)
 
     def _has_back(self, section: BoolArray) -> bool:
-        """Whether a section goes round the foot: something of it faces upwards at its top."""
+        """Return whether a section goes round the foot: part of it faces upwards at its top."""
         if section.sum() < 3:
             return False
         top = float(self.vertices[section, 2].max())
@@ -241,7 +253,7 @@ class _Along:
         return bool(summit.any()) and top > _LEAST_DORSAL_MM
 
     def arch_index(self) -> float:
-        """Cavanagh & Rodgers 1987, on the part of the sole next to the ground."""
+        """Compute the index of Cavanagh & Rodgers 1987 on the part of the sole near the ground."""
         touches = self._touching()
         y, area = self.vertices[touches, 1], self._plantar_area[touches]
         if len(y) == 0:
@@ -275,7 +287,7 @@ def _angles(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
 
 
 def _upright_lean(foot: Foot, leg: Axis | None) -> float | None:
-    """Lean in the frame of the scan, where that has toes ahead and dorsal up as a session has."""
+    """Compute the lean in the frame of the scan if its toes point ahead and its back upwards."""
     x, y, z = foot.source2insole[:3, :3].T
     if leg is None or z[2] < np.cos(np.radians(20)) or y[1] < np.cos(np.radians(20)):
         return None

@@ -1,4 +1,4 @@
-"""Surfaces from files of other programs: .ply, .stl and .obj, in mm, metres or inches."""
+"""Read surfaces from files of other programs: .ply, .stl and .obj, in mm, metres or inches."""
 
 from __future__ import annotations
 
@@ -35,15 +35,15 @@ _UNREADABLE = (
 
 @dataclass(frozen=True, eq=False)
 class ReadMesh:
-    """A surface as it came, brought to mm.
+    """A surface read from a file, converted to mm.
 
     Parameters
     ----------
     mesh : mm, the file's own frame
     unit
-        Guessed from the size.
+        Of the file, guessed from the size.
     notes
-        What was assumed or put right, a sentence each.
+        What was assumed or corrected, a sentence each.
     """
 
     mesh: TriangleMesh
@@ -57,7 +57,7 @@ def read_mesh(path: Path) -> ReadMesh:
     Raises
     ------
     InputError
-        When the file cannot be read, holds no surface, or nothing of a foot's size.
+        When the file cannot be read, holds no surface, or none of a foot's size.
     """
     mesh = _without_waste(_load(path), path)
     unit = _guess_unit(mesh, path)
@@ -133,7 +133,7 @@ def _vertex_colors(loaded: trimesh.Trimesh) -> ByteArray | None:
 
 
 def _touches(loaded: trimesh.Trimesh) -> ContourConstraints | None:
-    """What a foot that was reconstructed here keeps of its outlines in the pictures."""
+    """Return the contour constraints that a foot reconstructed by this program holds."""
     element = loaded.metadata.get("_ply_raw", {}).get(PLY_ELEMENT)
     if element is None:
         return None
@@ -145,7 +145,7 @@ def _touches(loaded: trimesh.Trimesh) -> ContourConstraints | None:
 
 
 def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
-    """Refuse what is no triangle mesh at all."""
+    """Refuse what is not a valid triangle mesh."""
     if len(mesh.triangles) == 0:
         raise InputError(
             "{path} holds no surface that can be read, as if it were cut off or held points only; "
@@ -184,7 +184,7 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
 
 
 def _equal_vertices(mesh: TriangleMesh) -> tuple[IntArray, IndexArray]:
-    """First vertex of each kind (place and colour), and for every vertex its kind."""
+    """Return the first vertex of each kind (position and colour), and every vertex's kind."""
     columns = list(mesh.vertices.T) + ([] if mesh.colors is None else list(mesh.colors.T))
     order = np.lexsort(columns)
     is_new = np.ones(len(order), dtype=bool)
@@ -212,16 +212,16 @@ def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
 
 
 def _depth(mesh: TriangleMesh) -> float:
-    """Extent across the flattest direction."""
+    """Return the extent along the flattest direction."""
     centred = mesh.vertices - mesh.vertices.mean(axis=0)
     flattest = np.linalg.eigh(centred.T @ centred)[1][:, 0]
     return float(np.ptp(centred @ flattest))
 
 
 def _outward_flux(mesh: TriangleMesh) -> float:
-    """Positive where the triangles face away from the middle: for open bowls, too.
+    """Compute the flux of the vectors from the middle; > 0 if triangles face outwards, open or not.
 
-    For a closed surface this is three times its volume, wherever the middle lies.
+    For a closed surface it is three times the volume, wherever the middle lies.
     """
     centres = mesh.vertices[mesh.triangles].mean(axis=1)
     a, b, c = (mesh.vertices[mesh.triangles[:, corner]] for corner in range(3))

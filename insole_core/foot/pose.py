@@ -1,8 +1,8 @@
-"""How an unknown surface lies: which way are the ground and the toes, and which foot is it.
+"""The pose of an unknown surface: the directions of ground and toes, and which foot it is.
 
-Nothing is taken for granted. The surface is laid on every face it could stand on (of its convex
-hull, and by its main directions), turned both ways round, and each time held against the usual foot
-of either side.
+Nothing is assumed. The surface is placed on every face it could stand on (of its convex hull, and
+by its principal directions), turned both ways, and each time compared with the usual foot of either
+side.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ _COVERED = (1.0, 0.85, 0.75)
 
 @dataclass(frozen=True, eq=False)
 class Pose:
-    """A way a surface may lie.
+    """A possible pose of a surface.
 
     Parameters
     ----------
-    source2rough : (4, 4) float64
-        To toes +y, dorsal +z; right to some ten degrees.
+    source2rough : (4, 4) float64, mm
+        To toes +y, dorsal +z; accurate to some ten degrees.
     side
-    unlikeness
-        Against the usual foot of `side`.
+    side_dissimilarity
+        From the usual foot of `side`; 0 is identical.
     covered
         Share of the foot's length, from the heel on, that the surface covers: less than 1 where
         the toes are missing.
@@ -52,7 +52,24 @@ class Pose:
 
 
 def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
-    """All ways the surface may lie, the likeliest first; `points` are its `surface_points`."""
+    """Find the possible poses of a surface, the most similar to a foot first.
+
+    Parameters
+    ----------
+    mesh : mm, source frame
+    points : (n, 3) float64, mm, source frame
+        Its `surface_points`.
+
+    Returns
+    -------
+    list of Pose
+        Of both sides.
+
+    Raises
+    ------
+    InputError
+        When the surface is flat.
+    """
     poses = [
         pose
         for up in _up_directions(mesh)
@@ -63,16 +80,16 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
 
 
 def surface_points(mesh: TriangleMesh) -> FloatArray:
-    """(n, 3) some thousand points, evenly spread over the surface."""
+    """Sample some thousand points (n, 3), mm, evenly over a surface."""
     samples = sample_triangles(mesh, float(np.sqrt(mesh.area_mm2 / _SAMPLES)))
-    # Small triangles have a point each, which is more than needed: every n-th mm2 will do.
+    # Small triangles have a point each, which is more than needed: one every n mm2 is enough.
     area = np.cumsum(samples.area_mm2)
     picks = np.searchsorted(area, (np.arange(_SAMPLES) + 0.5) * area[-1] / _SAMPLES)
     return np.asarray(samples.points[np.unique(np.minimum(picks, len(area) - 1))])
 
 
 def _up_directions(mesh: TriangleMesh) -> Iterator[FloatArray]:
-    """Unit vectors that may point to the back of the foot."""
+    """Return unit vectors that may point to the back of the foot."""
     yield from _faces(mesh.vertices)
     centred = mesh.vertices - mesh.vertices.mean(axis=0)
     main = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
@@ -81,7 +98,7 @@ def _up_directions(mesh: TriangleMesh) -> Iterator[FloatArray]:
 
 
 def _faces(vertices: FloatArray) -> list[FloatArray]:
-    """Inward normals of the broadest faces of the convex hull, nearly parallel ones as one."""
+    """Return inward normals of the convex hull's largest faces, nearly parallel ones merged."""
     try:
         hull = ConvexHull(vertices)
     except QhullError as error:
@@ -100,7 +117,7 @@ def _faces(vertices: FloatArray) -> list[FloatArray]:
 
 
 def _both_ways(points: FloatArray, up: FloatArray) -> Iterator[FloatArray]:
-    """Rotations (3, 3) to `up` = z, with the long axis of what lies low along y, both ways."""
+    """Return rotations (3, 3) to `up` = z, with the lower part's long axis along y, both ways."""
     height = points @ up
     low = points[height < height.min() + OUTLINE_HEIGHT_MM]
     flat = (low - low.mean(axis=0)) @ (np.eye(3) - np.outer(up, up))
@@ -110,7 +127,7 @@ def _both_ways(points: FloatArray, up: FloatArray) -> Iterator[FloatArray]:
 
 
 def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
-    """The best yaw of one way to lie, for either side."""
+    """Find the best yaw of one orientation, for either side."""
     turns = [rotation_about(np.array([0.0, 0.0, 1.0]), yaw) @ rotation for yaw in _YAWS_DEG]
     poses = [pose for turn in turns for pose in poses_as_it_lies(points, rigid(turn, np.zeros(3)))]
     for side in Side:
@@ -118,13 +135,18 @@ def _turned(points: FloatArray, rotation: FloatArray) -> Iterator[Pose]:
 
 
 def poses_as_it_lies(points: FloatArray, source2rough: FloatArray) -> Iterator[Pose]:
-    """A left or a right foot, with toes or without, in a pose that is known but for its origin.
+    """Rate a pose that is known but for its origin as left or right foot, with and without toes.
 
     Parameters
     ----------
     points : (n, 3) float64, mm, source frame
-    source2rough : (4, 4)
+    source2rough : (4, 4) float64, mm
         To toes +y, dorsal +z.
+
+    Yields
+    ------
+    Pose
+        One for every side and share of the length that is covered.
     """
     low = transform(source2rough, points)
     low = low[low[:, 2] < low[:, 2].min() + OUTLINE_HEIGHT_MM]

@@ -1,9 +1,9 @@
-"""The two lines seen from behind: along the Achilles tendon, and through the calcaneus.
+"""The two axes of the rearfoot seen from behind: of the Achilles tendon and of the calcaneus.
 
-Both run through the rearmost places of horizontal sections. The back of a section is nearly round:
-the way across it grows linearly with the sideways part of its normal, and the rearmost place is
-where that part is 0. So the whole back tells where the line lies, and not a single point; and all
-sections tell it together, since neither line nor roundness changes but evenly with the height.
+Both run through the rearmost points of horizontal sections. The back of a section is nearly round:
+the position across it grows linearly with the sideways part of its normal, and the rearmost point
+is where that part is 0. So the whole back determines the line, not a single point; and all sections
+determine it together, since line and roundness change linearly with the height.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from insole_core.geometry.arrays import FloatArray, IndexArray
 
 _LEG_MM, _LEG_TURN = (60.0, 140.0), 0.65
 _HEEL_MM, _HEEL_TURN = (24.0, 60.0), 0.8
-"""Heights of the sections, and the sideways part of a normal up to which a place counts as back."""
+"""Heights of the sections, and largest sideways part of a normal on the back."""
 _SLICE_MM = 4.0
-_REACH_MM = 25.0  # how far before the rearmost place the back of a section reaches
+_REACH_MM = 25.0  # how far before the rearmost point the back of a section reaches
 _LEAST_SLICES, _LEAST_POINTS = 5, 6
 _SPREAD_MM = 3.0
 _ROUNDS, _ROBUST = 4, 2.5
@@ -27,7 +27,7 @@ _ROUNDS, _ROBUST = 4, 2.5
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """A line from its lower to its upper end.
+    """An axis of the rearfoot, from its lower to its upper end.
 
     Parameters
     ----------
@@ -41,19 +41,30 @@ class Axis:
     confidence: float
 
     def lean_deg(self, up: FloatArray, ahead: FloatArray, medial: FloatArray) -> float:
-        """Angle against `up` seen along `ahead`; > 0 with the upper end medial."""
+        """Compute the lean of the axis as seen along a direction.
+
+        Parameters
+        ----------
+        up, ahead, medial : (3,) float64
+            Orthogonal unit vectors, insole frame.
+
+        Returns
+        -------
+        float, degrees
+            Angle to `up` in the plane across `ahead`; > 0 when the upper end lies medially.
+        """
         way = self.upper - self.lower
         way = way - (way @ ahead) * ahead
         return float(np.degrees(np.arctan2(way @ medial, way @ up)))
 
 
 def achilles_axis(foot: Foot) -> Axis | None:
-    """Lay the line along the tendon, at 60 to 140 mm; None where there is no leg."""
+    """Fit the axis of the Achilles tendon, at 60 to 140 mm; None when the leg was not measured."""
     return _axis(foot, _LEG_MM, _LEG_TURN)
 
 
 def calcaneus_axis(foot: Foot) -> Axis | None:
-    """Lay the line through the heel's back, at 24 to 60 mm; None where it was not measured."""
+    """Fit the axis of the heel's back, at 24 to 60 mm; None when it was not measured."""
     return _axis(foot, _HEEL_MM, _HEEL_TURN)
 
 
@@ -80,7 +91,7 @@ def _axis(foot: Foot, heights_mm: tuple[float, float], turned: float) -> Axis | 
 def _robust_fit(
     rows: FloatArray, values: FloatArray, areas: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Least squares with Geman & McClure's weights; the solution, and what is left over."""
+    """Solve by least squares with Geman & McClure's weights; return solution and residuals."""
     weights = areas
     for _ in range(_ROUNDS):
         root = np.sqrt(weights)
@@ -94,12 +105,18 @@ def _robust_fit(
 def _back(
     foot: Foot, heights_mm: tuple[float, float], turned: float
 ) -> tuple[IndexArray, FloatArray, IndexArray, FloatArray]:
-    """Places of the back of the sections that show it.
+    """Find the vertices on the back of the sections.
 
     Returns
     -------
-    Index of the vertices, the sideways part of their normals, the number of their section; and the
-    rearmost y of each section, NaN where its back was not seen from side to side.
+    back : (n,) int64
+        Index of the vertices.
+    sideways : (n,) float64
+        Sideways part of their normals.
+    section : (n,) int64
+        Number of their section.
+    rear_mm : (sections,) float64
+        Rearmost y of each section, NaN where its back was not measured from side to side.
     """
     points, normals = foot.mesh.vertices, foot.mesh.vertex_normals
     level = np.hypot(normals[:, 0], normals[:, 1])

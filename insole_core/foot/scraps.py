@@ -1,4 +1,4 @@
-"""Scraps that float beside a scan: blankets, reflections, single triangles."""
+"""Remove scraps that float beside a scan: blankets, reflections, single triangles."""
 
 from __future__ import annotations
 
@@ -11,9 +11,15 @@ _SCRAP_SHARE = 0.02
 
 
 def without_scraps(mesh: TriangleMesh) -> tuple[TriangleMesh, int]:
-    """Leave out unconnected pieces below 2 % of the area; give the rest and how many went.
+    """Remove unconnected pieces below 2 % of the area.
 
-    A surface that consists of nothing but such pieces stays as it is.
+    A surface that consists mostly of such pieces is left unchanged.
+
+    Returns
+    -------
+    mesh : TriangleMesh
+    removed : int
+        Number of pieces that were removed.
     """
     count, piece = pieces(mesh)
     area = np.bincount(piece, mesh.vertex_areas, minlength=count)

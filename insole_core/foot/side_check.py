@@ -1,4 +1,4 @@
-"""Whether a reconstructed foot is the one that it was recorded as."""
+"""Whether a reconstructed foot is of the side that was recorded."""
 
 from __future__ import annotations
 
@@ -16,13 +16,18 @@ _GROUND_FACING = -0.5
 
 
 def side_doubt(mesh: TriangleMesh, side: Side) -> str:
-    """Give a sentence when the shape is not that of the foot; empty when it is, or has no sole.
+    """Return a warning when the shape is not that of the recorded foot.
 
     Parameters
     ----------
     mesh : mm, reference frame
     side
         As the session says.
+
+    Returns
+    -------
+    str
+        A sentence; empty when the shape agrees or has no sole.
     """
     facing_ground = mesh.vertex_normals[:, 2] < _GROUND_FACING
     if mesh.vertex_areas[facing_ground].sum() < _LEAST_SOLE_MM2:

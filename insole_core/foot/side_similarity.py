@@ -1,8 +1,8 @@
-"""How much a surface, seen from below, is like a left or a right foot.
+"""How similar a surface, seen from below, is to a left or a right foot.
 
-A foot of the usual proportions is written down by its borders and its arch, in shares of its
-length; the lower side of a scan is drawn on the same coarse raster, and the mean difference of the
-two is the unlikeness. The mirrored raster is the other foot.
+A foot of the usual proportions is described by its borders and its arch, in shares of its length;
+the lower side of a scan is drawn on the same coarse raster, and the mean difference of the two is
+the dissimilarity. The mirrored raster is the other foot.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _STEP = 0.025
 _HALF_WIDTH = 0.35
 _OVERHANG = 0.1
 HEIGHT_LIMIT = 0.125
-"""What lies higher over the ground counts as empty, in shares of the length."""
+"""Height over the ground, in shares of the length, from which on a cell counts as empty."""
 
 _X_AXIS = np.arange(-_HALF_WIDTH, _HALF_WIDTH + _STEP / 2, _STEP)
 _Y_AXIS = np.arange(-_OVERHANG, 1 + _OVERHANG + _STEP / 2, _STEP)
@@ -50,9 +50,9 @@ _Y_AXIS = np.arange(-_OVERHANG, 1 + _OVERHANG + _STEP / 2, _STEP)
 
 @cache
 def usual_foot(side: Side) -> FloatArray:
-    """(rows, columns) heights of the usual foot's lower side; HEIGHT_LIMIT where there is none.
+    """Return the heights (rows, columns) of the usual foot's lower side, in shares of its length.
 
-    Its middle lies on x = 0.
+    HEIGHT_LIMIT where there is none; the middle lies on x = 0.
     """
     heights = _left_foot(0.0)
     heights = _left_foot(_middle(heights))
@@ -67,13 +67,31 @@ def lower_side(points: FloatArray, length_mm: float) -> FloatArray:
     points : (n, 3) float64, mm
         Samples of the surface; heel at y = 0, ground at z = 0.
     length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (rows, columns) float64
+        Lowest height in every cell, in shares of the length; HEIGHT_LIMIT where it is empty.
     """
     scaled = points / length_mm
     return _draw(scaled - np.array([_middle(_draw(scaled)), 0.0, 0.0]))
 
 
 def side_dissimilarity(drawn: FloatArray, side: Side) -> float:
-    """Mean difference of a `lower_side` from the usual foot of a side; 0 is alike."""
+    """Compute the dissimilarity from the usual foot of a side; 0 is identical.
+
+    Parameters
+    ----------
+    drawn : (rows, columns) float64
+        From `lower_side`.
+    side
+
+    Returns
+    -------
+    float
+        Mean difference, relative to the volume of the usual foot.
+    """
     usual = usual_foot(side)
     return float(np.abs(drawn - usual).sum() / (HEIGHT_LIMIT - usual).sum())
 
@@ -90,7 +108,7 @@ def _left_foot(middle: float) -> FloatArray:
 
 
 def _draw(scaled: FloatArray) -> FloatArray:
-    """Lowest height in every cell of the raster."""
+    """Return the lowest height in every cell of the raster."""
     column = np.rint((scaled[:, 0] - _X_AXIS[0]) / _STEP).astype(int)
     row = np.rint((scaled[:, 1] - _Y_AXIS[0]) / _STEP).astype(int)
     inside = (row >= 0) & (row < len(_Y_AXIS)) & (column >= 0) & (column < len(_X_AXIS))
@@ -100,6 +118,6 @@ def _draw(scaled: FloatArray) -> FloatArray:
 
 
 def _middle(heights: FloatArray) -> float:
-    """Mean x of what is not empty."""
+    """Return the mean x of the cells that are not empty."""
     filled = (heights < HEIGHT_LIMIT).sum(axis=0)
     return float(filled @ _X_AXIS / max(filled.sum(), 1))

@@ -1,4 +1,4 @@
-"""Marks drawn on the skin with a pen, found by their colour and offered as landmarks."""
+"""Find pen marks on the skin by their colour, to be offered as landmarks."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
 _DARK = 0.6  # brightness of ink against the median of the skin
-_BLUE = 0.12  # of how much more blue than the skin, as a share of all light, ink is
+_BLUE = 0.12  # least excess of blue of ink over the skin, as a share of all light
 _AREA_MM2 = (8.0, 600.0)
 _OFFER_MM = 15.0
 
 
 @dataclass(frozen=True, eq=False)
 class SkinMark:
-    """One mark.
+    """A pen mark on the skin.
 
     Parameters
     ----------
     point : (3,) float64, mm, insole frame
-        Its middle.
+        Its centre.
     area_mm2
     landmark
-        The landmark that it probably means; empty where none is near.
+        Name of the nearest landmark; empty when none is near.
     """
 
     point: FloatArray
@@ -39,7 +39,20 @@ class SkinMark:
 
 
 def skin_marks(foot: Foot, landmarks: Landmarks) -> tuple[SkinMark, ...]:
-    """Find the dark or blue spots of a pen on the foot, the largest first; none without colours."""
+    """Find the pen marks on a foot.
+
+    Parameters
+    ----------
+    foot
+        Without colours it has no marks.
+    landmarks
+        Of which each mark may mean the nearest one.
+
+    Returns
+    -------
+    tuple of SkinMark
+        The largest first.
+    """
     mesh = foot.mesh
     if mesh.colors is None:
         return ()
@@ -51,7 +64,7 @@ def skin_marks(foot: Foot, landmarks: Landmarks) -> tuple[SkinMark, ...]:
 
 
 def _is_ink(colors: FloatArray, mesh: TriangleMesh) -> BoolArray:
-    """(n,) darker than the skin, and bluer than it."""
+    """Return which vertices (n,) are darker and bluer than the skin."""
     light = np.maximum(colors.sum(axis=1), 1.0)
     blue = (colors[:, 2] - colors[:, 0]) / light
     seen = mesh.vertex_areas > 0

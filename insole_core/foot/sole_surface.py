@@ -1,4 +1,4 @@
-"""The lower part of a foot, asked for its borders: medial is +x for either side."""
+"""The lower part of a foot and its outermost points; medial is +x for either side."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.transforms import rotation_about
 
-_END_DEPTH_MM = 3.0  # what lies so near to the outermost place belongs to the end
-_OUTERMOST = 3  # points whose mean is the outermost place: one alone may be noise
-_TURNING = 0.1  # below this cosine nothing tells that the border turns at all
+_END_DEPTH_MM = 3.0  # points this near to the outermost one belong to the end
+_OUTERMOST = 3  # points whose mean is the outermost one: one alone may be noise
+_TURNING = 0.1  # below this cosine the border does not turn towards its end
 _WHOLE, _SEEN = 0.97, 0.9  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
 _MOST_MM = 6.0
@@ -46,25 +46,25 @@ _TIP_HALF_MM = 5.0
 _TRUSTED_MM, _LEAST_TOUCHED = 1.2, 0.5
 _CERTAIN_MM, _DOUBT = 0.5, 0.4
 _UNSEEN, _UNSEEN_MM = 0.45, 2.0
-"""Confidence and standard deviation of an end that is not seen as an outline, on a foot that has
-outlines: its surface alone stands that far off beside the foot."""
+"""Confidence and standard deviation of an end without a contour, on a foot that has contours: its
+measured surface may lie that far outside of the foot."""
 TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
 
 
 @dataclass(frozen=True, eq=False)
 class LowFoot:
-    """What of a foot lies below `OUTLINE_HEIGHT_MM`, whichever way its axis runs; insole frame.
+    """The part of a foot below `OUTLINE_HEIGHT_MM`, mm, insole frame.
 
     Parameters
     ----------
     foot
     points, normals : (n, 3) float64
-        Its frayed borders left out.
+        Without the frayed borders of the mesh.
     toe_points, toe_normals : (m, 3) float64
-        With the borders, and the normals evened. Beside the foot a border stands off it by a
-        millimetre or two; before the toes it is all that is seen of their tips.
+        With the borders, and with smoothed normals. Beside the foot a border lies a millimetre or
+        two off; before the toes it is all that was measured of their tips.
     touches
-        Outlines in pictures, where there are any.
+        Contour constraints, if there are any.
     """
 
     foot: Foot
@@ -76,7 +76,7 @@ class LowFoot:
 
     @staticmethod
     def of(foot: Foot) -> LowFoot:
-        """Take it from the whole."""
+        """Cut the lower part out of a foot."""
         mesh = foot.mesh
         low = mesh.vertices[:, 2] < OUTLINE_HEIGHT_MM
         keep = low & ~_near_border(mesh)
@@ -92,13 +92,13 @@ class LowFoot:
 
 
 class SoleSurface:
-    """The lower part of a foot along its axis.
+    """The lower part of a foot in a sole frame: medial +x, and +y in a chosen direction.
 
     Parameters
     ----------
     low
     yaw_deg
-        Direction of +y here, from the insole frame's +y towards medial.
+        Direction of +y, from the insole frame's +y towards medial.
     """
 
     def __init__(self, low: LowFoot, yaw_deg: float = 0.0) -> None:
@@ -121,19 +121,19 @@ class SoleSurface:
         return cKDTree(self._sole[:, :2])
 
     def along(self, way: FloatArray) -> SoleSurface:
-        """The same with +y in another direction (3,), given as seen from here."""
+        """Return the same part with +y in another direction (3,), given in this sole frame."""
         return SoleSurface(self._low, self._yaw_deg + float(np.degrees(np.arctan2(way[0], way[1]))))
 
     def from_insole(self, point: FloatArray) -> FloatArray:
-        """Bring a point of the insole frame here."""
+        """Transform a point (3,) from the insole frame to the sole frame."""
         return np.asarray(self._insole2sole @ point)
 
     def to_insole(self, point: FloatArray) -> FloatArray:
-        """Bring a point from here to the insole frame."""
+        """Transform a point (3,) from the sole frame to the insole frame."""
         return np.asarray(point @ self._insole2sole)
 
     def on_sole(self, xy: FloatArray) -> FloatArray:
-        """(3,) the sole above a place: the mean about it, or the nearest of it."""
+        """Return the point (3,) of the sole above (x, y): the median about it, or the nearest."""
         near = self._tree.query_ball_point(xy, _PATCH_MM)
         z = self._sole[near, 2] if near else self._sole[self._tree.query(xy)[1]][2:]
         return np.array([xy[0], xy[1], float(np.median(z))])
@@ -145,10 +145,26 @@ class SoleSurface:
         usual_share: float | None = None,
         border: UsualBorder | None = None,
     ) -> End:
-        """The outermost place towards a horizontal direction, between shares of the length.
+        """Find the outermost point in a horizontal direction, between shares of the length.
 
         Where the surface stops short of its end, it is continued as a round border; where it is
         nearly straight, the end lies towards the usual share of the length.
+
+        Parameters
+        ----------
+        direction : (2,) float64
+            Along an axis of the sole frame.
+        shares
+            Range of y in shares of the length, from the heel.
+        usual_share
+            Usual position of the end; None when there is none.
+        border
+            Usual shape of the border, for a foot of 240 mm; with it the contours are used.
+
+        Returns
+        -------
+        End
+            mm, sole frame.
         """
         share = (self.points[:, 1] - self.back_mm) / self.length_mm
         region = (share >= shares[0]) & (share <= shares[1])
@@ -179,7 +195,7 @@ class SoleSurface:
         border: UsualBorder,
         usual_mm: float | None = None,
     ) -> End:
-        """The outermost place by the outlines in the pictures; as it was where they do not tell."""
+        """Refine an end by the contours; unchanged in position where they do not determine it."""
         if self._touches is None:
             return end
         surface = ContourConstraints(self._toes, self._toe_normals)
@@ -196,7 +212,7 @@ class SoleSurface:
         return End(point, float(confidence), deviation_mm)
 
     def toe_tips(self) -> list[End]:
-        """Five tips, medial to lateral; a guess where no toe was seen."""
+        """Find the five tips, medial to lateral, mm, sole frame; a guess where no toe was found."""
         share = (self.points[:, 1] - self.back_mm) / self.length_mm
         ball = self.points[np.abs(share - 0.68) < 0.03]
         ball = ball if len(ball) else self.points
@@ -204,7 +220,7 @@ class SoleSurface:
         width = medial - lateral
         tips: list[End] = []
         for across, reach, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
-            # Beyond the 2nd, a toe lies about one toe's breadth beside the one before.
+            # Beyond the 2nd, a toe lies about one toe's width beside the previous one.
             from_x = medial if len(tips) < 2 else float(tips[-1].point[0])
             usual = np.array([from_x - across * width, self.back_mm + reach * self.length_mm])
             tips.append(self._toe_tip(usual, search * width))
@@ -237,17 +253,17 @@ def _end(
     radius_mm: float,
     usual_mm: float | None = None,
 ) -> End:
-    """The outermost place of some of the surface, continued where its normals fall short.
+    """Find the outermost point of a part of the surface, continued where its normals fall short.
 
-    `radius_mm` is that of the usual border, `usual_mm` where across the direction the end usually
-    lies: where a border is nearly straight and frayed, this decides.
+    `radius_mm` is that of the usual border; `usual_mm` is the usual position of the end across the
+    direction, which decides where a border is nearly straight and frayed.
     """
     along, facing = points @ direction, normals @ direction
     top = float(np.sort(along)[-_OUTERMOST:].mean())
     near = along > top - _END_DEPTH_MM
     faced = float(np.quantile(facing[near], 0.9))
     if faced >= _WHOLE:
-        usual_mm = None  # the border itself was measured, and tells best
+        usual_mm = None  # the border itself was measured, which is the best evidence
     place = points[_outermost(points, along, direction, usual_mm)].copy()
     if faced >= _SEEN or faced < _TURNING or near.sum() < _LEAST_POINTS:
         reach, confidence = top, SURE
@@ -262,10 +278,10 @@ def _end(
 def _round_end(
     points: FloatArray, normals: FloatArray, direction: FloatArray, radius_mm: float
 ) -> tuple[float, float]:
-    """Where a border that is seen in part ends, and at which height, were it round.
+    """Fit a circle to a border that was measured in part; return its end and the height there.
 
-    On a circle the way along the direction grows with the normal's part in it, and the height with
-    its part upwards; both by the radius, which the points tell no better than `_RADIUS_SPREAD_MM`.
+    On a circle the position along the direction grows with the normal's component in it, and the
+    height with its upward component, both by the radius; the usual radius is the prior.
     """
     outward, upward = normals @ direction, normals[:, 2]
     level = np.maximum(np.hypot(outward, upward), 1e-9)
@@ -285,7 +301,7 @@ def _round_end(
 def _outermost(
     points: FloatArray, along: FloatArray, direction: FloatArray, usual_mm: float | None
 ) -> int:
-    """Index of the point at the summit of the border's profile, evened out against noise."""
+    """Return the index of the point at the summit of the border's smoothed profile."""
     across = points @ np.array([-direction[1], direction[0], 0.0])
     strip = np.floor((across - across.min()) / _STRIP_MM).astype(int)
     profile = np.full(strip.max() + 1, -np.inf)
@@ -308,12 +324,12 @@ def _low_touches(touches: ContourConstraints) -> ContourConstraints:
 
 
 def _near_border(mesh: TriangleMesh) -> BoolArray:
-    """(n,) whether a vertex touches, over at most two edges, the border of an open surface."""
+    """Return which vertices (n,) lie within two edges of the boundary of an open surface."""
     return _grown(_grown(mesh.links.is_boundary, mesh.triangles), mesh.triangles)
 
 
 def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:
-    """With the vertices of all triangles that touch a chosen one."""
+    """Add the vertices of all triangles that touch a chosen vertex."""
     grown = chosen.copy()
     grown[triangles[chosen[triangles].any(axis=1)]] = True
     return grown

@@ -1,9 +1,9 @@
-"""Where a toe ends, though the sensors see its tip frayed or in part.
+"""Find the end of a toe whose tip was measured with a frayed border or in part.
 
-Not the foremost vertex tells, which is the noisiest one, but the tip about it: its outline evened
-across the toe, and a circle laid through its cross-section, of a radius that is nearly known. Where
-the surface was measured up to its end, the outline counts; where it stops short, the circle is
-followed.
+The foremost vertex is the noisiest one, so the surface about it is used: its outline, smoothed
+across the toe, and a circle fitted to its cross-section, of a radius that is nearly known. Where
+the surface was measured up to its end, the outline counts; where it stops short, the circle
+continues it.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from insole_core.geometry.arrays import FloatArray, IndexArray
 SURE, GUESS = 0.95, 0.3
 _LEAST = 0.05
 _RADIUS_MM, _RADIUS_SPREAD_MM = 10.0, 2.5  # of the cross-section, and its standard deviation
-_BEND_MM, _HALF_MM = 9.0, 5.0  # radius of the outline from above; so far to either side it counts
+_BEND_MM, _HALF_MM = 9.0, 5.0  # radius of the outline from above, and half of the width used
 _SLOPE = 0.3  # standard deviation of the outline's slant
 _STRIP_MM = 2.0
-_DEPTH_MM, _END_DEPTH_MM = 6.0, 3.0  # what lies so near to the outline is tip, and end
-_FACING, _WHOLE = 0.15, 0.97  # cosine against the way ahead: of a tip, of a whole end
-_BEYOND_MM = 1.0  # so far past the height of its end a tip is seen when it is seen whole
+_DEPTH_MM, _END_DEPTH_MM = 6.0, 3.0  # depth behind the outline of the tip, and of the end
+_FACING, _WHOLE = 0.15, 0.97  # cosine against straight ahead: of a tip, of a whole end
+_BEYOND_MM = 1.0  # least height above the end up to which a whole tip was measured
 _LESS_MM, _MOST_MM = 1.0, 6.0  # how far the circle may end before and beyond the outline
-_NOISE_MM, _PATCH_MM2 = 0.5, 25.0  # noise of a place, and the area over which it is the same
+_NOISE_MM, _PATCH_MM2 = 0.5, 25.0  # noise of a point, and the area over which it is the same
 _ROUNDS, _FIRST_ROUNDS, _STEP_MM, _ROBUST = 12, 3, 3.0, 2.5
-_CERTAIN_MM, _DOUBT = 0.5, 0.25  # standard deviation that is none, and loss of confidence per mm
+_CERTAIN_MM, _DOUBT = 0.5, 0.25  # negligible standard deviation, and loss of confidence per mm
 _LEAST_POINTS = 8
 
 
 @dataclass(frozen=True, eq=False)
 class End:
-    """The outermost place in a direction.
+    """The outermost point in a direction.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class End:
     confidence
         0 to 1.
     deviation_mm
-        Standard deviation along the direction, where outlines in pictures tell it.
+        Standard deviation along the direction, where contours give it.
     """
 
     point: FloatArray
@@ -55,10 +55,15 @@ def find_toe_end(points: FloatArray, normals: FloatArray, summit: int) -> End:
 
     Parameters
     ----------
-    points, normals : (n, 3) float64
+    points, normals : (n, 3) float64, mm
         Of the toe; ahead = +y.
     summit
-        Index of the place about which it is looked for.
+        Index of the foremost point, about which the tip is fitted.
+
+    Returns
+    -------
+    End
+        A guess at the summit when there are too few points.
     """
     aside = points[:, 0] - points[summit, 0]
     shell, top = _shell(aside, points[:, 1], normals[:, 1])
@@ -77,7 +82,7 @@ def find_toe_end(points: FloatArray, normals: FloatArray, summit: int) -> End:
 
 
 def _outermost(strip: IndexArray, along: FloatArray) -> FloatArray:
-    """Greatest value of each strip; of one without points, that of the least."""
+    """Return the greatest value of each strip; a strip without points gets the least of them."""
     profile = np.full(strip.max() + 1, -np.inf)
     np.maximum.at(profile, strip, along)
     profile[~np.isfinite(profile)] = profile[np.isfinite(profile)].min()
@@ -85,7 +90,7 @@ def _outermost(strip: IndexArray, along: FloatArray) -> FloatArray:
 
 
 def _shell(aside: FloatArray, along: FloatArray, facing: FloatArray) -> tuple[IndexArray, float]:
-    """Indices of the tip's points about the summit, and the evened outline's value there."""
+    """Return the tip's points about the summit, and the smoothed outline's value there."""
     near = np.flatnonzero(np.abs(aside) < _HALF_MM)
     strip = np.floor((aside[near] + _HALF_MM) / _STRIP_MM).astype(int)
     outline = gaussian_filter1d(_outermost(strip, along[near]), 1.0, mode="nearest")
@@ -94,14 +99,14 @@ def _shell(aside: FloatArray, along: FloatArray, facing: FloatArray) -> tuple[In
 
 
 def _is_whole(facing: FloatArray, z: FloatArray, height_mm: float) -> bool:
-    """Whether the surface turns ahead, and was seen past the height of its end."""
+    """Return whether the surface faces ahead and was measured past the height of its end."""
     turned = len(facing) > 0 and float(np.quantile(facing, 0.9)) >= _WHOLE
     return turned and height_mm < float(np.quantile(z, _WHOLE)) - _BEYOND_MM
 
 
 @dataclass(frozen=True)
 class _RoundEnd:
-    """The end of a round tip: how far along, how high, and how certain."""
+    """The end of a round tip: position along y, height, and standard deviation."""
 
     reach_mm: float
     height_mm: float
@@ -109,10 +114,10 @@ class _RoundEnd:
 
 
 def _fit(aside: FloatArray, along: FloatArray, z: FloatArray, top: float) -> _RoundEnd:
-    """Lay a circle through the cross-section of a tip that is bent and slanted itself.
+    """Fit a circle to the cross-section of a tip whose outline is bent and slanted.
 
-    Robust least squares (Geman & McClure) with a prior on the radius, the slant and the bend;
-    unknown are centre (along, z), radius, slant and bend.
+    Robust least squares (Geman & McClure) with a prior on the radius, the slant and the bend; the
+    unknowns are centre (along, z), radius, slant and bend.
     """
     radius, bend = _RADIUS_MM, 1 / _BEND_MM
     usual = np.array([0.0, 0.0, radius, 0.0, bend])

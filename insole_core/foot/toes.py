@@ -1,7 +1,7 @@
-"""Toes told apart by their pulps: from below each toe is a hill of its own.
+"""Separate the toes by their pulps, each of which stands out from below.
 
 The tips themselves are often hidden from sensors below the foot, and the gaps between them are
-bridged; the pulps stand out all the same, and a tip lies ahead of its pulp.
+bridged; the pulps stand out nevertheless, and a tip lies ahead of its pulp.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ def pulp_line(
     Parameters
     ----------
     sole : (n, 3) float64, mm
-        Places that face the ground; toes towards +y.
+        Points that face the ground; toes towards +y.
     length_mm
         Of the foot.
-    tip : (2,)
-        Where the tip is usually found.
+    tip : (2,) float64, mm
+        Usual position of the tip.
     search_mm
-        How far beside it the toe may lie.
+        How far to either side of it the toe may lie.
 
     Returns
     -------
     float or None
-        None where no toe stands out there.
+        None when no toe stands out there.
     """
     behind = (tip[1] - sole[:, 1]) / length_mm
     near = (behind < _BAND[0]) & (behind > _BAND[1]) & (np.abs(sole[:, 0] - tip[0]) < 3 * search_mm)
@@ -52,9 +52,9 @@ def pulp_line(
 
 
 def _summits(heights: FloatArray, prominence: float) -> IntArray:
-    """Places of a profile (n,) from where it is so far down before it rises higher, both ways.
+    """Return the peaks of a profile (n,) with at least this prominence.
 
-    As SciPy's `find_peaks` has it, whose import alone takes longer than a reconstruction.
+    Like SciPy's `find_peaks`, whose import alone takes longer than a reconstruction.
     """
     inner = heights[1:-1]
     rising = np.flatnonzero((inner > heights[:-2]) & (inner >= heights[2:])) + 1
@@ -70,7 +70,7 @@ def _prominence(heights: FloatArray, at: int) -> float:
 
 
 def _summit(points: FloatArray, x: float, reach_mm: float) -> float:
-    """Mean x of what lies lowest about a place; strips alone would let it hop with the pose."""
+    """Return the mean x of the lowest points about x; with strips alone it would jump."""
     for _ in range(_ROUNDS):
         away = np.clip(np.abs(points[:, 0] - x) / reach_mm, 0, 1)
         floor = points[away < 1, 2].min()
@@ -80,7 +80,7 @@ def _summit(points: FloatArray, x: float, reach_mm: float) -> float:
 
 
 def _lower_envelope(points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Middle and least height of each strip along the foot, a little evened out."""
+    """Return middle and least height of each strip along the foot, slightly smoothed."""
     strip = np.floor(points[:, 0] / _STRIP_MM).astype(int)
     first = strip.min()
     lowest = np.full(strip.max() - first + 1, np.inf)

@@ -1,4 +1,4 @@
-"""The same work for several views, three at a time; and two kinds of work at once."""
+"""Run the same work for several views, three at a time, or two different works at once."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ the other idles; more fill the memory rather than the processors."""
 
 
 def for_views(work: Callable[[_View], _Result], views: Iterable[_View]) -> list[_Result]:
-    """Give the results in the order of the views."""
+    """Call `work` for every view, in parallel; return the results in the order of the views."""
     with ThreadPoolExecutor(VIEWS_AT_ONCE) as pool:
         return list(pool.map(work, views))
 
 
 def both(first: Callable[[], _Result], second: Callable[[], _Other]) -> tuple[_Result, _Other]:
-    """Give what two calls give that do not need each other; neither outlives this one.
+    """Run two independent calls at once and return both results when both have ended.
 
-    Where both fail, the error of the second is raised: it runs in the caller's thread.
+    If both fail, the error of the second is raised: it runs in the caller's thread.
     """
     with ThreadPoolExecutor(1) as pool:
         beside = pool.submit(first)

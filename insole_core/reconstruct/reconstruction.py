@@ -1,4 +1,4 @@
-"""From a recorded session to one coloured foot: the thesis's chain, and the better one."""
+"""From a recorded session to one coloured foot: the thesis's method and the fused one."""
 
 from __future__ import annotations
 
@@ -60,24 +60,30 @@ def reconstruct(
     on_preview: Callable[[TriangleMesh], None] | None = None,
     measure: Callable[[View], MeasuredView] = measure_view,
 ) -> Reconstruction:
-    """Make one coloured foot, in the reference frame, from the views of a session.
+    """Make one coloured foot, mm, reference frame, from the views of a session.
 
     Parameters
     ----------
     session
-        What was corrected in it by hand is honoured.
+        Together with the user's corrections.
     method
         ``thesis``: median of the frames, depth in whole mm, views cut where they overlap.
-        ``fused``: mean of the frames in disparity, and the likeliest smooth surface of all views.
+        ``fused``: mean of the frames in disparity, and the most probable smooth surface of all
+        views.
     progress
     limits
         When the pose of a view is good enough.
     on_preview
-        Is given a coarse coloured mesh as soon as the views are placed, in a thread of its own that
-        ends before the foot is ready; for ``fused`` only.
+        Called with a coarse coloured mesh as soon as the poses of all views are known, in a thread
+        that ends before this function returns; for ``fused`` only.
     measure
-        Averages the frames of a view, for ``fused`` only; give one that remembers where a session
-        is reconstructed several times.
+        Averages the frames of a view, for ``fused`` only; pass one with a cache when a session is
+        reconstructed several times.
+
+    Returns
+    -------
+    Reconstruction
+        The foot, the result of every view, and warnings.
 
     Raises
     ------
@@ -89,27 +95,27 @@ def reconstruct(
 
 
 class _Way(Protocol[_Part]):
-    """What the methods do differently."""
+    """The steps in which the methods differ."""
 
     def measure(self, view: View) -> MeasuredView:
-        """Give one image of many frames."""
+        """Combine the frames of a view."""
         ...
 
     def cut_out(self, measured: MeasuredView, sensor2reference: FloatArray, box: Box) -> _Part:
-        """Give the part of a placed view that shows the foot."""
+        """Return the part of a view of known pose that shows the foot."""
         ...
 
     def note(self, part: _Part) -> str:
-        """Say what is to be known of the part, as the end of a sentence; mostly nothing."""
+        """Return a remark about the part, as the end of a sentence; often empty."""
         ...
 
     def join(self, parts: list[_Part], progress: Progress) -> Surface:
-        """Make one surface of all views."""
+        """Join all views to one surface."""
         ...
 
 
 class _Thesis:
-    """Chapters 5 and 6: the baseline."""
+    """The baseline: chapters 5 and 6 of the thesis."""
 
     def measure(self, view: View) -> MeasuredView:
         return measure_as_thesis(view)
@@ -136,7 +142,7 @@ class _Thesis:
 
 @dataclass(frozen=True)
 class _Fused:
-    """The best there is."""
+    """Fusion of all readings to the most probable smooth surface."""
 
     measuring: Callable[[View], MeasuredView]
     on_preview: Callable[[TriangleMesh], None] | None
@@ -174,14 +180,14 @@ class _Fused:
         show = self.on_preview
         if show is None:
             return fuse(parts, progress)
-        # What is done with the coarse foot shall not keep the fine one waiting.
+        # The preview must not delay the fine foot.
         _, surface = both(lambda: show(coarse_foot(parts)), lambda: fuse(parts, progress))
         return surface
 
 
 @dataclass(frozen=True, eq=False)
 class _Chain(Generic[_Part]):
-    """The steps of one reconstruction, with what they all need."""
+    """One reconstruction in progress."""
 
     session: Session
     way: _Way[_Part]
@@ -189,7 +195,7 @@ class _Chain(Generic[_Part]):
     clock: Stopwatch
 
     def run(self, progress: Progress) -> Reconstruction:
-        """Go through the views, then join them."""
+        """Register all views, then join them."""
         parts: list[_Part] = []
         results: list[ViewResult] = []
         views = self.session.views
@@ -225,7 +231,7 @@ class _Chain(Generic[_Part]):
         )
 
     def _place(self, view: View) -> tuple[_Part, ViewResult]:
-        """Bring one view to the reference frame."""
+        """Measure and register one view, and cut out the foot."""
         edits = self.session.edits.of(view.name)
         if edits.off:
             raise ReconstructionError("it was switched off by hand")

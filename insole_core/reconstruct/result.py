@@ -1,4 +1,4 @@
-"""What a reconstruction gives back, and the report that is written of it."""
+"""The result of a reconstruction and its report."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ class Residuals:
 
     @staticmethod
     def of(distances_mm: FloatArray) -> Residuals:
-        """Sum up the distances (k,), mm, k > 0."""
+        """Summarise distances (k,), mm, k > 0."""
         rms = float(np.sqrt((distances_mm**2).mean()))
         return Residuals(float(distances_mm.mean()), rms, float(distances_mm.max()))
 
 
 @dataclass(frozen=True, eq=False)
 class ViewResult:
-    """What became of one view.
+    """The result of one view.
 
     Parameters
     ----------
@@ -42,16 +42,20 @@ class ViewResult:
     used
         Whether it is part of the foot.
     reason
-        Why it is not; of a used view what is to be known of it, mostly nothing.
+        Why it is not; for a used view remarks about it, often empty.
     sensor2reference : (4, 4) float64, mm, optional
+        Pose of the depth camera, if it was found.
     residuals
+        Of the markers that determined the pose.
     fixes
         Every marker that was found.
-    reprojection_px, displacement_mm
-        How well the markers fit in the colour image (root mean square), and the standard deviation
-        of the place of the foot's middle that comes with the pose's; not for the thesis's chain.
+    reprojection_px
+        Root mean square of the reprojection errors; None for the thesis's method.
+    displacement_mm
+        Standard deviation of the position of the foot's middle that follows from the pose's; None
+        for the thesis's method.
     frames, left_out
-        How many depth frames there are, and how many of them showed something that had moved.
+        Number of depth frames, and of those left out because something moved in them.
     """
 
     name: str
@@ -67,24 +71,37 @@ class ViewResult:
 
     @property
     def markers_found(self) -> int:
-        """Blobs assigned to markers."""
+        """Number of markers that were found."""
         return len(self.fixes)
 
     @property
     def markers_used(self) -> int:
-        """Markers that determined the pose."""
+        """Number of markers that determined the pose."""
         return sum(fix.used for fix in self.fixes)
 
 
 def refused_result(name: str, error: ReconstructionError) -> ViewResult:
-    """Say why a view is not part of the foot, with its markers where a pose was found."""
+    """Return the result of a view that is not part of the foot.
+
+    Parameters
+    ----------
+    name
+        Of the view.
+    error
+        The reason; a `PoseRefusedError` also gives the pose and its markers.
+
+    Returns
+    -------
+    ViewResult
+        Not used, with the reason and, when a pose was found, the pose and its markers.
+    """
     if isinstance(error, PoseRefusedError):
         return replace(placed_result(name, error.registration), reason=str(error))
     return ViewResult(name, used=False, reason=str(error))
 
 
 def placed_result(name: str, registration: Registration) -> ViewResult:
-    """Say where a view stood; whether it is used is another question."""
+    """Return the result of a view of known pose, not yet marked as used."""
     pose, distances_mm = registration.camera_pose, registration.residuals_mm
     return ViewResult(
         name,
@@ -99,19 +116,18 @@ def placed_result(name: str, registration: Registration) -> ViewResult:
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """A coloured mesh, mm, reference frame, and how certain it is.
+    """A coloured mesh with its uncertainty.
 
     Parameters
     ----------
-    mesh
+    mesh : mm, reference frame
     deviation_mm : (n,) float64, optional
-        Standard deviation of every vertex along the surface's normal, where it is known.
+        Standard deviation of every vertex along the surface's normal; fused method only.
     view_gaps_mm : (views, views, 3) float64, reference frame, optional
-        How far the foot seems to have moved from each used view to each other; NaN where too
-        little was seen by both.
+        Apparent motion of the foot from each used view to each other; NaN where both measured too
+        little in common. Fused method only.
     depth_views
-        What it was made of: of every used view what lies in the volume of interest. Of the fused
-        method only.
+        The readings of every used view in the volume of interest; fused method only.
     """
 
     mesh: TriangleMesh
@@ -122,7 +138,7 @@ class Surface:
 
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
-    """A coloured foot and how it came about.
+    """A coloured foot and how it was made.
 
     Parameters
     ----------
@@ -134,11 +150,11 @@ class Reconstruction:
     seconds
         Time of every step, by name.
     deviation_mm : (n,) float64, optional
-        Standard deviation of every vertex along the surface's normal; not for the thesis's chain.
+        Standard deviation of every vertex along the surface's normal; fused method only.
     coverage
-        Share of every region of the foot that has a surface, 0 to 1.
+        Measured share of every region of the foot, 0 to 1.
     depth_views
-        Of every used view what lies in the volume of interest; not for the thesis's chain.
+        The readings of every used view in the volume of interest; fused method only.
     """
 
     mesh: TriangleMesh
@@ -151,7 +167,19 @@ class Reconstruction:
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:
-    """Give the report of the contract; `total_seconds` from first file read to last written."""
+    """Return the report of a reconstruction, ready to be written as JSON.
+
+    Parameters
+    ----------
+    reconstruction
+    total_seconds
+        From the first file read to the last one written.
+
+    Returns
+    -------
+    dict
+        Views with their markers, size of the mesh, seconds, coverage and warnings; lengths in mm.
+    """
     return {
         "views": [_view_json(view) for view in reconstruction.views],
         "vertices": len(reconstruction.mesh.vertices),

@@ -1,4 +1,4 @@
-"""How long each step took, for the report."""
+"""The duration of each step, for the report."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from threading import Lock
 
 @dataclass
 class Stopwatch:
-    """Adds up the seconds of named steps, of all threads."""
+    """The total seconds of named steps, over all threads."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     _lock: Lock = field(default_factory=Lock, repr=False)
 
     @contextmanager
     def measuring(self, step: str) -> Iterator[None]:
-        """Count what runs inside towards `step`."""
+        """Add the time spent inside the context to `step`."""
         start = time.perf_counter()
         try:
             yield

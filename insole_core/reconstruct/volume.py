@@ -1,4 +1,4 @@
-"""The part of space where the foot is (thesis 6.2.3)."""
+"""The volume of interest: the part of space where the foot is (thesis 6.2.3)."""
 
 from __future__ import annotations
 
@@ -10,24 +10,40 @@ from insole_core.recording.box import Box
 from insole_core.recording.session import ReferenceSystem, Session
 
 _BLOCK_MM = 24.0
-"""A marker's block, its mounting and a little air; the foot keeps so far inside of them."""
+"""Least distance of the foot from the markers: a marker's block, its mounting and a clearance."""
 _BELOW_SOLE_MM = 30.0
 
 
 def volume_of_interest(session: Session) -> Box:
-    """Give the volume set by hand, the manifest's, or the space that the markers enclose."""
+    """Return the volume set by the user, else the manifest's, else the one the markers enclose."""
     recorded = session.edits.volume_of_interest or session.manifest.volume_of_interest
     return recorded or enclosed_volume(session.manifest.reference_system)
 
 
 def is_inside(points: FloatArray, box: Box) -> BoolArray:
-    """Tell which points (..., 3) in the reference frame lie in the box; NaN does not."""
+    """Return which points lie in a box.
+
+    Parameters
+    ----------
+    points : (..., 3) float64, mm, reference frame
+        NaN lies outside.
+    box
+
+    Returns
+    -------
+    (...,) bool
+    """
     low, high = np.array(box.min_mm), np.array(box.max_mm)
     return np.asarray(((points >= low) & (points <= high)).all(-1))
 
 
 def check_any_inside(found: BoolArray) -> None:
-    """Refuse a view of which nothing was found in the volume.
+    """Refuse a view without a reading in the volume of interest.
+
+    Parameters
+    ----------
+    found : bool, any shape
+        Whether each reading lies in the volume.
 
     Raises
     ------
@@ -42,7 +58,7 @@ def check_any_inside(found: BoolArray) -> None:
 
 
 def enclosed_volume(system: ReferenceSystem) -> Box:
-    """Give the space between the markers."""
+    """Return the space between the markers, mm, reference frame."""
     positions = np.array([marker.position_mm for marker in system.markers])
     low, high = positions.min(0), positions.max(0)
     return Box(

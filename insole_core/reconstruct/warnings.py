@@ -1,4 +1,4 @@
-"""What a reconstruction says about its input: motion, missing sides, sensors in one place."""
+"""Warnings about the input of a reconstruction: motion, missing sides, sensors in one place."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
 _UNCERTAIN_MM = 1.5
 _MISFIT_MM = 2.0
-"""Views of a foot that kept still fit each other within 1.2 mm."""
+"""Least gap between views that is reported; of a foot that kept still it is below 1.2 mm."""
 _STRAYED_PX = 4.0
-"""Far beyond what noise does: 3 mm at 750 mm."""
+"""Reprojection error far beyond noise: 3 mm at 750 mm."""
 
 
 def check_still(average: RawAverage) -> None:
-    """Refuse a view in most of whose frames something had moved.
+    """Refuse a view in which something moved in most of the frames.
 
     Raises
     ------
@@ -41,7 +41,19 @@ def check_still(average: RawAverage) -> None:
 
 
 def motion_note(view: View, average: RawAverage) -> str:
-    """Say how far the foot moved in the frames that were left out; empty when none was."""
+    """Describe how far the foot moved in the frames that were left out.
+
+    Parameters
+    ----------
+    view
+    average
+        Of the view's depth frames.
+
+    Returns
+    -------
+    str
+        The end of a sentence; empty when no frame was left out.
+    """
     if not average.moved:
         return ""
     counts = {"moved": len(average.moved), "frames": average.frames}
@@ -58,7 +70,7 @@ def motion_note(view: View, average: RawAverage) -> str:
 
 
 def _motion_mm(view: View, motion: Motion) -> float:
-    """Length of a motion in space."""
+    """Compute the length of a motion in space."""
     near_raw = motion.at_raw + np.array([0.0, motion.nearer_raw])
     at_mm, came_to_mm = view.sensor.disparity.depth_mm(near_raw)
     camera = view.sensor.depth_camera
@@ -69,7 +81,21 @@ def _motion_mm(view: View, motion: Motion) -> float:
 def warnings_of(
     session: Session, results: list[ViewResult], coverage: dict[str, float]
 ) -> tuple[str, ...]:
-    """Give the sentences that a user should read before trusting the foot."""
+    """Collect the warnings that a user should read before trusting the foot.
+
+    Parameters
+    ----------
+    session
+    results
+        Of all views.
+    coverage
+        Share by region of the foot (see `coverage_of`).
+
+    Returns
+    -------
+    tuple of str
+        A sentence each.
+    """
     unseen = _unseen_sides(session, results)
     return (
         *(
@@ -92,7 +118,20 @@ def warnings_of(
 
 
 def misfits(results: list[ViewResult], surface: Surface) -> list[str]:
-    """Name the two used views that fit each other worst, when they do not fit."""
+    """Warn of the two used views that fit each other worst, if their gap is too large.
+
+    Parameters
+    ----------
+    results
+        Of all views.
+    surface
+        With the gaps between the used views, in the order of `results`.
+
+    Returns
+    -------
+    list of str
+        One sentence or none.
+    """
     if surface.view_gaps_mm is None:
         return []
     used = [result for result in results if result.used]
@@ -125,7 +164,7 @@ def _uncertain_poses(results: list[ViewResult]) -> list[str]:
 
 
 def _strayed_markers(results: list[ViewResult]) -> list[str]:
-    """Name the markers that are seen elsewhere than the reference system has them."""
+    """Name the markers that are not seen where the reference system has them."""
     strayed: dict[str, list[tuple[str, float]]] = {}
     for result in results:
         for fix in result.fixes if result.used else ():
@@ -145,7 +184,7 @@ def _strayed_markers(results: list[ViewResult]) -> list[str]:
 
 
 def _hand_corrections(session: Session, results: list[ViewResult]) -> list[str]:
-    """Say what somebody corrected."""
+    """List what the user corrected."""
     edits = session.edits
     found: list[str] = [
         Message(
@@ -162,7 +201,7 @@ def _hand_corrections(session: Session, results: list[ViewResult]) -> list[str]:
 
 
 def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
-    """Name the sides of the reference system that no used view looked at."""
+    """Name the sides of the reference system that no used view faces."""
     used = {result.name for result in results if result.used}
     seen = {face for view in session.views if view.name in used for face in view.sensor.faces}
     sides = dict.fromkeys(marker.face for marker in session.manifest.reference_system.markers)
@@ -177,7 +216,7 @@ def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
 
 
 def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
-    """Name the pairs of different sensors that stood in the same place."""
+    """Name the pairs of different sensors that had the same pose."""
     serials = {view.name: view.sensor.serial for view in session.views}
     found: list[str] = []
     for first, second in combinations([result for result in results if result.used], 2):

@@ -1,4 +1,4 @@
-"""Recorded sessions of feet that were never there, with their truth."""
+"""Simulated sessions with their ground truth."""
 
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import FootShape

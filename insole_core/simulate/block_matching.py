@@ -1,9 +1,9 @@
-"""What a structured-light sensor makes of a scene, from its dots to its raw numbers.
+"""A physical model of a structured-light sensor, from its dots to its raw values.
 
 The infrared image of the dots is rendered (speckle, blur, noise), and every 9 x 9 window of it is
-compared with the pattern as it would look at each raw number. So the window's mean, fattened rims,
-and the error that the dots' places leave come about by themselves, as in a real device. Slower
-than the parametric model of `depth_image`.
+compared with the pattern as it would look at each raw value. The window's averaging, widened rims,
+and the error due to the positions of the dots result as in a real device. It is slower than the
+parametric model of `depth_image`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _ALBEDO = 0.8
 _LEAST_CORRELATION = 0.56
 _LEAST_VARIANCE = 1e-4
 _SEARCH_RAW = 12
-"""The sensor searches all of its range; beyond what is there it finds nothing but rare outliers."""
+"""Margin of the search in raw units; the real sensor's full range would only add rare outliers."""
 _MARGIN_PX = 14
 
 Region = tuple[slice, slice]
@@ -40,7 +40,7 @@ Region = tuple[slice, slice]
 
 @dataclass(frozen=True, eq=False)
 class MatchedRecording:
-    """What a sensor sees of a scene, before it is matched.
+    """The infrared image of a scene, to be matched with the pattern.
 
     Parameters
     ----------
@@ -49,9 +49,11 @@ class MatchedRecording:
     region
         Of the depth image; nothing is measured elsewhere.
     pattern : (height, columns) float32
-        As the camera sees it, eight columns to a pixel, in the rows of the region.
+        As the camera sees it, eight columns per pixel, in the rows of the region.
     search_raw
-        First and last raw number that is compared.
+        First and last raw value that is compared.
+    camera
+        The depth camera.
     """
 
     infrared: Float32Array
@@ -62,15 +64,15 @@ class MatchedRecording:
 
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one frame: (480, 640) uint16."""
-        deviation = np.sqrt(_SHOT_NOISE**2 * self.infrared + _READ_NOISE**2)
+        std = np.sqrt(_SHOT_NOISE**2 * self.infrared + _READ_NOISE**2)
         noise = rng.standard_normal(self.infrared.shape, dtype=np.float32)
         raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
-        raw[self.region] = self._match(self.infrared + deviation * noise)
+        raw[self.region] = self._match(self.infrared + std * noise)
         raw[:, BLIND_COLUMNS] = NO_READING
         return raw
 
     def _match(self, image: Float32Array) -> RawArray:
-        """Find for every window the raw number at which the pattern resembles it most."""
+        """Find for every window the raw value at which the pattern correlates with it best."""
         mean, spread = _moments(image)
         best = np.full(image.shape, -np.inf, np.float32)
         found = np.full(image.shape, NO_READING, np.uint16)
@@ -82,11 +84,11 @@ class MatchedRecording:
         return np.asarray(np.where(best > _LEAST_CORRELATION * spread, found, NO_READING))
 
     def _references(self) -> Iterator[tuple[int, Float32Array, Float32Array, Float32Array]]:
-        """Every raw number with the pattern that belongs to it, its local mean and spread."""
+        """Return every raw value with its pattern, local mean and standard deviation."""
         columns = self.region[1]
         width = columns.stop - columns.start
         first, last = self.search_raw
-        # Raw numbers that differ by whole pixels show the same picture, shifted.
+        # Raw values that differ by whole pixels have the same pattern, shifted.
         for phase in range(RAW_PER_PX):
             picture = np.ascontiguousarray(self.pattern[:, phase::RAW_PER_PX])
             mean, spread = _moments(picture)
@@ -104,7 +106,7 @@ def record_matched_depth(
     *,
     things: FloatArray,
 ) -> MatchedRecording:
-    """Look at a scene with a device's depth camera.
+    """Record a scene with a device's depth camera by block matching.
 
     Parameters
     ----------
@@ -114,9 +116,13 @@ def record_matched_depth(
     sensor2reference : (4, 4) float64, mm
         Depth camera frame to reference frame.
     rng
-        For the pattern of the device, and the speckle of what it shines on.
+        For the pattern of the device, and the speckle of the surfaces.
     things : (n, 3) float64, mm, reference frame
-        What is to be measured: the sensor looks only where these places are.
+        Points to be measured; only the region around them is simulated.
+
+    Returns
+    -------
+    MatchedRecording
     """
     camera = device.sensor.depth_camera
     region = _region(camera, transform(inverse(sensor2reference), things))
@@ -137,7 +143,7 @@ def _region(camera: PinholeCamera, things: FloatArray) -> Region:
 
 
 def _moments(image: Float32Array) -> tuple[Float32Array, Float32Array]:
-    """Mean and standard deviation in every window."""
+    """Compute mean and standard deviation in every window."""
     mean = cv2.blur(image, _WINDOW)
     variance = cv2.blur(image * image, _WINDOW) - mean * mean
     return mean, np.sqrt(np.maximum(variance, _LEAST_VARIANCE))
@@ -145,7 +151,7 @@ def _moments(image: Float32Array) -> tuple[Float32Array, Float32Array]:
 
 @dataclass(frozen=True, eq=False)
 class _Light:
-    """A projector that shines on a scene, and the camera beside it."""
+    """A projector that illuminates a scene, and the camera beside it."""
 
     caster: SceneCaster
     device: Device
@@ -153,7 +159,7 @@ class _Light:
     pattern: DotPattern
 
     def on(self, region: Region) -> tuple[Float32Array, float, float]:
-        """Render a region (height, width), and say which raw numbers occur in it."""
+        """Render a region (height, width); return it with its least and greatest raw value."""
         rows, columns = region
         shape = (rows.stop - rows.start, columns.stop - columns.start)
         inside = (np.arange(_SUBSAMPLES) + 0.5) / _SUBSAMPLES - 0.5
@@ -168,7 +174,7 @@ class _Light:
         return image, lowest, highest
 
     def _dots(self, pixels: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Index, light and raw number of the pixels (n, 2) that show something lit."""
+        """Return index, brightness and raw value of those pixels (n, 2) that show something lit."""
         camera, pose = self.device.sensor.depth_camera, self.sensor2reference
         rays = np.c_[camera.normalised(pixels), np.ones(len(pixels))] @ pose[:3, :3].T
         hits = self.caster.cast(pose[:3, 3], rays)
@@ -182,7 +188,7 @@ class _Light:
 
 
 def _shade(hits: Hits, projector: FloatArray) -> FloatArray:
-    """Give the light (n,) that dull surfaces throw back: slant and distance."""
+    """Compute the light (n,) that diffuse surfaces reflect, by slant and distance."""
     ways = projector - hits.points
     far_mm = np.linalg.norm(ways, axis=1)
     facing = np.einsum("nc,nc->n", hits.normals, ways) / far_mm

@@ -1,4 +1,4 @@
-"""What a colour camera sees of a scene: shading, lens distortion, slight blur and noise."""
+"""Simulated colour images of a scene: shading, lens distortion, slight blur and noise."""
 
 from __future__ import annotations
 
@@ -16,18 +16,24 @@ from insole_core.simulate.ray_caster import Hits, SceneCaster
 _BACKGROUND = 26.0
 _AMBIENT = 0.42
 _LAMP_MM = np.array([150.0, -350.0, -100.0])
-"""Where the room's lamp hangs, colour camera frame: above and behind the camera."""
+"""Position of the lamp, colour camera frame: above and behind the camera."""
 _BLUR_SIGMA_PX = 0.6
 _NOISE = 0.35
 _NOISE_PER_LEVEL = 0.006
 _RAY_GRID_PX = 8
 _RAYS_AT_ONCE = 1 << 18
-"""A whole picture at once would take half a gigabyte for a moment."""
+"""Number of rays cast at once; a whole image would take half a gigabyte."""
 
 
 @dataclass(frozen=True, eq=False)
 class ColorRecording:
-    """The image without noise: (height, width, 3) float32, 0 to 255, RGB."""
+    """A colour view that does not change from frame to frame.
+
+    Parameters
+    ----------
+    expected : (height, width, 3) float32, RGB
+        The image without noise, 0 to 255.
+    """
 
     expected: Float32Array
 
@@ -41,7 +47,7 @@ class ColorRecording:
 def record_color(
     caster: SceneCaster, sensor: Sensor, sensor2reference: FloatArray
 ) -> ColorRecording:
-    """Look at a scene with a sensor's colour camera.
+    """Record a scene with a sensor's colour camera.
 
     Parameters
     ----------
@@ -50,6 +56,10 @@ def record_color(
     sensor
     sensor2reference : (4, 4) float64, mm
         *Depth* camera frame to reference frame.
+
+    Returns
+    -------
+    ColorRecording
     """
     camera = sensor.color_camera
     color2reference = sensor2reference @ inverse(sensor.depth2color)
@@ -65,7 +75,7 @@ def record_color(
 
 
 def _lit(hits: Hits, lamp: FloatArray) -> FloatArray:
-    """Colours (n, 3) of surfaces, the darker the less they face the lamp."""
+    """Compute the colours (n, 3) of surfaces, darker the less they face the lamp."""
     to_lamp = lamp - hits.points
     to_lamp /= np.linalg.norm(to_lamp, axis=1, keepdims=True)
     facing = np.clip(np.einsum("nc,nc->n", hits.normals, to_lamp), 0, 1)
@@ -73,9 +83,9 @@ def _lit(hits: Hits, lamp: FloatArray) -> FloatArray:
 
 
 def _pixel_rays(camera: PinholeCamera) -> FloatArray:
-    """Like `PinholeCamera.pixel_rays`, but interpolated between a coarse grid: 60 times faster.
+    """Compute the rays of all pixels by interpolation in a coarse grid, 60 times as fast.
 
-    A lens is so smooth that this is exact to 0.01 px.
+    Lens distortion is so smooth that this is accurate to 0.01 px.
     """
     step = _RAY_GRID_PX
     # One node in the middle of every block of pixels, and one block more on every side.

@@ -1,14 +1,14 @@
-"""What a structured-light sensor makes of a scene: its raw numbers with their errors.
+"""A parametric model of a structured-light sensor: its raw values with their errors.
 
-A parametric model; one raw unit is 1/8 px of disparity. Its figures fit a physical simulation of
-dot pattern and block matching, and agree with Khoshelham & Elberink 2012, Nguyen et al. 2012 and
-Herrera et al. 2012, who do not separate what changes from frame to frame from what does not.
+One raw unit is 1/8 px of disparity. The parameters are fitted to a physical simulation of dot
+pattern and block matching, and agree with Khoshelham & Elberink 2012, Nguyen et al. 2012 and
+Herrera et al. 2012, who do not separate temporal noise from fixed errors.
 
-- *Fixed in time*: the few dots in a matching window lie off its centre, so that a pixel reports
-  the disparity of a place about 0.7 px away. On a slope this is the error
+- *Fixed error*: the few dots in a matching window lie off its centre, so that a pixel reports
+  the disparity of a point about 0.7 px away. On a slope this is the error
   0.69 px x (disparity gradient); at the border of a body it makes the ragged outline.
-- *Changing*: grows with the slant of the surface.
-- Then distortion of the device, and rounding to whole raw units.
+- *Temporal noise*: grows with the slant of the surface.
+- Then the distortion of the device, and rounding to whole raw units.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ _LEAST_SUPPORT = 0.4
 
 @dataclass(frozen=True, eq=False)
 class DepthRecording:
-    """Everything about a depth view that does not change from frame to frame.
+    """A depth view without what changes from frame to frame.
 
     Parameters
     ----------
     expected_raw : (480, 640) float64, raw units
         Distorted, with the fixed error, not yet rounded; NaN where nothing can be measured.
     slant_deg : (480, 640) float64
-        Angle of the surface normal against the line of sight; NaN where nothing is met.
+        Angle of the surface normal against the line of sight; NaN where there is no surface.
     """
 
     expected_raw: FloatArray
@@ -61,7 +61,10 @@ class DepthRecording:
 
 
 def temporal_sigma_raw(slant_deg: FloatArray) -> FloatArray:
-    """Noise before rounding, so that with it sigma^2 = 0.36^2 + (0.45 tan slant)^2."""
+    """Compute the standard deviation of the temporal noise before rounding, raw units.
+
+    After rounding it is sigma^2 = 0.36^2 + (0.45 tan slant)^2.
+    """
     tangent = np.tan(np.radians(np.clip(slant_deg, 0, 80)))
     total = TEMPORAL_RAW**2 + (TEMPORAL_SLOPE_RAW * tangent) ** 2
     return np.asarray(np.sqrt(total - _ROUNDING_VARIANCE))
@@ -70,7 +73,7 @@ def temporal_sigma_raw(slant_deg: FloatArray) -> FloatArray:
 def record_depth(
     caster: SceneCaster, device: Device, sensor2reference: FloatArray, rng: np.random.Generator
 ) -> DepthRecording:
-    """Look at a scene with a device's depth camera.
+    """Record a scene with a device's depth camera by the parametric model.
 
     Parameters
     ----------
@@ -81,6 +84,10 @@ def record_depth(
         Depth camera frame to reference frame.
     rng
         For the fixed errors.
+
+    Returns
+    -------
+    DepthRecording
     """
     camera = device.sensor.depth_camera
     shape = (camera.height, camera.width)
@@ -106,7 +113,7 @@ def _slant_deg(normals: FloatArray, directions: FloatArray) -> FloatArray:
 
 
 def _is_matchable(raw: FloatArray) -> BoolArray:
-    """Where the matching window is whole, and enough of it lies on something."""
+    """Return where the matching window is complete and enough of it has a surface."""
     valid = np.isfinite(raw)
     support = uniform_filter(valid.astype(float), WINDOW_PX, mode="nearest")
     matchable = valid & (support >= _LEAST_SUPPORT)
@@ -115,7 +122,7 @@ def _is_matchable(raw: FloatArray) -> BoolArray:
 
 
 def _correlated_noise(shape: tuple[int, int], rng: np.random.Generator) -> FloatArray:
-    """Unit noise, correlated over about 4 px as neighbouring windows share their dots."""
+    """Draw unit noise, correlated over about 4 px because neighbouring windows share dots."""
     smooth = gaussian_filter(rng.standard_normal(shape), _CORRELATION_PX)
     share = _UNCORRELATED_SHARE
     white = rng.standard_normal(shape)

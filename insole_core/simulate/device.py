@@ -1,4 +1,4 @@
-"""A simulated sensor: what is true of one device, and what its calibration knows of it."""
+"""A simulated sensor: the true properties of one device, and its calibration."""
 
 from __future__ import annotations
 
@@ -20,8 +20,9 @@ BASELINE_MM = 75.0
 WINDOW_PX = 9
 """Side of the matching window."""
 BLIND_COLUMNS = slice(1 - WINDOW_PX, None)
-"""Of the depth image. A pixel's window begins at the same pixel of the infrared image, which has
-eight rows more but no more columns: the windows of the last eight would reach beyond it."""
+"""Columns of the depth image without a reading. A pixel's window begins at the same pixel of the
+infrared image, which has eight rows more but no more columns: the windows of the last eight columns
+would extend beyond it."""
 _WIDTH, _HEIGHT = DEPTH_SIZE
 _FULL_COLOR_WIDTH = 1280
 _DISTORTION_RMS_RAW = 3.0
@@ -30,21 +31,21 @@ _DISTORTION_DECAY = 0.002
 _RESIDUAL_RMS_RAW = 0.2
 _RESIDUAL_CORRELATION_PX = 20.0
 _CORRECTION_STEP_RAW = 1 / 128
-"""To what the correction is rounded: far below its error, and a quarter of the file's size."""
+"""Step to which the correction is rounded: far below its error, and the file is 4 times smaller."""
 
 
 @dataclass(frozen=True, eq=False)
 class Device:
-    """One physical sensor.
+    """One simulated physical sensor.
 
     Parameters
     ----------
     sensor
-        As it was calibrated; its correction is nearly, not quite, the true distortion.
+        Its calibration; the correction is nearly, but not exactly, the true distortion.
     distortion_raw : (480, 640) float64, raw units
         True distortion at `reference_raw`.
     reference_raw
-        The raw number at which the distortion was calibrated.
+        The raw value at which the distortion was calibrated.
     """
 
     sensor: Sensor
@@ -53,15 +54,25 @@ class Device:
 
     @property
     def projector_mm(self) -> FloatArray:
-        """(3,) the dot projector, depth camera frame: beside the colour camera, towards +x."""
+        """(3,) position of the dot projector, depth camera frame: beside the colour camera, +x."""
         return np.array([BASELINE_MM, 0.0, 0.0])
 
     def distort(self, raw: FloatArray) -> FloatArray:
-        """Add the distortion to ideal raw numbers (480, 640)."""
+        """Add the distortion to ideal raw values (480, 640)."""
         return self._distorted(raw, self.distortion_raw)
 
     def distort_at(self, raw: FloatArray, pixels: FloatArray) -> FloatArray:
-        """Add the distortion to ideal raw numbers (n,) at places (n, 2) in the image, px."""
+        """Add the distortion to ideal raw values at some pixels.
+
+        Parameters
+        ----------
+        raw : (n,) float64, raw units
+        pixels : (n, 2) float64, px, depth image
+
+        Returns
+        -------
+        (n,) float64, raw units
+        """
         nearest = np.clip(np.rint(pixels).astype(int), 0, [_WIDTH - 1, _HEIGHT - 1])
         return self._distorted(raw, self.distortion_raw[nearest[:, 1], nearest[:, 0]])
 
@@ -85,10 +96,14 @@ def make_device(
     faces
         The marker groups it sees.
     distance_mm
-        Where its distortion was calibrated.
+        Distance at which its distortion was calibrated.
     color_size
         Width and height of the colour image, px.
     rng
+
+    Returns
+    -------
+    Device
     """
     focal_px = rng.normal(583.0, 3.0)
     depth_camera = PinholeCamera(
@@ -113,7 +128,7 @@ def make_device(
 
 
 def _color_camera(size: tuple[int, int], rng: np.random.Generator) -> PinholeCamera:
-    """The full image is 1280 x 1024; smaller ones are scaled, and cut at top and bottom."""
+    """Draw a colour camera; images smaller than 1280 x 1024 are scaled and cropped vertically."""
     width, height = size
     scale = width / _FULL_COLOR_WIDTH
     focal_px = rng.normal(1035.0, 4.0) * scale
@@ -140,7 +155,7 @@ def _depth2color(rng: np.random.Generator) -> FloatArray:
 
 
 def _disparity(focal_px: float, rng: np.random.Generator) -> DisparityModel:
-    """Z = 8 f b / (d0 - raw), written in one of the two ways that devices are described."""
+    """Draw Z = 8 f b / (d0 - raw), in one of the two forms in which devices are described."""
     offset_raw = rng.normal(1090.0, 2.0)
     if rng.random() < 0.5:
         slope = 1000.0 / (8 * focal_px * BASELINE_MM)
@@ -156,7 +171,7 @@ def _disparity(focal_px: float, rng: np.random.Generator) -> DisparityModel:
 
 
 def _distortion(rng: np.random.Generator) -> FloatArray:
-    """A smooth map (480, 640), raw units: a polynomial of degree 4 in both directions."""
+    """Draw a smooth map (480, 640), raw units: a polynomial of degree 4 in both directions."""
     order = np.add.outer(np.arange(5), np.arange(5))
     coefficients = rng.standard_normal((5, 5)) * np.where(order <= 4, 1.0 / (1 + order), 0)
     v, u = np.linspace(-1, 1, _HEIGHT), np.linspace(-1, 1, _WIDTH)

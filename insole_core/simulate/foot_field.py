@@ -21,12 +21,12 @@ LEG_HEIGHT_MM = 182.0
 _MODEL_BALL_MM = 97.0
 _MODEL_HEEL_MM = 69.0
 _ROUNDING_MM = 10.4
-"""How high the rounded section alone lifts the sole in the arch."""
+"""Height of the arch due to the rounded section alone."""
 _ARCH_GAIN = 1.3
-"""Makes up for what the blends fill in."""
+"""Compensates for the parts filled by the smooth unions."""
 
 _BODY = {
-    # how the foot body changes from heel to web
+    # sections of the foot body from heel to web
     "y": (0, 30, 50, 73, 98, 122, 147, 167, 181, 196, 211, 235),
     "medial": (22, 25, 26, 27, 29, 33, 40, 45.5, 48, 47.5, 44, 42),
     "lateral": (-22, -27, -31, -34.5, -37.5, -41.5, -46, -48.5, -48, -45.5, -43, -40),
@@ -39,7 +39,7 @@ _BODY = {
 }
 
 _LEG = {
-    # how heel and lower leg change from the ground up; y is counted from the heel's back
+    # sections of heel and lower leg from the ground up; y is counted from the heel's back
     "z": (0, 8, 15, 24, 36, 50, 65, 80, 100, 125, 150, 190),
     "back": (2, 0.6, 0, 0.2, 2, 6, 11, 15.5, 19, 20, 18, 13),
     "waist": (33, 33, 33, 33, 34, 38, 46, 56, 62, 62, 60, 56),
@@ -49,7 +49,7 @@ _LEG = {
 }
 
 Toe = tuple[tuple[tuple[float, float, float, float], ...], float]
-"""Three joints (x, y, z, radius), mm, and how flat the toe is (1: round)."""
+"""Three joints (x, y, z, radius), mm, and the ratio of height to width (1: round)."""
 
 TOES: tuple[Toe, ...] = (
     # joints (x, y, z, radius) from the metatarsal head to the pulp, and the flattening of the toe
@@ -69,20 +69,31 @@ _MALLEOLI = (
 
 @dataclass(frozen=True)
 class FootField:
-    """The implicit foot of a shape, and where its parts lie (mm, y from the heel's back).
+    """The implicit foot of a shape; mm, left foot, y from the heel's back.
 
     Parameters
     ----------
     shape
     toes
-        Of the model's foot, medial to lateral.
+        Of the foot of 245 mm, medial to lateral.
     """
 
     shape: FootShape
     toes: tuple[Toe, ...] = TOES
 
     def sample(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-        """Field (nx, ny, nz) on the grid with these equidistant coordinates, mm."""
+        """Evaluate the field on a grid.
+
+        Parameters
+        ----------
+        x, y, z : (nx,), (ny,), (nz,) float64, mm
+            Equidistant coordinates.
+
+        Returns
+        -------
+        (nx, ny, nz) float64, mm
+            Roughly the signed distance, negative inside.
+        """
         y_model = y * MODEL_LENGTH_MM / self.shape.length_mm
         X, Y, Z = x[:, None, None], y_model[None, :, None], z[None, None, :]
         width, shift = self._width_scale(Y), self._heel_shift(Z)
@@ -99,13 +110,13 @@ class FootField:
         return np.asarray(np.maximum(foot, Z - LEG_HEIGHT_MM))
 
     def toe_tips(self) -> FloatArray:
-        """(5, 3) foremost point of every toe, medial to lateral."""
+        """Return the foremost point of every toe, (5, 3), mm, medial to lateral."""
         pulps = np.array([joints[-1] for joints, _ in self.toes])
         tips = pulps[:, :3] + np.array([0, 1, 0]) * pulps[:, 3:]
         return self._place(tips)
 
     def metatarsal_heads(self) -> FloatArray:
-        """(5, 3) where the heads of the metatarsals press on the sole, medial to lateral."""
+        """Return the points below the metatarsal heads, (5, 3), mm, medial to lateral."""
         heads = np.array([joints[0][:3] for joints, _ in self.toes], dtype=float)
         heads[:, 1] -= 3.0
         heads[:, 2] = 0.0
@@ -118,13 +129,13 @@ class FootField:
         return points * scale
 
     def _width_scale(self, y: FloatArray) -> FloatArray:
-        """Width against the model's, blended from heel to ball."""
+        """Compute the width relative to the model's, blended from heel to ball."""
         heel = self.shape.heel_width_mm / _MODEL_HEEL_MM
         ball = self.shape.ball_width_mm / _MODEL_BALL_MM
         return heel + (ball - heel) * _smooth_step((y - 50) / 100)
 
     def _body(self, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-        """The foot from heel to web: 1 on the surface, less inside."""
+        """Evaluate the foot from heel to web: 1 on the surface, less inside."""
         medial, lateral, ridge, top, medial_seam, lateral_seam, sole, arch = _profiles(_BODY, y)
         across = np.clip((x - lateral) / (medial - lateral), 0, 1)
         seam = lateral_seam + (medial_seam - lateral_seam) * across
@@ -141,14 +152,14 @@ class FootField:
         return np.asarray(np.where(z > seam, upper, lower) + caps)
 
     def _heel_shift(self, z: FloatArray) -> FloatArray:
-        """How far the section at a height is moved medially; the leg above the ankle is upright."""
+        """Compute the medial shift of a section; the leg above the ankle is upright."""
         slope = np.tan(np.radians(self.shape.rearfoot_eversion_deg))
         height = np.minimum(z, 60.0)
         return np.asarray(slope * (height - 10.0))
 
 
 def _leg(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-    """Heel and lower leg: 1 on the surface, less inside."""
+    """Evaluate heel and lower leg: 1 on the surface, less inside."""
     back, waist, front, half_width, power = _profiles(_LEG, z)
     along = np.where(y < waist, (waist - y) / (waist - back), (y - waist) / (front - waist))
     radius = np.abs(x / half_width) ** power + np.abs(along) ** power
@@ -157,7 +168,7 @@ def _leg(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
 
 
 def _toes(toes: tuple[Toe, ...], grid: tuple[FloatArray, FloatArray, FloatArray]) -> FloatArray:
-    """Union of the toes; a hard one, so that they stay apart."""
+    """Compute the union of the toes, not a smooth one, so that they stay separate."""
     fields = []
     for joints, flattening in toes:
         base, middle, pulp = (np.array(joint, dtype=float) for joint in joints)
@@ -168,14 +179,14 @@ def _toes(toes: tuple[Toe, ...], grid: tuple[FloatArray, FloatArray, FloatArray]
 
 
 def _profiles(table: Mapping[str, tuple[float, ...]], at: FloatArray) -> list[FloatArray]:
-    """All rows of a table but the first, at places counted along the first."""
+    """Interpolate all rows of a table but the first, at coordinates along the first."""
     stations, *rows = (np.array(row, dtype=float) for row in table.values())
     inside = np.clip(at, stations[0], stations[-1])
     return [np.asarray(PchipInterpolator(stations, row)(inside)) for row in rows]
 
 
 def _smooth_step(share: FloatArray) -> FloatArray:
-    """0 below 0, 1 above 1, without a kink in between."""
+    """Interpolate smoothly from 0 (at 0 and below) to 1 (at 1 and above)."""
     inside = np.clip(share, 0, 1)
     return np.asarray(inside * inside * (3 - 2 * inside))
 
@@ -183,19 +194,19 @@ def _smooth_step(share: FloatArray) -> FloatArray:
 def _section(
     x: FloatArray, centre: FloatArray, medial: FloatArray, lateral: FloatArray
 ) -> FloatArray:
-    """Position across a section: 0 at its centre, 1 at either border."""
+    """Compute the position across a section: 0 at its centre, 1 at either border."""
     return np.where(x > centre, (x - centre) / (medial - centre), (centre - x) / (centre - lateral))
 
 
 def _distance(level: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-    """First-order distance to the surface on which `level` is one."""
+    """Compute the first-order distance to the surface on which `level` is one."""
     root = np.sqrt(level)
     slope = np.linalg.norm(np.gradient(root, x, y, z), axis=0)
     return np.asarray((root - 1) / np.maximum(slope, 1e-3))
 
 
 def _smooth_union(a: FloatArray, b: FloatArray, blend_mm: float) -> FloatArray:
-    """Union whose seam is rounded over `blend_mm` (polynomial smooth minimum)."""
+    """Compute a union whose seam is rounded over `blend_mm` (polynomial smooth minimum)."""
     overlap = np.maximum(blend_mm - np.abs(a - b), 0) / blend_mm
     return np.asarray(np.minimum(a, b) - overlap**2 * blend_mm / 4)
 
@@ -216,7 +227,7 @@ def _round_cone(
     end: FloatArray,
     flattening: float,
 ) -> FloatArray:
-    """Two spheres (x, y, z, radius) and the cone between them, pressed flat in z."""
+    """Evaluate two spheres (x, y, z, radius) and the cone between them, flattened in z."""
     axis = end[:3] - start[:3]
     offsets = [at - first for at, first in zip(grid, start, strict=False)]
     along = sum(offset * part for offset, part in zip(offsets, axis, strict=True))

@@ -1,4 +1,4 @@
-"""A simulated foot: closed coloured surface and true landmarks in the reference frame."""
+"""A simulated foot: a closed coloured surface and its true landmarks in the reference frame."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _HEEL_HEIGHT_MM = 45.0
 
 @dataclass(frozen=True, eq=False)
 class FootModel:
-    """A foot whose measures are known.
+    """A simulated foot whose measures are known.
 
     Parameters
     ----------
@@ -60,7 +60,11 @@ def build_foot(
     cell_mm
         Resolution of the surface.
     toes
-        Of the model's foot, before it is made to the shape.
+        Of the model's foot of 245 mm, before it is scaled to the shape.
+
+    Returns
+    -------
+    FootModel
     """
     field = FootField(shape, toes)
     model = _surface(field, rng, cell_mm)
@@ -91,7 +95,7 @@ def _surface(field: FootField, rng: np.random.Generator, cell_mm: float) -> Tria
 
 
 def _placement(vertices: FloatArray, length_mm: float) -> FloatArray:
-    """(4, 4) stretch to the exact length, y = 0 in its middle, z = 0 at the lowest point."""
+    """Return the transform (4, 4) to the exact length, y = 0 in its middle, z = 0 at the lowest."""
     sole = vertices[vertices[:, 2] < _HEEL_HEIGHT_MM]
     low, high = sole.min(axis=0), sole.max(axis=0)
     stretch = length_mm / (high[1] - low[1])
@@ -101,7 +105,7 @@ def _placement(vertices: FloatArray, length_mm: float) -> FloatArray:
 
 
 def _extremes(vertices: FloatArray) -> dict[str, FloatArray]:
-    """Landmarks that are the outermost points of a left foot."""
+    """Find the landmarks that are outermost points of a left foot."""
     share = (vertices[:, 1] - vertices[:, 1].min()) / np.ptp(vertices[:, 1])
     low = vertices[:, 2] < _HEEL_HEIGHT_MM
     inner = vertices[low & (share > 0.60) & (share < 0.80)]

@@ -1,4 +1,4 @@
-"""The measures that a simulated foot is made to."""
+"""The measures of a simulated foot."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LIMITS: Limits = {
 
 @dataclass(frozen=True)
 class FootShape:
-    """What a simulated foot looks like.
+    """The shape of a simulated foot.
 
     Parameters
     ----------
@@ -33,14 +33,14 @@ class FootShape:
     arch_height_mm
         Highest point of the sole above the ground, on the line from the heel to the first head.
     rearfoot_eversion_deg
-        Bisection of the heel against the lower leg; positive when the sole of the heel is turned
+        Angle of the heel's bisection to the lower leg; positive when the sole of the heel is turned
         outwards (valgus, the heel leans towards the medial side going up).
     side
 
     Raises
     ------
     UsageError
-        When a measure is none of a foot.
+        When a measure is out of its range.
     """
 
     length_mm: float = 245.0
@@ -55,7 +55,7 @@ class FootShape:
 
 
 def vary_shape(rng: np.random.Generator, side: Side) -> FootShape:
-    """Draw a plausible adult foot."""
+    """Draw the shape of a plausible adult foot."""
     length_mm = rng.uniform(230, 265)
     return FootShape(
         length_mm=length_mm,

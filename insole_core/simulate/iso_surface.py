@@ -14,7 +14,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 
 _SNAP = 0.02
-"""Fraction of a cell below which a value counts as this much outside; avoids sliver triangles."""
+"""Values smaller than this share of a cell are set to it, outside, to avoid sliver triangles."""
 
 
 def extract_surface(field: FloatArray, origin_mm: FloatArray, cell_mm: float) -> TriangleMesh:
@@ -25,14 +25,14 @@ def extract_surface(field: FloatArray, origin_mm: FloatArray, cell_mm: float) ->
     field : (nx, ny, nz) float64, mm
         Roughly the signed distance.
     origin_mm : (3,) float64
-        Where the node (0, 0, 0) lies.
+        Position of the node (0, 0, 0).
     cell_mm
         Distance of neighbouring nodes.
 
     Returns
     -------
     TriangleMesh
-        Closed, triangles facing towards positive values.
+        Closed, mm; triangles face towards positive values.
     """
     values = np.where(np.abs(field) < _SNAP * cell_mm, _SNAP * cell_mm, field).ravel()
     corners = _tetrahedra((values < 0).reshape(field.shape), field.shape)
@@ -46,7 +46,7 @@ def extract_surface(field: FloatArray, origin_mm: FloatArray, cell_mm: float) ->
 
 
 def _tetrahedra(inside: BoolArray, shape: tuple[int, ...]) -> IntArray:
-    """(n, 4) node numbers of the positively oriented tetrahedra of all cells that may be cut."""
+    """Return the nodes (n, 4) of the positively oriented tetrahedra of all cells that are cut."""
     cells = tuple(slice(0, size - 1) for size in shape)
     count = np.zeros(tuple(size - 1 for size in shape), dtype=np.int8)
     for corner in np.ndindex(2, 2, 2):
@@ -63,7 +63,7 @@ def _tetrahedra(inside: BoolArray, shape: tuple[int, ...]) -> IntArray:
 
 
 def _cut_edges(corners: IntArray, values: FloatArray) -> IntArray:
-    """(m, 3, 2) the cut edges, as sorted node pairs, at the corners of every triangle."""
+    """Return the cut edges (m, 3, 2), as sorted node pairs, at the corners of every triangle."""
     pattern = (values[corners] < 0) @ np.array([1, 2, 4, 8])
     parts = [np.empty((0, 3, 2), dtype=np.int64)]
     for bits, triangles in _TRIANGLES.items():
@@ -76,7 +76,7 @@ _Edges = tuple[list[int], list[int], list[int]]
 
 
 def _triangle_table() -> dict[int, list[_Edges]]:
-    """Which edges the triangles join, by the set of inner corners, for a positive tetrahedron."""
+    """Tabulate which edges the triangles join, by the set of inner corners of a tetrahedron."""
     table: dict[int, list[_Edges]] = {}
     for a, b, c, d in ((0, 1, 2, 3), (1, 0, 3, 2), (2, 3, 0, 1), (3, 2, 1, 0)):
         table[1 << a] = [([a, b], [a, c], [a, d])]

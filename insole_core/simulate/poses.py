@@ -1,4 +1,4 @@
-"""Where the simulated sensors stand."""
+"""Poses of the simulated sensors."""
 
 from __future__ import annotations
 
@@ -18,9 +18,18 @@ _ROLL_SPREAD_DEG = 0.6
 
 
 def look_at(position: FloatArray, target: FloatArray, down: FloatArray) -> FloatArray:
-    """Pose (4, 4), camera to reference frame, of a camera that looks at a target (3,), mm.
+    """Compute the pose of a camera that looks at a target.
 
-    `down` (3,) is the direction that appears as down in the image.
+    Parameters
+    ----------
+    position, target : (3,) float64, mm, reference frame
+    down : (3,) float64
+        Direction that appears as down in the image.
+
+    Returns
+    -------
+    (4, 4) float64, mm
+        Camera frame to reference frame.
     """
     forward = (target - position) / np.linalg.norm(target - position)
     right = np.cross(down, forward)
@@ -31,7 +40,7 @@ def look_at(position: FloatArray, target: FloatArray, down: FloatArray) -> Float
 def stand_sensor(
     view: str, distance_mm: float, half_angle_deg: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Put a sensor up by hand: near its nominal place, aimed near the middle.
+    """Draw the pose of a sensor set up by hand: near its nominal position, aimed near the middle.
 
     Parameters
     ----------
@@ -40,7 +49,7 @@ def stand_sensor(
     distance_mm
         From the foot.
     half_angle_deg
-        Of the sole sensors' axes against the z axis.
+        Angle of the sole sensors' axes to the z axis.
     rng
 
     Returns

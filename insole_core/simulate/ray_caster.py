@@ -1,4 +1,4 @@
-"""What straight rays meet in a coloured scene, and what it looks like there."""
+"""Cast rays into a coloured scene."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 
 _CLEARANCE_MM = 0.5
-"""How far a shadow ray starts off its surface, so that it does not meet the surface itself."""
+"""Distance of a shadow ray's start from its surface, so that it does not hit the surface itself."""
 
 
 @dataclass(frozen=True, eq=False)
 class Hits:
-    """Where rays met the scene first; only the rays that met something.
+    """First hits of rays with a scene; only of the rays that hit something.
 
     Parameters
     ----------
     ray : (n,) int64
         Index of the ray.
     distance : (n,) float64
-        In lengths of that ray's direction.
+        In units of that ray's direction.
     points, normals : (n, 3) float64
-        Place and unit surface normal, turned towards the ray's origin; same frame as the scene.
+        Position and unit surface normal towards the ray's origin, frame of the scene.
     colors : (n, 3) float64
         0 to 255, interpolated between the vertices.
     """
@@ -38,7 +38,7 @@ class Hits:
 
 
 class SceneCaster:
-    """Casts rays into one coloured mesh."""
+    """A coloured mesh, prepared for casting rays."""
 
     def __init__(self, scene: TriangleMesh) -> None:
         self._corners = scene.vertices[scene.triangles]
@@ -49,7 +49,18 @@ class SceneCaster:
         self._caster = RayCaster(scene)
 
     def cast(self, origin: FloatArray, directions: FloatArray) -> Hits:
-        """Follow rays (n, 3) from one origin (3,) to what they meet first."""
+        """Find the first hits of rays from one origin.
+
+        Parameters
+        ----------
+        origin : (3,) float64, mm, frame of the scene
+        directions : (n, 3) float64
+            Of any length.
+
+        Returns
+        -------
+        Hits
+        """
         met = self._caster.cast(origin, directions)
         ray, triangle = met.ray, met.triangle
         directions = directions[ray]
@@ -67,14 +78,24 @@ class SceneCaster:
         )
 
     def is_blocked(self, points: FloatArray, target: FloatArray) -> BoolArray:
-        """Tell for points (n, 3) whether anything stands between them and the target (3,)."""
+        """Return which points are hidden from a target.
+
+        Parameters
+        ----------
+        points : (n, 3) float64, mm, frame of the scene
+        target : (3,) float64, mm
+
+        Returns
+        -------
+        (n,) bool
+        """
         return self._caster.is_blocked(points, target, _CLEARANCE_MM)
 
 
 def _solve(
     corners: FloatArray, origin: FloatArray, directions: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Ray length (n,) and barycentric weights (n, 3), Moller & Trumbore 1997, in double."""
+    """Compute ray length (n,) and barycentric weights (n, 3) in double (Moller & Trumbore 1997)."""
     edge1, edge2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     p = np.cross(directions, edge2)
     scale = 1 / np.einsum("nc,nc->n", edge1, p)

@@ -1,4 +1,4 @@
-"""What stands in the simulated room: the foot, the reference system, the bed, and blue clutter."""
+"""The simulated scene: the foot, the reference system, the bed, and blue clutter."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CLOTH_BLUE = (34, 66, 138)
 _BED = (176, 178, 168)
 
 _OUTWARD = {"sole": (0.0, 0.0, -1.0), "achilles": (0.0, -1.0, 0.0)}
-"""Where the markers of a group look, reference frame."""
+"""Normal of the markers of each group, reference frame."""
 
 
 def load_reference_system(name: str = "lego-20") -> ReferenceSystem:
@@ -34,13 +34,25 @@ def load_reference_system(name: str = "lego-20") -> ReferenceSystem:
 def build_scene(
     foot: TriangleMesh, reference_system: ReferenceSystem, rng: np.random.Generator
 ) -> TriangleMesh:
-    """Put the room together: one coloured mesh, mm, reference frame."""
+    """Assemble the scene.
+
+    Parameters
+    ----------
+    foot : mm, reference frame, with colours
+    reference_system
+    rng
+        For the positions of bed and clutter.
+
+    Returns
+    -------
+    TriangleMesh, mm, reference frame, with colours
+    """
     bricks = (_brick(marker) for marker in reference_system.markers)
     return joined([foot, *bricks, _bed(rng), *_clutter(rng)])
 
 
 def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
-    """Make one mesh of several coloured ones."""
+    """Concatenate coloured meshes."""
     parts = list(meshes)
     starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
     return TriangleMesh(
@@ -53,7 +65,7 @@ def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
 
 
 def _brick(marker: Marker) -> TriangleMesh:
-    """A grey block whose outward face is blue."""
+    """Return a grey block whose outward face is blue."""
     outward = np.array(_OUTWARD[marker.face])
     size = np.where(outward == 0, BLOCK_SIZE_MM, _BLOCK_DEPTH_MM)
     centre = np.array(marker.position_mm) - outward * _BLOCK_DEPTH_MM / 2
@@ -63,13 +75,13 @@ def _brick(marker: Marker) -> TriangleMesh:
 
 
 def _bed(rng: np.random.Generator) -> TriangleMesh:
-    """The end of the bed, on which the lower leg rests."""
+    """Return the end of the bed on which the lower leg rests."""
     centre = np.array([rng.uniform(-25, 25), rng.uniform(32, 42), 450.0])
     return _box(centre, np.array([660.0, 60.0, 480.0]), _six_faces(_BED))
 
 
 def _clutter(rng: np.random.Generator) -> list[TriangleMesh]:
-    """Blue things that are no markers: a cloth, a cable, a dot, and a pen on the bed."""
+    """Return blue objects that are not markers: a cloth, a cable, a dot, and a pen on the bed."""
     things = [
         # centre, size, colour
         ((40, 262, 70), (140, 78, 4), _CLOTH_BLUE),
@@ -92,7 +104,7 @@ def _six_faces(color: tuple[int, int, int]) -> ByteArray:
 def _box(
     centre: FloatArray, size: FloatArray, colors: ByteArray, turn: FloatArray | None = None
 ) -> TriangleMesh:
-    """A box whose six faces share no vertices, so that they keep their colours and normals."""
+    """Return a box whose faces share no vertices, so that they keep their colours and normals."""
     corners = _BOX_CORNERS * size / 2
     vertices = centre + (corners if turn is None else corners @ turn.T)
     triangles = (np.arange(6)[:, None, None] * 4 + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
@@ -100,7 +112,7 @@ def _box(
 
 
 def _box_faces() -> tuple[FloatArray, FloatArray]:
-    """(24, 3) corners of the faces of a box from -1 to 1, and (6, 3) the normals of the faces."""
+    """Return the corners (24, 3) of the faces of a box from -1 to 1, and their normals (6, 3)."""
     normals = np.concatenate([np.eye(3), -np.eye(3)])
     corners = []
     for normal in normals:

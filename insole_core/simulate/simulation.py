@@ -1,4 +1,4 @@
-"""A whole simulated capture: a foot in the reference system, seen by three sensors."""
+"""A complete simulated capture: a foot in the reference system, recorded by three sensors."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _LIMITS: Limits = {
 
 @dataclass(frozen=True)
 class SimulationOptions:
-    """What is to be simulated.
+    """The options of a simulation.
 
     Parameters
     ----------
@@ -55,21 +55,21 @@ class SimulationOptions:
     distance_mm
         From the sensors to the foot.
     bursts
-        In how many slightly different places each sensor stands; views left, left_2, ...
+        Number of slightly different positions of each sensor; views left, left_2, ...
     frames, color_frames
-        Depth and colour frames of every view.
+        Number of depth and colour frames of every view.
     shape
-        The foot; without one it is drawn from the seed.
+        Of the foot; by default it is drawn from the seed.
     half_angle_deg
-        Of the two sole sensors' axes against the direction of the leg.
+        Angle of the two sole sensors' axes to the direction of the leg.
     color_size
         Width and height of the colour images, px: 1280 x 1024, 1280 x 960 or 640 x 480.
     foot_cell_mm
         Resolution of the foot's surface.
     ideal
-        Whether the sensors have no matching window: the depth has errors of a real one's size, but
-        fine structure is kept and rims are not fattened. ``fused`` makes up for the window of a
-        real sensor, and so does harm to what an ideal one shows (decision 0023).
+        Whether the sensors have no matching window: depth errors are as large as a real sensor's,
+        but fine structure is kept and rims are not widened. The method ``fused`` corrects the
+        window of a real sensor, and so degrades the views of an ideal one (decision 0023).
 
     Raises
     ------
@@ -109,14 +109,14 @@ class SimulationOptions:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedSession:
-    """A session and everything that is true of it.
+    """A simulated session and its ground truth.
 
     Parameters
     ----------
     session
-        Its frames are drawn when they are read, always the same ones.
+        Its frames are drawn when they are read, and always the same.
     foot
-        The true surface with its shape and landmarks, reference frame.
+        The true surface with its shape and landmarks, mm, reference frame.
     sensor2reference : view name -> (4, 4) float64, mm
         True poses of the depth cameras.
     """
@@ -127,12 +127,24 @@ class SimulatedSession:
 
     @property
     def truth(self) -> TriangleMesh:
-        """The true surface with its colours, reference frame."""
+        """The true surface with its colours, mm, reference frame."""
         return self.foot.mesh
 
 
 def simulate_session(options: SimulationOptions, progress: Progress = SILENT) -> SimulatedSession:
-    """Simulate one capture."""
+    """Simulate one capture.
+
+    Parameters
+    ----------
+    options
+    progress
+        Reports every view.
+
+    Returns
+    -------
+    SimulatedSession
+        The session with the true foot and the true poses.
+    """
     progress.step(0.0, "Shaping the foot")
     rng = np.random.default_rng([options.seed, 0])
     foot = build_foot(options.shape or vary_shape(rng, options.side), rng, options.foot_cell_mm)
@@ -163,7 +175,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
 
 
 def _plan(bursts: int) -> list[tuple[str, str]]:
-    """(view, sensor) of all views: left, left_2, ... right, ..."""
+    """Return (view, sensor) of all views: left, left_2, ... right, ..."""
     return [
         (sensor if burst == 1 else f"{sensor}_{burst}", sensor)
         for sensor in _SENSOR_FACES
@@ -207,7 +219,7 @@ def _manifest(
 
 
 class _DepthView(Protocol):
-    """What a depth camera saw of a still scene."""
+    """A recording of a still scene by a depth camera."""
 
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one frame: (480, 640) uint16."""
@@ -225,16 +237,19 @@ def _recorder_of_depth(
 
 @dataclass(frozen=True, eq=False)
 class Recorder:
-    """What one sensor recorded; every frame has its own random stream, so any order will do."""
+    """The recording of one sensor.
+
+    Every frame has its own random stream, so frames can be read in any order.
+    """
 
     depth: _DepthView
     color: ColorRecording
     seed: list[int]
 
     def read_depth(self, frame: int) -> RawArray:
-        """Give a depth frame, raw numbers."""
+        """Draw a depth frame, (480, 640) uint16, raw units."""
         return self.depth.frame(np.random.default_rng([*self.seed, 1, frame]))
 
     def read_color(self, frame: int) -> ByteArray:
-        """Give a colour frame, RGB."""
+        """Draw a colour frame, (height, width, 3) uint8, RGB."""
         return self.color.frame(np.random.default_rng([*self.seed, 2, frame]))

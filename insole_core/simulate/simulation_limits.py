@@ -1,4 +1,4 @@
-"""Which numbers can be simulated."""
+"""The ranges of values that can be simulated."""
 
 from __future__ import annotations
 
@@ -7,16 +7,23 @@ from collections.abc import Mapping
 from insole_core.errors import UsageError
 
 Limits = Mapping[str, tuple[str, float, float]]
-"""Attribute -> what it is called, least and greatest value."""
+"""Attribute -> description, least and greatest value."""
 
 
 def check_limits(values: object, limits: Limits) -> None:
-    """Compare the attributes of an object with their limits.
+    """Check the attributes of an object against their limits.
+
+    Parameters
+    ----------
+    values
+        Any object that has the attributes.
+    limits
+        Both ends are included.
 
     Raises
     ------
     UsageError
-        Names the first attribute that is out of range (or NaN).
+        Names the first attribute that is out of range or NaN.
     """
     for attribute, (words, low, high) in limits.items():
         value = getattr(values, attribute)

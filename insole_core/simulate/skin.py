@@ -1,4 +1,4 @@
-"""The colour of the simulated skin: redder where it bears load, paler in the arch, a pen mark."""
+"""The colour of simulated skin: redder where it bears load, paler in the arch, with a pen mark."""
 
 from __future__ import annotations
 
@@ -28,9 +28,14 @@ def paint_skin(
     ----------
     mesh : mm, reference frame
     landmarks_mm
-        As in `FootModel`; they say where heel, ball and toes lie.
+        As in `FootModel`; the positions of heel, ball and toes.
     rng
-        For the mottling and the place of the pen mark.
+        For the mottling and the position of the pen mark.
+
+    Returns
+    -------
+    TriangleMesh
+        The same mesh with colours.
     """
     plantar = np.clip(0.35 - 0.9 * mesh.vertex_normals[:, 2], 0, 1)[:, None]
     colors = _SKIN + (1 - plantar) * _DORSAL
@@ -45,7 +50,7 @@ def paint_skin(
 
 
 def _loaded(points: FloatArray, landmarks_mm: dict[str, FloatArray]) -> FloatArray:
-    """(n,) 0 to 1, how much a place bears: heel, metatarsal heads, toe pulps."""
+    """Compute the load (n,) of points, 0 to 1: heel, metatarsal heads, toe pulps."""
     heel = landmarks_mm["pternion"] * [1, 1, 0] + [0, 32.0, 0]
     spots = [(heel, 26.0, 1.0)]
     for number in range(1, 6):
@@ -57,14 +62,14 @@ def _loaded(points: FloatArray, landmarks_mm: dict[str, FloatArray]) -> FloatArr
 
 
 def _arch(points: FloatArray, landmarks_mm: dict[str, FloatArray]) -> FloatArray:
-    """(n,) 0 to 1, how far a place lies in the medial arch."""
+    """Compute how far points (n,) lie in the medial arch, 0 to 1."""
     heel, head = landmarks_mm["pternion"], landmarks_mm["metatarsal_head_1"]
     centre = heel + 0.58 * (head - heel)
     return np.asarray(np.exp(-(((points - centre) / [26.0, 38.0, 30.0]) ** 2).sum(axis=1) / 2))
 
 
 def _mottling(points: FloatArray, rng: np.random.Generator) -> FloatArray:
-    """(n,) smooth random pattern of unit strength: plane waves of 15 to 60 mm length."""
+    """Draw a smooth random pattern (n,) of unit strength: plane waves of 15 to 60 mm length."""
     count = 24
     direction = rng.standard_normal((3, count))
     direction /= np.linalg.norm(direction, axis=0)
@@ -73,7 +78,7 @@ def _mottling(points: FloatArray, rng: np.random.Generator) -> FloatArray:
 
 
 def _pen_cross(mesh: TriangleMesh, centre: FloatArray, turn_deg: float) -> BoolArray:
-    """(n,) whether a vertex lies on the cross drawn on the sole."""
+    """Return which vertices (n,) lie on the cross drawn on the sole."""
     turn = np.radians(turn_deg)
     along = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
     offset = np.abs((mesh.vertices[:, :2] - centre) @ along.T)

@@ -1,1 +1,1 @@
-"""From placed depth readings of all views to one smooth surface."""
+"""Fusion of the registered depth readings of all views to one smooth surface."""

@@ -1,4 +1,4 @@
-"""What outlines say of a mesh: how it goes on to them, stands out beyond them, or touches them."""
+"""Fit a mesh to occluding contours: extend it to them, move it onto them, find where they touch."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from insole_core.reconstruct.fusion.occluding_contour import Beyond, OccludingCo
 from insole_core.reconstruct.parallel import for_views
 
 _SHORT_MM = (0.4, 9.0)
-_LEAST_AHEAD = 0.3  # cosine between the way off the border and the way to the outline
+_LEAST_AHEAD = 0.3  # cosine between the direction off the border and that to the contour
 _RADIUS_MM = (4.0, 25.0)
 _NEAR_MM = (-1.5, 2.5)
-"""A mesh that ends farther within an outline, or beyond it, is held against a wrong one."""
+"""A mesh that ends farther inside a contour, or beyond it, does not belong to it."""
 _LEAST_FACING = 0.7
 _ROUNDS, _SPREADING_ROUNDS, _DECAY = 3, 5, 0.75
 _TOUCHING_MM, _TOUCHING_FACING = 0.4, 0.75
@@ -28,7 +28,7 @@ _TOUCHED_MM, _TOUCHED_FACING = 2.5, 0.2
 def bend_to(
     rims: list[OccludingContour], everywhere: bool, border: Boundary
 ) -> tuple[BoolArray, FloatArray]:
-    """Tell where a border ends short of an outline, and by which curvature it gets there.
+    """Find where a border ends short of a contour, and the curvature that leads it there.
 
     An arc that leaves the border tangentially touches the plane of the rays when its radius is the
     distance to the plane, divided by 1 - cosine of the angle between the two normals.
@@ -36,13 +36,17 @@ def bend_to(
     Parameters
     ----------
     rims
+        The contours of all views.
     everywhere
-        Whether the border goes on, straight, where no outline lies ahead, too.
+        Whether the border is also extended, straight, where no contour lies ahead.
     border
+        Boundary vertices of the mesh, mm, reference frame.
 
     Returns
     -------
-    Whether each vertex (n,) goes on, and the curvature (n,), 1/mm.
+    extended : (n,) bool
+        Whether the mesh is extended at each vertex of the border.
+    curvature : (n,) float64, 1/mm
     """
     count = len(border.vertices)
     wanted, curvature = np.full(count, everywhere), np.zeros(count)
@@ -59,7 +63,18 @@ def bend_to(
 
 
 def drawn_to(mesh: TriangleMesh, rims: list[OccludingContour]) -> TriangleMesh:
-    """Move what lies next to the outlines onto them, and its neighbours less and less."""
+    """Move the vertices next to the contours onto them, and their neighbours less and less.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    rims
+        The contours of all views.
+
+    Returns
+    -------
+    TriangleMesh, mm, reference frame
+    """
     mean = mesh.links.laplacian
     for _ in range(_ROUNDS):
         held, way = _ways(mesh, rims)
@@ -73,7 +88,7 @@ def drawn_to(mesh: TriangleMesh, rims: list[OccludingContour]) -> TriangleMesh:
 
 
 def _ways(mesh: TriangleMesh, rims: list[OccludingContour]) -> tuple[BoolArray, FloatArray]:
-    """Which vertices (n,) must move, and how (m, 3): what stands out, and what should touch."""
+    """Find the vertices (n,) beyond a contour or that should touch it, and their ways (m, 3)."""
     normals = smoothed_normals(mesh, 2)
     total, count = np.zeros_like(mesh.vertices), np.zeros(len(mesh.vertices))
     for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):
@@ -89,7 +104,20 @@ def _ways(mesh: TriangleMesh, rims: list[OccludingContour]) -> tuple[BoolArray, 
 
 
 def lies_before(mesh: TriangleMesh, rims: list[OccludingContour], reach_mm: float) -> BoolArray:
-    """Tell which vertices (n,) lie so near before a place where an outline is touched."""
+    """Find the vertices near a place where the mesh touches a contour, on the visible side.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    rims
+        The contours of all views.
+    reach_mm
+        Largest distance from such a place.
+
+    Returns
+    -------
+    (n,) bool
+    """
     normals = smoothed_normals(mesh, 1)
     proved = np.zeros(len(mesh.vertices), dtype=bool)
     for proved_by in for_views(lambda rim: _lies_before(mesh, rim, normals, reach_mm), rims):
@@ -112,7 +140,19 @@ def _lies_before(
 
 
 def touches_of(mesh: TriangleMesh, rims: list[OccludingContour]) -> ContourConstraints:
-    """Give the rays that touch a mesh, each with the place where they do."""
+    """Find the rays that touch a mesh and the points where they do.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    rims
+        The contours of all views.
+
+    Returns
+    -------
+    ContourConstraints
+        Points (k, 3), mm, and outward unit vectors (k, 3), reference frame.
+    """
     normals = smoothed_normals(mesh, 2)
     points, outwards = [np.zeros((0, 3))], [np.zeros((0, 3))]
     for beyond in for_views(lambda rim: rim.against(mesh.vertices), rims):

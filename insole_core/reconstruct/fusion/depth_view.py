@@ -1,4 +1,4 @@
-"""What one placed view measured of the foot."""
+"""The depth readings of the foot in one view of known pose."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from insole_core.sensing.sensor import Sensor
 
 _MARGIN_PX = 6
 _EDGE_PX = 10
-"""The sensor's window and its blind columns keep readings so far from the edge of the picture."""
+"""Distance of the outermost readings from the edge: the sensor's window and its blind columns."""
 _LEAST_CUT_PX = 15
 _LEAST_AHEAD_MM = 100.0
 _LENS_PX = 16
-"""A lens bends the edges of the box outwards by less."""
+"""Lens distortion bends the edges of the box outwards by less than this."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,12 +34,13 @@ class DepthView:
         Of the view.
     sensor
     sensor2reference : (4, 4) float64, mm
+        Pose of the depth camera.
     corner : (u, v), px
         Position of ``raw[0, 0]`` in the depth image.
     raw : (height, width) float64, raw units
         Averaged and corrected; NaN where nothing was measured in the volume of interest.
     color : (height, width, 3) uint8, RGB
-        Of the sensor's colour camera, whole.
+        The whole image of the sensor's colour camera.
     """
 
     name: str
@@ -58,12 +59,12 @@ class DepthView:
 
     @cached_property
     def known(self) -> BoolArray:
-        """(height, width) where something was measured."""
+        """(height, width) pixels with a reading."""
         return np.isfinite(self.raw)
 
     @cached_property
     def surface_points(self) -> FloatArray:
-        """(n, 3) places of all that was measured, mm, reference frame."""
+        """(n, 3) points of all readings, mm, reference frame."""
         return self.points(self.raw)[self.known]
 
     @cached_property
@@ -72,7 +73,7 @@ class DepthView:
 
     @property
     def cut_edges(self) -> tuple[str, ...]:
-        """The edges of the depth picture at which what was measured is cut off."""
+        """The edges of the depth image at which the foot is cut off."""
         camera = self.sensor.depth_camera
         v, u = np.nonzero(self.known) + np.array(self.corner)[::-1, None]
         far = {
@@ -86,12 +87,23 @@ class DepthView:
         )
 
     def distance_mm(self, points: FloatArray, farthest_mm: float) -> FloatArray:
-        """Distance (n,) of places (n, 3) from what was measured; inf beyond `farthest_mm`."""
+        """Compute the distances of points from the nearest reading.
+
+        Parameters
+        ----------
+        points : (n, 3) float64, mm, reference frame
+        farthest_mm
+
+        Returns
+        -------
+        (n,) float64, mm
+            inf beyond `farthest_mm`.
+        """
         return np.asarray(self._tree.query(points, distance_upper_bound=farthest_mm)[0])
 
     @cached_property
     def origin_mm(self) -> FloatArray:
-        """(3,) place of the depth camera, reference frame."""
+        """(3,) position of the depth camera, reference frame."""
         return np.asarray(self.sensor2reference[:3, 3])
 
     @cached_property
@@ -101,40 +113,43 @@ class DepthView:
 
     @cached_property
     def rays(self) -> FloatArray:
-        """(height, width, 3) through all pixels."""
+        """(height, width, 3) rays through all pixels (see `directions`)."""
         return self.directions(self.pixels)
 
     def directions(self, pixels: FloatArray) -> FloatArray:
-        """Rays (..., 3) through depth pixels (..., 2): reference frame, 1 along the depth axis."""
+        """Return rays (..., 3) through depth pixels (..., 2), reference frame.
+
+        Their component along the depth axis is 1.
+        """
         rotation = self.sensor2reference[:3, :3]
         normalised = self.sensor.depth_camera.normalised(pixels)
         return np.asarray(normalised @ rotation[:, :2].T + rotation[:, 2])
 
     def points(self, raw: FloatArray) -> FloatArray:
-        """Give the places (height, width, 3) of a raw image of this part, mm, reference frame."""
+        """Compute the points (height, width, 3), mm, reference frame, of this part's raw values."""
         depth_mm = self.sensor.disparity.depth_mm(raw)
         return self.origin_mm + depth_mm[..., None] * self.rays
 
     def depth_along(self, points: FloatArray) -> FloatArray:
-        """Give the distance (...,) of places in the reference frame along the depth axis, mm."""
+        """Compute the depths (...,), mm, of points (..., 3), mm, reference frame."""
         return np.asarray((points - self.origin_mm) @ self.sensor2reference[:3, 2])
 
     def raw_per_mm(self, depth_mm: FloatArray) -> FloatArray:
-        """Give the change of the raw number with depth, at depths of any shape."""
+        """Compute the change of the raw value per mm of depth, at depths of any shape."""
         disparity = self.sensor.disparity
         return np.asarray(disparity.raw(depth_mm + 0.5) - disparity.raw(depth_mm - 0.5))
 
     def project(self, points: FloatArray) -> FloatArray:
-        """Give the positions (n, 2) of places (n, 3) in this part of the depth image, px."""
+        """Project points (n, 3), reference frame, to pixels (n, 2) of this part of the image."""
         in_sensor = transform(inverse(self.sensor2reference), points)
         return np.asarray(self.sensor.depth_camera.project(in_sensor) - np.array(self.corner))
 
     def without(self, wrong: BoolArray) -> DepthView:
-        """Leave out some pixels (height, width)."""
+        """Return the view without the readings chosen by the mask `wrong` (height, width)."""
         return self.with_raw(np.where(wrong, np.nan, self.raw))
 
     def with_raw(self, raw: FloatArray) -> DepthView:
-        """Exchange the raw numbers (height, width)."""
+        """Return the view with other raw values (height, width)."""
         return replace(self, raw=raw)
 
 
@@ -147,17 +162,30 @@ def read_volume(
     raw: FloatArray,
     color: ByteArray,
 ) -> DepthView:
-    """Cut out of a whole depth image what lies in the volume of interest.
+    """Cut the part inside the volume of interest out of a whole depth image.
 
     Parameters
     ----------
+    name
+        Of the view.
+    sensor
+    sensor2reference : (4, 4) float64, mm
+        Pose of the depth camera.
+    box
+        The volume of interest, reference frame.
     raw : (480, 640) float64, raw units
         Averaged and corrected, NaN = no reading.
+    color : (height, width, 3) uint8, RGB
+        Image of the sensor's colour camera.
+
+    Returns
+    -------
+    DepthView
 
     Raises
     ------
     ReconstructionError
-        When nothing lies there.
+        When there is no reading in the volume.
     """
     rows, columns = _window(box, sensor, sensor2reference)
     corner = (columns.start, rows.start)
@@ -170,7 +198,7 @@ def read_volume(
 
 
 def _window(box: Box, sensor: Sensor, sensor2reference: FloatArray) -> tuple[slice, slice]:
-    """Rows and columns of the depth image in which a box is seen; all when it is not ahead."""
+    """Return the rows and columns in which a box is seen; all when it is not in front."""
     camera = sensor.depth_camera
     corners = np.array(list(product(*zip(box.min_mm, box.max_mm, strict=True))))
     in_sensor = transform(inverse(sensor2reference), corners)

@@ -1,4 +1,4 @@
-"""All views in one lattice of signed distances (Curless & Levoy 1996), near the surface only."""
+"""A signed distance field of all views (Curless & Levoy 1996), near the surface only."""
 
 from __future__ import annotations
 
@@ -21,13 +21,14 @@ _SAME_SURFACE_MM = 10.0
 
 @dataclass(frozen=True)
 class FieldLimits:
-    """The lattice.
+    """The lattice of the distance field.
 
     Parameters
     ----------
     cell_mm
+        Distance of neighbouring lattice points.
     truncation_mm
-        Distances are cut off here; behind the surface nothing is known from there on.
+        Largest distance before the surface; points farther behind it than this are unknown.
     """
 
     cell_mm: float = 2.0
@@ -37,8 +38,18 @@ class FieldLimits:
 def mesh_views(views: list[PreparedView], limits: FieldLimits = FieldLimits()) -> TriangleMesh:
     """Mesh the surface on which all views agree best.
 
-    Every view tells for each lattice point how far before its surface it lies, weighted by
-    cos² of the incidence.
+    The signed distance at each lattice point is the mean of its distances before the surfaces of
+    the views, weighted by cos² of the angle of incidence.
+
+    Parameters
+    ----------
+    views
+        At least one.
+    limits
+
+    Returns
+    -------
+    TriangleMesh, mm, reference frame
     """
     placed = [
         view.reading.origin_mm + view.depth.depth_mm[..., None] * view.reading.rays
@@ -63,7 +74,7 @@ def mesh_views(views: list[PreparedView], limits: FieldLimits = FieldLimits()) -
 
 
 def _near_cells(points: FloatArray, origin: FloatArray, limits: FieldLimits) -> BoolArray:
-    """Tell which lattice points (i, j, k) lie in a block with a point in it, or beside one."""
+    """Return which lattice points (i, j, k) lie in or beside a block that holds a point."""
     block = np.floor((points - origin) / (_BLOCK_CELLS * limits.cell_mm)).astype(np.int64)
     occupied = np.zeros(block.max(0) + 3, dtype=bool)
     occupied[tuple(block.T)] = True
@@ -76,7 +87,7 @@ def _near_cells(points: FloatArray, origin: FloatArray, limits: FieldLimits) -> 
 def _distances(
     view: PreparedView, lattice: FloatArray, truncation_mm: float
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Index of the lattice points that a view knows, how far before its surface, and the weight."""
+    """Return the lattice points that a view measured, their distances before it, and weights."""
     at, surface_mm, cosine = _look_up(view.reading.project(lattice), view.depth)
     before_mm = surface_mm - view.reading.depth_along(lattice[at])
     seen = before_mm > -truncation_mm
@@ -85,11 +96,13 @@ def _distances(
 
 
 def _look_up(pixels: FloatArray, depth: SmoothDepth) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Interpolate depth and cosine at positions (n, 2), not across jumps.
+    """Interpolate depth and cosine at positions (n, 2), but not across jumps.
 
     Returns
     -------
-    Index of the positions on the surface, depth and cosine there.
+    at : (k,) int64
+        Index of the positions on the surface.
+    depth_mm, cosine : (k,) float64
     """
     known = np.isfinite(depth.depth_mm)
     height, width = known.shape

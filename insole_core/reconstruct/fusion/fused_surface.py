@@ -1,4 +1,4 @@
-"""The fused surface: mesh all views, refine it against their readings, colour it finely."""
+"""The fused surface: mesh all views, refine the mesh against their readings, colour it."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ from insole_core.reconstruct.result import Surface
 _RELAXING_ROUNDS = 10
 _EVENING_ROUNDS = 3
 _LEAST_PIECE = 0.05
-"""Share of the surface that a piece must have: a tendon that no view joins to the sole has it."""
+"""Least share of the surface of a piece that is kept, such as a tendon not joined to the sole."""
 
 
 @dataclass(frozen=True)
 class FusionLimits:
-    """How views become a surface.
+    """Parameters of the fusion.
 
     Parameters
     ----------
     lattice, refinement
     reach_mm
-        The mesh that is refined ends so far from the nearest reading.
+        Largest distance of the initial mesh from the nearest reading.
     ring_mm, rings
-        Before that it is grown by rings of this width: near its edge the foot is too steep for
-        the sensor, and its window must be known as a whole.
+        Width and number of the rings by which the initial mesh is extended: near its edge the foot
+        is too steep for the sensor, whose window must be covered as a whole.
     more_rings
-        So many more are added where an outline shows that the foot goes on.
+        Number of further rings where a contour shows that the foot continues.
     support_mm
-        The refined surface ends so far from the nearest reading.
+        Largest distance of the refined surface from the nearest reading.
     proof_mm
-        Or so far before a place where an outline is touched.
+        Or largest distance from a place where a contour is touched.
     own_mm
-        A view's outline cuts the surface where it measured so near to it.
+        Distance from the readings of a view within which its silhouette cuts the surface.
     """
 
     lattice: FieldLimits = field(default_factory=FieldLimits)
@@ -68,7 +68,7 @@ def fuse(
     progress: Progress = SILENT,
     limits: FusionLimits = FusionLimits(),
 ) -> Surface:
-    """Make one smooth surface of the placed readings of all views.
+    """Fuse the readings of all views to one smooth, coloured surface.
 
     Parameters
     ----------
@@ -76,6 +76,11 @@ def fuse(
         At least one.
     progress
     limits
+
+    Returns
+    -------
+    Surface
+        mm, reference frame, with contour constraints, standard deviations and gaps between views.
     """
     progress.step(0.0, "Joining the views")
     readings = [view.reading for view in views]
@@ -120,7 +125,7 @@ def _mesh(views: list[PreparedView], limits: FusionLimits) -> TriangleMesh:
 
 
 def _is_supported(mesh: TriangleMesh, views: list[PreparedView], limits: FusionLimits) -> BoolArray:
-    """Tell which vertices (n,) have a reading near them and lie beside no outline."""
+    """Return which vertices (n,) have a reading near them and lie inside every silhouette."""
     before, found = both(
         lambda: lies_before(mesh, _rims(views), limits.proof_mm),
         lambda: for_views(lambda view: _near_and_beside(mesh, view, limits), views),

@@ -1,8 +1,8 @@
-"""The error that the sensor's window leaves in a reading, foretold from what surrounds it.
+"""The error of the sensor's matching window, predicted from the neighbourhood of a reading.
 
-A window reports some mean of what lies in it, so the pulps of small toes come out too deep and
-rims too near. How much cannot be told from a formula (decision 0015), but is much alike from foot
-to foot. A small network has learnt it from simulated feet, whose truth is known (`training/`).
+A window reports some mean of the surface in it, so the pulps of small toes are measured too deep
+and rims too near. No formula describes the error (decision 0015), but it is similar from foot to
+foot. A small network has learnt it from simulated feet, whose true shape is known (`training/`).
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ _EVERY_PX = 2
 _LEAST_SUPPORT = 0.1
 _TABLE_SIZE = 15
 _LEARNT_MM = (1.0, 1.7)
-"""Widths of a pixel that occurred: about 580 to 1000 mm. Beyond, nothing is known of the error."""
+"""Widths of a pixel in the training data: distances of about 580 to 1000 mm."""
 
 
 @dataclass(frozen=True, eq=False)
 class Network:
-    """Layers of sums and half-waves.
+    """A multilayer perceptron with rectified linear units.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Network:
 
     @staticmethod
     def load() -> Network:
-        """Read what was learnt."""
+        """Read the trained weights from the resources."""
         with np.load(resource_path(_WEIGHTS)) as stored:
             layers = range(len(stored.files) // 2)
             return Network(
@@ -60,20 +60,20 @@ class Network:
             )
 
     def predict(self, features: Float32Array) -> Float32Array:
-        """Error (n,), raw units, from features (n, FEATURES)."""
+        """Predict the errors (n,), raw units, from features (n, FEATURES)."""
         signal = features
         for weights, biases in zip(self.weights[:-1], self.biases[:-1], strict=True):
             signal = np.maximum(signal @ weights + biases, 0)
         return np.asarray((signal @ self.weights[-1] + self.biases[-1])[:, 0])
 
     def predict_alike(self, features: Float32Array) -> Float32Array:
-        """Like `predict`, and the same for a foot and its mirror image."""
+        """Predict errors like `predict`, but equal for a foot and its mirror image."""
         both = self.predict(features) + self.predict(mirrored(features))
         return np.asarray(both / 2, np.float32)
 
 
 def without_matching_error(reading: DepthView) -> DepthView:
-    """Take the error of the matching out of a reading, as far as it can be foretold."""
+    """Subtract the predicted error of the sensor's matching from a reading."""
     pixel_mm = reading.sensor.disparity.depth_mm(reading.raw) / reading.sensor.depth_camera.fx
     turns = _quarter_turns(reading)
     error = matching_error(
@@ -88,12 +88,12 @@ def without_matching_error(reading: DepthView) -> DepthView:
 def matching_error(
     raw: FloatArray, shading: Float32Array, pixel_mm: FloatArray, network: Network
 ) -> FloatArray:
-    """By how much readings exceed the truth.
+    """Predict by how much readings exceed the true values.
 
     Parameters
     ----------
     raw : (height, width) float64, raw units
-        Toes, or the sole, towards the last row; NaN = no reading.
+        Turned so that the toes, or the sole, lie towards the last row; NaN = no reading.
     shading : (height, width) float32
         See `find_shading`.
     pixel_mm : (height, width) float64
@@ -102,7 +102,8 @@ def matching_error(
 
     Returns
     -------
-    (height, width) float64, raw units, at most 2.5; 0 where nothing can be said
+    (height, width) float64, raw units
+        Between -2.5 and 2.5; 0 without a reading and outside the distances of the training data.
     """
     every = (slice(None, None, _EVERY_PX),) * 2
     nodes = np.nonzero(support(raw)[every] > _LEAST_SUPPORT)
@@ -118,9 +119,9 @@ def matching_error(
 
 
 def _of_walls(pixel_mm: FloatArray, network: Network) -> FloatArray:
-    """What is foretold (n,) of walls that face the sensor.
+    """Predict the errors (n,) of walls that face the sensor, to be subtracted.
 
-    Nothing should be: how far all of a view is off, no picture tells.
+    They should be 0, because a common offset of a view cannot be seen in its image.
     """
     table_mm = np.linspace(*_LEARNT_MM, _TABLE_SIZE)
     return np.interp(pixel_mm, table_mm, network.predict_alike(level(table_mm)))
@@ -129,7 +130,7 @@ def _of_walls(pixel_mm: FloatArray, network: Network) -> FloatArray:
 def _between(
     shape: tuple[int, ...], rows: IntArray, columns: IntArray, values: FloatArray
 ) -> FloatArray:
-    """Fill an image between the nodes of a coarser lattice, linearly."""
+    """Interpolate an image linearly between the nodes of a coarser lattice."""
     total, weight = np.zeros(shape), np.zeros(shape)
     total[rows, columns], weight[rows, columns] = values, 1
     profile = 1 - np.abs(np.arange(1 - _EVERY_PX, _EVERY_PX)) / _EVERY_PX
@@ -141,7 +142,7 @@ def _between(
 
 
 def _quarter_turns(reading: DepthView) -> int:
-    """Turns of the picture, counter-clockwise, that bring the toes to its last row.
+    """Count the counter-clockwise quarter turns that bring the toes to the image's last row.
 
     The direction is that in which the skin runs from the calf over the heel to the toes.
     """

@@ -1,6 +1,6 @@
-"""What surrounds a reading: what a network is shown to foretell its error.
+"""The neighbourhood of a reading: the features from which a network predicts its error.
 
-The readings at two scales, and how dark the places are, for the grooves that no reading shows.
+They are the readings at two scales, and the shading, for the grooves that no reading shows.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray
 
 _CENTRE_PX = 2.0
 _SCALES = ((1.0, 2), (2.5, 5))
-"""Blur and spacing of what is looked at, px: near and far."""
+"""Blur and spacing of the two grids, px: near and far."""
 _REACH = 4
 _SIDE = 2 * _REACH + 1
 _LEAST_SUPPORT = 0.15
@@ -27,7 +27,7 @@ FEATURES = _GRID_COUNT + 1
 
 
 def support(raw: FloatArray) -> Float32Array:
-    """Say how much of a small Gaussian around each pixel (height, width) is known, 0 to 1."""
+    """Compute the known share of a small Gaussian around each pixel (height, width), 0 to 1."""
     return _blur(np.isfinite(raw).astype(np.float32), _SCALES[0][0])
 
 
@@ -38,7 +38,7 @@ def neighbourhoods(
     rows: IntArray,
     columns: IntArray,
 ) -> Float32Array:
-    """Describe what surrounds some pixels, against the mean close to them.
+    """Compute the features of some pixels: their neighbourhoods relative to the mean close to them.
 
     Parameters
     ----------
@@ -71,7 +71,13 @@ def neighbourhoods(
 
 
 def level(pixel_mm: FloatArray) -> Float32Array:
-    """What would surround a place on an endless wall that faces the sensor: (n, FEATURES)."""
+    """Compute the features (n, FEATURES) of points on an infinite wall that faces the sensor.
+
+    Parameters
+    ----------
+    pixel_mm : (n,) float64
+        Width of a pixel at the wall.
+    """
     heights, seen = (np.full((len(pixel_mm), _SIDE**2), value, np.float32) for value in (0, 0.5))
     grids = [heights, seen] * len(_SCALES) + [heights]
     return np.concatenate([*grids, _size(pixel_mm)], axis=1)
@@ -82,7 +88,7 @@ def _size(pixel_mm: FloatArray) -> Float32Array:
 
 
 def mirrored(features: Float32Array) -> Float32Array:
-    """What is seen of the same place (n, FEATURES) in the picture of the other foot."""
+    """Return the features (n, FEATURES) of the same places on the mirrored foot."""
     grids = features[:, :_GRID_COUNT].reshape(len(features), -1, _SIDE, _SIDE)[..., ::-1]
     return np.concatenate([grids.reshape(len(features), -1), features[:, _GRID_COUNT:]], axis=1)
 
@@ -90,13 +96,20 @@ def mirrored(features: Float32Array) -> Float32Array:
 def mean_of_known(
     values: Float32Array, share: Float32Array, blur_px: float
 ) -> tuple[Float32Array, Float32Array]:
-    """Give the Gaussian mean of what is known, and how much that is.
+    """Compute the Gaussian mean of the known pixels, and their weight.
 
     Parameters
     ----------
     values, share : (height, width) float32
-        What is unknown counts 0 in both, what is known 1 in the share.
+        Both 0 where unknown; the share is 1 where known.
     blur_px
+        Standard deviation of the Gaussian.
+
+    Returns
+    -------
+    mean : (height, width) float32
+    weight : (height, width) float32
+        Known share of the Gaussian, 0 to 1.
     """
     weight = _blur(share, blur_px)
     mean = _blur(values, blur_px) / np.maximum(weight, np.float32(1e-3))
@@ -108,7 +121,7 @@ def _blur(image: Float32Array, sigma_px: float) -> Float32Array:
 
 
 def _grids(image: Float32Array, step: int, rows: IntArray, columns: IntArray) -> Float32Array:
-    """Give the values (n, side, side) on a grid of this spacing around each pixel."""
+    """Return the values (n, side, side) on a grid of the spacing `step` around each pixel."""
     reach = _REACH * step
     padded = np.pad(image, reach)
     windows = np.lib.stride_tricks.sliding_window_view(padded, (2 * reach + 1, 2 * reach + 1))

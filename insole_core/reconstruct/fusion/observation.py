@@ -1,4 +1,4 @@
-"""What the readings say about a mesh: how far each vertex would have to move along its normal."""
+"""The readings of a view as linear equations for the displacements of a mesh's vertices."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from insole_core.reconstruct.fusion.depth_view import DepthView
 _NOISE_RAW = 0.21
 """Standard deviation of a mean, corrected reading on a surface that faces the sensor."""
 _SPOT_OFFSET_PX = 0.6
-"""How far the spots in a window lie from its centre (0.7 to 1 px), less what is foretold of it."""
+"""Distance of the dots in a window from its centre (0.7 to 1 px), less the part predicted."""
 SHARED_PX = 20
-"""So many neighbouring readings share their error: the sensor compares windows of 9 x 9 pixels."""
+"""Number of neighbouring readings that share their error: the sensor compares 9 x 9 pixels."""
 _LEAST_COSINE = 0.2
 _OUTLIER_RAW = 8.0
 
@@ -29,13 +29,13 @@ class Observations:
     Parameters
     ----------
     design : (k, n) sparse, raw units per mm
-        Change of each reading with the displacement of each vertex along its normal.
+        Derivative of each reading by the displacement of each vertex along its normal.
     residuals : (k,) float64, raw units
-        Reading minus what the mesh would give.
+        Reading minus the value predicted by the mesh.
     information : (k,) float64
-        Inverse variance of the readings, with what they share with their neighbours.
+        Inverse variance of the readings, reduced for the error that neighbours share.
     terms : (k, 3) float64
-        Change of each reading with the view's offset and tilts.
+        Derivative of each reading by the view's offset and tilts.
     """
 
     design: sparse.csr_array[np.float64]
@@ -47,15 +47,21 @@ class Observations:
 def observe(
     reading: DepthView, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
 ) -> Observations:
-    """Compare a reading with the mesh, ray by ray.
+    """Compare the readings of a view with a mesh, ray by ray.
 
     Parameters
     ----------
     reading
-    mesh, caster
-        The same surface.
+    mesh : mm, reference frame
     normals : (n, 3) float64
-        Along which the vertices may move.
+        Directions in which the vertices may move.
+    caster
+        Of the same mesh.
+
+    Returns
+    -------
+    Observations
+        Without readings at grazing angles and outliers.
     """
     rays = reading.rays.reshape(-1, 3)
     hits = caster.cast(reading.origin_mm, rays)
@@ -81,7 +87,7 @@ def observe(
 
 
 def _view_terms(reading: DepthView, pixels: FloatArray) -> FloatArray:
-    """Offset and tilt over the view: 1, and the pixel's place across the foot, per 100 px."""
+    """Return the terms (k, 3) of offset and tilts: 1, and the pixel's position in 100 px."""
     camera = reading.sensor.depth_camera
     place = (pixels - [camera.width / 2, camera.height / 2]) / 100
     return np.column_stack([np.ones(len(place)), place])

@@ -1,4 +1,4 @@
-"""The outline of the foot between the pixels of a colour image, and the planes it touches."""
+"""The occluding contour of the foot in a colour image, to a fraction of a pixel, and its rays."""
 
 from __future__ import annotations
 
@@ -19,35 +19,37 @@ _STEP_PX = 0.25
 _ACROSS_PX = np.arange(-4.0, 5.0 + _STEP_PX / 2, _STEP_PX)
 """Positions across the outline, outwards, at which the colours are looked up."""
 _INSIDE_PX, _OUTSIDE_PX = (-2.5, -1.0), 3.0
-"""The skin is taken from between these positions, next to the edge, because it is shaded towards
-it; the background from there on."""
+"""Range of positions where the skin's colour is sampled, close to the edge because the skin is
+shaded towards it, and position from which on the background is sampled."""
 _LEVEL = 0.37
-"""Share of skin at the edge, counted from outside: below a half, as the skin grows darker to the
-very edge, which a blurred picture shows farther in."""
+"""Share of skin at the edge, coming from outside: below a half, because the skin darkens towards
+the edge, so that a blurred picture shows the edge farther in."""
 _LEAST_CONTRAST = 30.0
 _ROUGHEST = 0.25
-"""Spread of the background in shares of the contrast, from which on the edge may be another one."""
+"""Largest spread of the background, per contrast; beyond, the edge may be a different one."""
 _FARTHEST_PX = 3.0
 _REACH_PX = 12.0
 _STRETCH_PX = 3
 _DECIMALS = 6
-"""What was drawn onto an outline lies on it, and not on either side by its last bits."""
+"""Rounding of distances, so that a vertex moved onto the contour lies exactly on it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Beyond:
-    """How far places lie beyond the outline of one view; only those near it.
+    """How far points lie beyond the contour of one view; only those near it.
 
     Parameters
     ----------
     eye_mm : (3,) float64, reference frame
+        Centre of the colour camera.
     vertex : (m,) int64
-        Index of the place.
+        Index of the point.
     stretch : (m,) int64
-        Number of the stretch of the outline that is next.
-    outward, rays : (m, 3) float64
-        Direction in which the distance grows, and of the ray that touches, unit length.
+        Number of the nearest stretch of the contour.
+    outward, rays : (m, 3) float64, reference frame
+        Unit vectors: the direction in which the distance grows, and the touching ray.
     beyond_mm : (m,) float64
+        Distance from the plane of the touching rays, negative inside.
     """
 
     eye_mm: FloatArray
@@ -59,18 +61,30 @@ class Beyond:
 
     @cached_property
     def outermost(self) -> IntArray:
-        """Index, into these arrays, of the outermost place of each stretch."""
+        """Index, into these arrays, of the outermost point of each stretch."""
         order = np.lexsort((-self.beyond_mm, self.stretch))
         first = np.ones(len(order), dtype=bool)
         first[1:] = np.diff(self.stretch[order]) > 0
         return np.asarray(order[first])
 
     def facing(self, directions: FloatArray) -> FloatArray:
-        """Cosine (m,) between directions of all places (n, 3) and the way outwards."""
+        """Compute the cosines (m,) between directions of all points (n, 3) and outwards."""
         return np.asarray(np.einsum("mc,mc->m", directions[self.vertex], self.outward))
 
     def on_ray(self, chosen: IntArray, places: FloatArray) -> FloatArray:
-        """Give the points of the rays next to some of all places (n, 3)."""
+        """Return the points of the touching rays that are nearest to some of the points.
+
+        Parameters
+        ----------
+        chosen : (k,) int64
+            Index into these arrays.
+        places : (n, 3) float64, mm, reference frame
+            All points.
+
+        Returns
+        -------
+        (k, 3) float64, mm, reference frame
+        """
         rays = self.rays[chosen]
         far = np.einsum("mc,mc->m", places[self.vertex[chosen]] - self.eye_mm, rays)
         return np.asarray(self.eye_mm + far[:, None] * rays)
@@ -84,11 +98,11 @@ class OccludingContour:
     ----------
     reading
     pixels : (k, 2) float64, px
-        Places on the outline, in the colour image.
+        Positions on the contour in the colour image.
     stretch : (k,) int64
-        Number of the stretch of a few pixels that each lies in.
+        Number of the stretch, a few pixels long, in which each lies.
     rays, outward : (k, 3) float64, reference frame
-        Unit vectors: along the rays, and away from the foot across the outline.
+        Unit vectors: along the rays, and away from the foot across the contour.
     """
 
     reading: DepthView
@@ -103,11 +117,11 @@ class OccludingContour:
 
     @property
     def eye_mm(self) -> FloatArray:
-        """(3,) where the rays come from, reference frame."""
+        """(3,) centre of the colour camera, reference frame."""
         return np.asarray(self.reading.color2reference[:3, 3])
 
     def against(self, points: FloatArray) -> Beyond:
-        """Hold places (n, 3), reference frame, against the outline next to them."""
+        """Measure how far points (n, 3), mm, reference frame, lie beyond the contour near them."""
         camera = self.reading.sensor.color_camera
         pixels = camera.project(transform(inverse(self.reading.color2reference), points))
         found = self._tree.query(pixels, distance_upper_bound=_REACH_PX)
@@ -126,10 +140,20 @@ class OccludingContour:
 
 
 def find_occluding_contour(reading: DepthView, silhouette: Silhouette) -> OccludingContour | None:
-    """Find where the outline lies between the pixels; None where its colours do not tell.
+    """Locate the contour of the foot to a fraction of a pixel.
 
-    Where the outline runs over something of nearly the foot's colour, or over what is not even,
-    it is left out.
+    It is left out where the background has nearly the foot's colour or is uneven.
+
+    Parameters
+    ----------
+    reading
+    silhouette
+        The outline to the nearest pixel.
+
+    Returns
+    -------
+    OccludingContour or None
+        None when no part of the contour is certain.
     """
     traced, outwards = _traced(silhouette)
     start = traced + np.array(silhouette.corner)
@@ -147,7 +171,7 @@ def find_occluding_contour(reading: DepthView, silhouette: Silhouette) -> Occlud
 
 
 def _traced(silhouette: Silhouette) -> tuple[FloatArray, FloatArray]:
-    """Pixels (k, 2) of the outline in order, in the silhouette's part, and the ways outwards."""
+    """Return the outline's pixels (k, 2) in order, in the silhouette's part, and its normals."""
     inside = (silhouette.outside_px < 0).astype(np.uint8)
     outlines, _ = cv2.findContours(inside, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     if not outlines:
@@ -162,7 +186,7 @@ def _traced(silhouette: Silhouette) -> tuple[FloatArray, FloatArray]:
 def _edges(
     color: ByteArray, start: FloatArray, outwards: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """How far outwards of each pixel the edge lies (k,), px, and whether it is one for certain."""
+    """Return how far outwards of each pixel the edge lies (k,), px, and whether it is certain."""
     if len(start) == 0:
         return np.zeros(0), np.zeros(0, dtype=bool)
     where = (start[:, None] + _ACROSS_PX[:, None] * outwards[:, None]).astype(np.float32)
@@ -181,7 +205,7 @@ def _edges(
 
 
 def _outermost_crossing(share: FloatArray) -> FloatArray:
-    """Where, coming from outside, the share of skin first passes the level, px."""
+    """Find where, coming from outside, the share of skin first exceeds the level, px."""
     inner = share.shape[1] - 1 - np.argmax(share[:, ::-1] > _LEVEL, axis=1)
     inner = np.minimum(inner, share.shape[1] - 2)
     row = np.arange(len(share))

@@ -1,4 +1,4 @@
-"""A placed view with all that can be said of it alone, before the views are joined."""
+"""A view of known pose, corrected and smoothed on its own before the views are joined."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ class PreparedView:
     measured
         The view as it was cut out of the depth image.
     reading
-        Without what lies beside the foot's outline, and without the error of the sensor's matching.
+        The view without readings outside the foot's silhouette and without the sensor's matching
+        error.
     outline
-        None where the colours do not tell.
+        None when the foot cannot be distinguished from the background by colour.
     depth
-        The reading, smoothed.
+        The smoothed reading.
     rim
-        The outline between the pixels; None where it is not certain.
+        The contour to a fraction of a pixel; None when it is not certain.
     """
 
     measured: DepthView
@@ -40,17 +41,21 @@ class PreparedView:
 
 
 def prepare(reading: DepthView, *, exact: bool = False) -> PreparedView:
-    """Find the outline of the foot in a view; correct and smooth what lies within.
+    """Find the outline of the foot in a view; correct and smooth the readings inside.
 
     Parameters
     ----------
     reading
     exact
-        Whether it has no error of a matching window that is to be taken out.
+        Whether the readings have no matching error to be corrected.
+
+    Returns
+    -------
+    PreparedView
     """
     outline = find_silhouette(reading)
     within = within_outline(reading, outline)
     corrected = within if exact else without_matching_error(within)
     rim = None if outline is None else find_occluding_contour(corrected, outline)
-    # A copy, so that what was derived from the reading on the way here is not kept with it.
+    # A copy, so that the properties cached so far are not kept in memory.
     return PreparedView(replace(reading), corrected, outline, smooth_depth(corrected), rim)

@@ -1,4 +1,4 @@
-"""The likeliest smooth surface near a mesh, given all readings (maximum a posteriori)."""
+"""The most probable smooth surface near a mesh, given all readings (maximum a posteriori)."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ from insole_core.reconstruct.fusion.view_gaps import view_gaps
 from insole_core.reconstruct.parallel import both, for_views
 
 _EXACT, _MOST_STEPS = 1e-6, 500
-"""Residual of the normal equations, as a share of their right side: micrometres."""
+"""Residual of the normal equations, relative to their right-hand side: micrometres."""
 
 
 @dataclass(frozen=True)
 class RefinementLimits:
-    """What is known beforehand.
+    """The prior and the parameters of the solver.
 
     Parameters
     ----------
     stiffness
-        Inverse variance of the bending of the surface: of how far, in mm, a vertex lies from the
-        mean of its neighbours along the normal.
+        Inverse variance of the bending of the surface, 1/mm²: of a vertex's distance along the
+        normal from the mean of its neighbours.
     view_offset_raw
-        Standard deviation of a view's own disparity offset, and of its tilt per 100 pixels.
+        Standard deviation of a view's own disparity offset, and of its tilts per 100 pixels.
     robust
-        Residuals from so many standard deviations on lose weight (Geman & McClure).
+        Scale of the robust weights in standard deviations (Geman & McClure).
     rounds
-        Times that the weights are determined anew.
+        Number of solutions, each with the weights that follow from the one before.
     farthest_mm
-        No vertex moves farther.
+        Largest displacement of a vertex.
     samples
-        Draws from the posterior that its spread is estimated from.
+        Number of draws from the posterior by which its spread is estimated.
     """
 
     stiffness: float = 3.0
@@ -53,15 +53,15 @@ class RefinementLimits:
 
 @dataclass(frozen=True, eq=False)
 class RefinedSurface:
-    """A refined mesh.
+    """A refined mesh with its uncertainty.
 
     Parameters
     ----------
-    mesh
+    mesh : mm, reference frame
     deviation_mm : (n,) float64
         Standard deviation of the vertices along their normals.
     view_offsets_raw : (views, 3) float64
-        Offset and tilts that each view was found to have.
+        Estimated offset and tilts (per 100 pixels) of each view's disparity.
     view_gaps_mm : (views, views, 3) float64, reference frame
         The shift from each view's surface to each other's (see `view_gaps`).
     """
@@ -77,18 +77,29 @@ def refine(
     readings: list[DepthView],
     limits: RefinementLimits = RefinementLimits(),
 ) -> RefinedSurface:
-    """Move the vertices along their normals to the posterior's maximum.
+    """Move the vertices along their normals to the maximum of the posterior.
 
-    Unknown are the displacements and, per view, an offset and two tilts of the disparity; the
-    residuals are disparities along the rays, where the sensor's noise is even; the prior is a
-    thin plate. One linear system, solved a few times with the weights of the last solution: the
-    first time directly, then by conjugate gradients from there, for which the first is so near
-    that a few steps will do.
+    The unknowns are the displacements and, per view, an offset and two tilts of the disparity. The
+    residuals are disparities along the rays, in which the sensor's noise is uniform; the prior is
+    a thin plate. The linear system is solved a few times with the weights of the last solution:
+    first directly, then by conjugate gradients, which need few steps because the first
+    factorisation is a good preconditioner.
 
     Parameters
     ----------
-    mesh
+    mesh : mm, reference frame
     readings
+        Of all views.
+    limits
+
+    Returns
+    -------
+    RefinedSurface
+
+    Raises
+    ------
+    ReconstructionError
+        When the iteration does not converge, as with a corrupted view.
     """
     normals = smoothed_normals(mesh, 5)
     caster = RayCaster(mesh)
@@ -99,38 +110,38 @@ def refine(
     system = _System.of(seen, plate, limits)
     weights = system.robust_weights(np.zeros(system.size))
     inverse = system.inverse(weights)
-    deviation_mm, found = both(
-        lambda: system.deviation_mm(inverse, weights), lambda: system.improved(inverse, weights)
+    std_mm, solution = both(
+        lambda: system.std_mm(inverse, weights), lambda: system.improved(inverse, weights)
     )
-    displacement, views = np.split(found, [len(mesh.vertices)])
+    displacement, views = np.split(solution, [len(mesh.vertices)])
     moved = np.clip(displacement, -limits.farthest_mm, limits.farthest_mm)
     return RefinedSurface(
         mesh.moved(mesh.vertices + moved[:, None] * normals),
-        deviation_mm,
+        std_mm,
         views.reshape(-1, 3),
         view_gaps(mesh, normals, displacement, readings, seen),
     )
 
 
-def _robust(left: FloatArray, information: FloatArray, robust: float) -> FloatArray:
-    """Weights of residuals, Geman & McClure."""
-    # What a window's readings share does not widen the spread of a single one.
-    single = left**2 * information * SHARED_PX
+def _robust(residuals: FloatArray, information: FloatArray, robust: float) -> FloatArray:
+    """Compute the weights of residuals (Geman & McClure)."""
+    # The error that the readings of a window share does not widen the spread of a single one.
+    single = residuals**2 * information * SHARED_PX
     return np.asarray(information / (1 + single / robust**2))
 
 
 @dataclass(frozen=True, eq=False)
 class _Plate:
-    """The prior: a thin plate, bent as the mesh is.
+    """The prior: the energy of a thin plate.
 
     Parameters
     ----------
     bending : (n, n) sparse
-        Of a surface, from the displacements of its vertices.
+        From the displacements of the vertices to the change of the bending.
     bent_mm : (n,) float64
-        The mesh's own.
+        Bending of the mesh itself.
     normal : (n, n) sparse
-        What it adds to the normal equations; a little more, so that they can be solved anywhere.
+        Its part of the normal equations, plus a small diagonal that makes them regular.
     """
 
     bending: sparse.csr_array[np.float64]
@@ -148,7 +159,7 @@ class _Plate:
 
 @dataclass(frozen=True, eq=False)
 class _System:
-    """The equations of all views with the prior."""
+    """The equations of all views and the prior."""
 
     design: sparse.csr_array[np.float64]
     terms: FloatArray
@@ -170,32 +181,32 @@ class _System:
 
     @property
     def vertices(self) -> int:
-        """Number of the vertices."""
+        """Number of vertices."""
         return len(self.plate.bent_mm)
 
     @property
     def size(self) -> int:
-        """Number of the unknowns: displacements of the vertices, then three terms of every view."""
+        """Number of unknowns: displacements of the vertices, then three terms of every view."""
         return self.vertices + int(self.terms.shape[1])
 
-    def robust_weights(self, found: FloatArray) -> FloatArray:
-        left = self.residuals - self._predicted(found)
-        return _robust(left, self.information, self.limits.robust)
+    def robust_weights(self, solution: FloatArray) -> FloatArray:
+        residuals = self.residuals - self._predicted(solution)
+        return _robust(residuals, self.information, self.limits.robust)
 
-    def pull(self, weights: FloatArray) -> FloatArray:
-        """Right side of the normal equations (unknowns,)."""
-        pull = self._gathered(weights * self.residuals)
+    def rhs(self, weights: FloatArray) -> FloatArray:
+        """Compute the right-hand side of the normal equations (unknowns,)."""
+        rhs = self._gathered(weights * self.residuals)
         bent = np.asarray(self.plate.bending.T @ self.plate.bent_mm)
-        pull[: len(bent)] -= self.limits.stiffness * bent
-        return pull
+        rhs[: len(bent)] -= self.limits.stiffness * bent
+        return rhs
 
     def inverse(self, weights: FloatArray) -> _Inverse:
-        """Factorise the normal equations; the views are eliminated (Schur complement)."""
+        """Factorise the normal equations with the Schur complement of the views."""
         weighted = sparse.diags_array(weights) @ self.design
         solver = splu(
             sparse.csc_array(self.design.T @ weighted + self.plate.normal),
             permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,  # positive definite: the diagonal will do, and keeps the order
+            diag_pivot_thresh=0.0,  # positive definite: no pivoting, which keeps the order
             panel_size=2,
             options={"SymmetricMode": True},
         )
@@ -205,37 +216,37 @@ class _System:
         return _Inverse(solver, coupling, response, own - coupling.T @ response)
 
     def improved(self, inverse: _Inverse, weights: FloatArray) -> FloatArray:
-        """Solve (unknowns,), and again with the weights that follow from it."""
-        found = inverse.applied(self.pull(weights))
+        """Solve for the unknowns (unknowns,), then again with the weights of each solution."""
+        solution = inverse.applied(self.rhs(weights))
         for _ in range(self.limits.rounds - 1):
-            found = self.solved(self.robust_weights(found), found, inverse)
-        return found
+            solution = self.solved(self.robust_weights(solution), solution, inverse)
+        return solution
 
     def solved(self, weights: FloatArray, start: FloatArray, nearly: _Inverse) -> FloatArray:
-        """Solve the normal equations of weights whose inverse is nearly known, from a start."""
+        """Solve the normal equations by conjugate gradients, preconditioned by `nearly`."""
         shape = (self.size, self.size)
-        normal = LinearOperator(shape, lambda found: self._normal(weights, found), dtype=float)
+        normal = LinearOperator(shape, lambda x: self._normal(weights, x), dtype=float)
         inverse = LinearOperator(shape, nearly.applied, dtype=float)
-        # Residuals change their weights by some hundred times at most: a hundred steps always do.
-        found, missed = cg(
-            normal, self.pull(weights), start, rtol=_EXACT, M=inverse, maxiter=_MOST_STEPS
+        # Weights change by a factor of some hundred at most, so a hundred steps are enough.
+        solution, missed = cg(
+            normal, self.rhs(weights), start, rtol=_EXACT, M=inverse, maxiter=_MOST_STEPS
         )
-        if missed or not np.isfinite(found).all():
+        if missed or not np.isfinite(solution).all():
             raise ReconstructionError(
                 "The surface could not be fitted to the views; see whether a view is spoilt, and "
                 "leave it out."
             )
-        return np.asarray(found)
+        return np.asarray(solution)
 
-    def _normal(self, weights: FloatArray, found: FloatArray) -> FloatArray:
-        displacement, views = np.split(found, [self.vertices])
+    def _normal(self, weights: FloatArray, solution: FloatArray) -> FloatArray:
+        displacement, views = np.split(solution, [self.vertices])
         prior = np.concatenate(
             [np.asarray(self.plate.normal @ displacement), self._views_prior() @ views]
         )
-        return np.asarray(self._gathered(weights * self._predicted(found)) + prior)
+        return np.asarray(self._gathered(weights * self._predicted(solution)) + prior)
 
-    def _predicted(self, found: FloatArray) -> FloatArray:
-        displacement, views = np.split(found, [self.vertices])
+    def _predicted(self, solution: FloatArray) -> FloatArray:
+        displacement, views = np.split(solution, [self.vertices])
         return np.asarray(np.asarray(self.design @ displacement) + self.terms @ views)
 
     def _gathered(self, weighted: FloatArray) -> FloatArray:
@@ -245,28 +256,28 @@ class _System:
     def _views_prior(self) -> FloatArray:
         return np.asarray(np.eye(self.terms.shape[1]) / self.limits.view_offset_raw**2)
 
-    def deviation_mm(self, inverse: _Inverse, weights: FloatArray) -> FloatArray:
-        """Spread of draws from the posterior, by perturbing data and prior and solving."""
+    def std_mm(self, inverse: _Inverse, weights: FloatArray) -> FloatArray:
+        """Estimate the standard deviations (n,) from draws: perturb data and prior, and solve."""
         rng = np.random.default_rng(0)
         count = self.limits.samples
         data = np.sqrt(weights)[:, None] * rng.standard_normal((len(weights), count))
         bent = self.plate.bending.T @ rng.standard_normal((self.vertices, count))
-        pull = self.design.T @ data + np.sqrt(self.limits.stiffness) * bent
-        return np.asarray(np.sqrt((inverse.solver.solve(pull) ** 2).mean(1)))
+        rhs = self.design.T @ data + np.sqrt(self.limits.stiffness) * bent
+        return np.asarray(np.sqrt((inverse.solver.solve(rhs) ** 2).mean(1)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Inverse:
-    """The inverse of the normal equations of all unknowns.
+    """The factorised normal equations of all unknowns.
 
     Parameters
     ----------
     solver
         Of the vertices alone.
     coupling, response : (n, 3 * views) float64
-        What the vertices and the views have to do with each other, and what the vertices answer.
+        The block of the normal equations between vertices and views, and `solver` applied to it.
     schur : (3 * views, 3 * views) float64
-        Of the views, after that.
+        Schur complement of the views.
     """
 
     solver: SuperLU
@@ -274,9 +285,9 @@ class _Inverse:
     response: FloatArray
     schur: FloatArray
 
-    def applied(self, pull: FloatArray) -> FloatArray:
+    def applied(self, rhs: FloatArray) -> FloatArray:
         """Solve for displacements and view terms (unknowns,)."""
-        of_vertices, of_views = np.split(pull, [len(self.coupling)])
+        of_vertices, of_views = np.split(rhs, [len(self.coupling)])
         alone = self.solver.solve(of_vertices)
         views = np.linalg.solve(self.schur, of_views - self.coupling.T @ alone)
         return np.concatenate([alone - self.response @ views, views])

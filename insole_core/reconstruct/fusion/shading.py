@@ -1,7 +1,7 @@
-"""How much darker a place of the foot looks than what surrounds it.
+"""Shading: how much darker a point of the foot looks than its surroundings.
 
-The grooves between toes that touch are narrower than a sensor's window, so nothing of them is in
-its readings; in a picture they are dark.
+The grooves between toes that touch are narrower than the sensor's window, so the readings do not
+show them; in the colour image they are dark.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from insole_core.reconstruct.fusion.neighbourhood import mean_of_known
 
 _NEAR_PX, _AROUND_PX = 1.0, 5.0
 _DARK_LEVELS = 8.0
-"""Added to both, so that the noise of what is nearly black counts for little."""
+"""Added to both brightnesses, so that noise in nearly black parts has little effect."""
 _MOST = 1.0
 _BLUR_SHARE = 1 / 1280
-"""Of the picture's width, in which it is evened: about as coarse as the readings are."""
+"""Standard deviation of the blur per image width: about the resolution of the readings."""
 
 
 def find_shading(reading: DepthView) -> Float32Array:
     """Look up the shading (height, width) of all readings in their colour image.
 
-    0 also where a place lies beside the picture.
+    It is 0 without a reading and outside of the colour image.
     """
     camera = reading.sensor.color_camera
     levels = cv2.cvtColor(reading.color, cv2.COLOR_RGB2GRAY)
@@ -40,19 +40,19 @@ def find_shading(reading: DepthView) -> Float32Array:
 
 
 def shading_of(levels: FloatArray, known: BoolArray) -> Float32Array:
-    """Compare each place with what surrounds it.
+    """Compare the brightness of each pixel with that of its surroundings.
 
     Parameters
     ----------
     levels : (height, width) float64
         Brightness, 0 to 255.
     known : (height, width) bool
-        Where the foot is, and its brightness is known.
+        Pixels of the foot whose brightness is known.
 
     Returns
     -------
     (height, width) float32
-        Natural logarithm of the ratio, -1 (dark) to 1; 0 where nothing is known.
+        Natural logarithm of the ratio, -1 (dark) to 1; 0 where unknown.
     """
     share, seen = known.astype(np.float32), np.where(known, levels, 0).astype(np.float32)
     near, around = (

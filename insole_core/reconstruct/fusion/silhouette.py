@@ -1,4 +1,4 @@
-"""Where the foot ends in a colour image, learnt from the colours of what depth calls foot."""
+"""The silhouette of the foot in a colour image, from the colours at its depth readings."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.fusion.depth_view import DepthView
 
 _CORE_PX = 4
-"""Depth fattens the foot by up to half its window; this far inside it is surely foot."""
+"""Depth widens the foot by up to half of the sensor's window; this far inside it is surely foot."""
 _RING = (6.0, 25.0)
-"""Between these distances from what depth calls foot lies surely background, in depth pixels."""
+"""Distances from the depth readings, in depth pixels, between which there is surely background."""
 _REACH = 8.0
 _BINS = 32
 _LARGEST_ERROR = 0.04
@@ -35,7 +35,7 @@ class Silhouette:
     outside_px : (height, width) float32
         Distance from the outline, negative inside.
     background : (height, width) bool
-        What has the colour of the background for certain.
+        Pixels that certainly have the colour of the background.
     """
 
     corner: tuple[int, int]
@@ -43,7 +43,10 @@ class Silhouette:
     background: BoolArray
 
     def look_up(self, pixels: FloatArray) -> FloatArray:
-        """Distance outside the foot (n,), px, at positions (n, 2); -inf unless surely outside."""
+        """Return the distances (n,), px, outside of the foot at colour pixels (n, 2).
+
+        Negative inside; -inf where it is uncertain and outside of the arrays.
+        """
         height, width = self.outside_px.shape
         u, v = (np.rint(pixels).astype(np.int64) - self.corner).T
         within = (u >= 0) & (u < width) & (v >= 0) & (v < height)
@@ -57,9 +60,9 @@ class Silhouette:
 def find_silhouette(reading: DepthView) -> Silhouette | None:
     """Find the outline of the foot; None when its colours do not differ from the background's.
 
-    Histograms of the colours inside, and of those in a ring around, tell for every pixel which
-    it is (Bayes). The test is the samples themselves: where more than a few are told wrong, the
-    outline is not to be relied on.
+    Every pixel is classified (Bayes) by the histograms of the colours inside the foot and in a
+    ring around it. When more than a few of the samples themselves are classified wrongly, the
+    outline is not reliable.
     """
     camera = reading.sensor.color_camera
     scale = camera.fx / reading.sensor.depth_camera.fx
@@ -93,7 +96,19 @@ def find_silhouette(reading: DepthView) -> Silhouette | None:
 
 
 def is_beside(points: FloatArray, reading: DepthView, outline: Silhouette) -> BoolArray:
-    """Tell which places (n, 3), reference frame, the colour image shows to lie beside the foot."""
+    """Return which points the colour image shows to lie outside of the foot.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, reference frame
+    reading
+        The view to which the outline belongs.
+    outline
+
+    Returns
+    -------
+    (n,) bool
+    """
     in_color = transform(inverse(reading.color2reference), points)
     camera = reading.sensor.color_camera
     outside_px = outline.look_up(camera.project(in_color))
@@ -101,10 +116,20 @@ def is_beside(points: FloatArray, reading: DepthView, outline: Silhouette) -> Bo
 
 
 def within_outline(reading: DepthView, outline: Silhouette | None) -> DepthView:
-    """Leave out readings that the colour image shows to lie beside the foot.
+    """Leave out the readings that the colour image shows to lie outside of the foot.
 
-    The sensor compares windows, so that the foot's disparity spreads beyond its edge and closes
-    the gaps between toes; the colour image has neither fault.
+    The sensor compares windows, so the foot's disparity spreads beyond its edge and closes the
+    gaps between toes; the colour image has neither fault.
+
+    Parameters
+    ----------
+    reading
+    outline
+        None keeps all readings.
+
+    Returns
+    -------
+    DepthView
     """
     if outline is None:
         return reading
@@ -129,7 +154,7 @@ def _painted(pixels: FloatArray, shape: tuple[int, int], gap: int) -> ByteArray:
 
 
 def _likelihood(color: ByteArray, inside: BoolArray, around: BoolArray) -> Float32Array | None:
-    """Probability (height, width) of being foot, from the colour alone."""
+    """Compute the probability (height, width) of being foot, from the colour alone."""
     if min(inside.sum(), around.sum()) < _LEAST_SAMPLES:
         return None
     lab = cv2.cvtColor(cv2.GaussianBlur(color, (0, 0), 1.0), cv2.COLOR_RGB2LAB)

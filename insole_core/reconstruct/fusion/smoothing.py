@@ -1,4 +1,4 @@
-"""Disparity smoothed where it is continuous, and the surface's slant to the rays."""
+"""Smooth disparity where it is continuous, and the surface's angle to the rays."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ _SIGMA_PX = 1.5
 _REACH_PX = 3
 _JUMP_RAW = 8.0
 _LEAST_SUPPORT = 2.5
-"""Summed weight below which a pixel has almost no neighbours; the kernel's whole sum is 13.6."""
+"""Sum of weights below which a pixel has almost no neighbours; the kernel's full sum is 13.6."""
 _UNKNOWN_COSINE = 0.2
 
 
 @dataclass(frozen=True, eq=False)
 class SmoothDepth:
-    """One view as a surface to start from.
+    """The smoothed depth of one view.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def _smooth(raw: Float32Array) -> tuple[FloatArray, Float32Array]:
 
 
 def _difference(points: FloatArray, axis: int) -> FloatArray:
-    """Central difference, one-sided beside a gap, NaN without a neighbour."""
+    """Compute central differences, one-sided beside a gap, NaN without a neighbour."""
     ahead, behind = np.full_like(points, np.nan), np.full_like(points, np.nan)
     low = tuple(slice(None, -1) if i == axis else slice(None) for i in range(3))
     high = tuple(slice(1, None) if i == axis else slice(None) for i in range(3))

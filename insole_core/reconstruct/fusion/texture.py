@@ -1,4 +1,4 @@
-"""The colour of every vertex, from the colour images in full resolution."""
+"""The colour of every vertex, from the colour images at full resolution."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from insole_core.reconstruct.parallel import for_views
 
 _CLEARANCE_MM = 2.0
 _SHARPNESS = 8
-"""Power of the cosine by which views are mixed: high, so that nearly everywhere one image counts
-and pen strokes stay crisp; the seam is a narrow band where two views see equally well."""
+"""Power of the cosine by which views are blended: high, so that nearly everywhere one image
+counts and pen strokes stay crisp; the seam is a narrow band where two views see equally well."""
 _LEAST_COMMON = 50
 _ROW = 4096
 
 
 @dataclass(frozen=True, eq=False)
 class _Look:
-    """What one view sees of the vertices.
+    """The vertices as seen by one view.
 
     Parameters
     ----------
@@ -40,14 +40,20 @@ class _Look:
 def color_vertices(
     mesh: TriangleMesh, readings: list[DepthView], outside: TriangleMesh | None = None
 ) -> ByteArray:
-    """Give each vertex (n, 3) the colour of the views that face it, the views balanced.
+    """Colour every vertex by the views that face it, after balancing the views.
 
     Parameters
     ----------
     mesh : mm, reference frame
     readings
+        At least one.
     outside
-        A coarser mesh of the same surface, which tells as well what hides what.
+        A coarser mesh of the same surface, used to find which vertices are hidden; by default the
+        mesh itself.
+
+    Returns
+    -------
+    (n, 3) uint8, RGB
     """
     caster = RayCaster(mesh if outside is None else outside)
     looks = for_views(lambda reading: _look(mesh, caster, reading), readings)
@@ -82,7 +88,7 @@ def _look(mesh: TriangleMesh, caster: RayCaster, reading: DepthView) -> _Look:
 
 
 def _sample(color: ByteArray, pixels: FloatArray) -> FloatArray:
-    """Look up colours (n, 3) between the pixels, bilinear."""
+    """Look up colours (n, 3) at positions (n, 2) by bilinear interpolation."""
     # OpenCV takes maps of less than 32767 rows, so the positions are folded into a rectangle.
     rows = -(-len(pixels) // _ROW)
     folded = np.zeros((rows * _ROW, 2), np.float32)
@@ -95,7 +101,7 @@ def _sample(color: ByteArray, pixels: FloatArray) -> FloatArray:
 
 
 def _balancing_gains(looks: list[_Look]) -> FloatArray:
-    """Gains (views, 3) by which the views agree where they see the same; their product is 1.
+    """Compute gains (views, 3) that make overlapping views agree; their product is 1.
 
     Least squares over the pairs of views on the logarithms of the mean colours in common.
     """

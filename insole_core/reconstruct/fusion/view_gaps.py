@@ -1,4 +1,4 @@
-"""How far the foot seems to have moved between two views, by what both of them measured."""
+"""The apparent motion of the foot between two views, from the part that both measured."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.observation import Observations
 
 _LEAST_COSINE = 0.5
-"""Steeper places are drawn sideways by the sensor's window, in the two views in opposite ways."""
+"""On steeper parts the sensor's window shifts the surface, oppositely in the two views."""
 _LEAST_COMMON = 500
 _ROUNDS_MM = (6.0, 4.0, 3.0, 2.0, 1.5, 1.5, 1.5)
-"""First nearly all places count: a foot that was moved as a whole has no other outliers."""
+"""Scales of the robust weights; at first nearly all vertices count, in case the foot moved."""
 _SHARED_VERTICES = 36
-"""So many vertices, 2 mm apart, lie in one window of the sensor and share its error."""
+"""Number of vertices, 2 mm apart, that lie in one window of the sensor and share its error."""
 _PRIOR = 1e-3
-"""Share of a vertex that says that nothing has moved."""
+"""Weight of the prior that nothing has moved, per vertex."""
 _WINDOW_MM = 0.5
-"""Error that the sensor's windows have at least, however even the two surfaces look."""
-_LARGEST_DEVIATION_MM = 0.7
+"""Least error of the sensor's windows, however well the two surfaces agree."""
+_LARGEST_STD_MM = 0.7
 
 
 @dataclass(frozen=True, eq=False)
 class _Side:
-    """What one view says of the vertices: how far before each its surface lies, mm; NaN = none."""
+    """One view's height above the vertices, mm, NaN = not measured, and which of them it faces."""
 
     height_mm: FloatArray
     faced: BoolArray
@@ -41,24 +41,25 @@ def view_gaps(
     readings: list[DepthView],
     seen: list[Observations],
 ) -> FloatArray:
-    """Find the shift from each view's surface to each other's, by what both measured.
+    """Estimate the shift from each view's surface to each other's on their common part.
 
-    What only one view measured says nothing of the other, and would hide a shift across the foot.
+    A part that only one view measured carries no information, and would hide a shift across the
+    foot.
 
     Parameters
     ----------
-    mesh
+    mesh : mm, reference frame
     normals : (n, 3) float64
     displacement : (n,) float64, mm
-        Of the vertices along the normals, to where the fused surface is.
+        Of the vertices along their normals to the fused surface.
     readings, seen
-        Of every view, with the error of the sensor's window taken out.
+        Readings and observations of every view, corrected for the sensor's matching error.
 
     Returns
     -------
     (views, views, 3) float64, mm, reference frame
-        From the first view to the second; 0 along what their common part does not tell, NaN where
-        it is too small.
+        From the first view to the second; 0 along directions that their common part does not
+        determine, NaN where it is too small.
     """
     sides = [
         _side(part, displacement, reading.origin_mm - mesh.vertices, normals)
@@ -74,18 +75,18 @@ def view_gaps(
 def _side(
     part: Observations, displacement: FloatArray, towards: FloatArray, normals: FloatArray
 ) -> _Side:
-    left = np.asarray(part.residuals - part.design @ displacement)
+    residuals = np.asarray(part.residuals - part.design @ displacement)
     response: FloatArray = np.asarray(part.design.sum(axis=1)).ravel()
-    pull = np.asarray(part.design.T @ (part.information * left))
+    rhs = np.asarray(part.design.T @ (part.information * residuals))
     total = np.asarray(part.design.T @ (part.information * response))
     known = total != 0
-    height_mm = np.divide(pull, total, out=np.full(len(total), np.nan), where=known)
+    height_mm = np.divide(rhs, total, out=np.full(len(total), np.nan), where=known)
     cosine = np.einsum("nc,nc->n", normals, towards) / np.linalg.norm(towards, axis=1)
     return _Side(height_mm, np.asarray(known & (cosine > _LEAST_COSINE)))
 
 
 def _gap_mm(first: _Side, second: _Side, normals: FloatArray) -> FloatArray:
-    """Shift (3,) along the normals, robust least squares (Geman & McClure)."""
+    """Estimate the shift (3,) by robust least squares along the normals (Geman & McClure)."""
     common = first.faced & second.faced
     if common.sum() < _LEAST_COMMON:
         return np.full(3, np.nan)
@@ -95,8 +96,8 @@ def _gap_mm(first: _Side, second: _Side, normals: FloatArray) -> FloatArray:
         weights = 1 / (1 + ((height_mm - normal @ shift) / scale_mm) ** 2) ** 2
         matrix = normal.T @ (weights[:, None] * normal) + _PRIOR * np.eye(3)
         shift = np.asarray(np.linalg.solve(matrix, normal.T @ (weights * height_mm)))
-    left_mm = np.sqrt(np.average((height_mm - normal @ shift) ** 2, weights=weights))
+    rms_mm = np.sqrt(np.average((height_mm - normal @ shift) ** 2, weights=weights))
     strength, axes = np.linalg.eigh(matrix)
-    deviation_mm = max(float(left_mm), _WINDOW_MM) * np.sqrt(_SHARED_VERTICES / strength)
-    told = deviation_mm < _LARGEST_DEVIATION_MM
-    return np.asarray(axes @ (told * (axes.T @ shift)))
+    std_mm = max(float(rms_mm), _WINDOW_MM) * np.sqrt(_SHARED_VERTICES / strength)
+    determined = std_mm < _LARGEST_STD_MM
+    return np.asarray(axes @ (determined * (axes.T @ shift)))

@@ -1,4 +1,4 @@
-"""Blue blobs in a colour image: the thesis's algorithm 3, without its hand-drawn region."""
+"""Blue blobs in a colour image: the thesis's algorithm 3 without the region drawn by hand."""
 
 from __future__ import annotations
 
@@ -12,22 +12,23 @@ from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntAr
 
 @dataclass(frozen=True)
 class BlobLimits:
-    """Which blue components can be markers at all.
+    """Which blue components can be markers.
 
     Parameters
     ----------
     levels
-        Thresholds, as shares of the strongest blue in the image. A component that is no marker at
-        one level is looked at again at the next, where it may have come apart.
+        Thresholds, as shares of the strongest blue in the image. A component that cannot be a
+        marker at one level is examined again at the next, where it may split.
     least_blue
-        Below this blueness (0 to 255) there is only noise, however dark the image.
+        Smallest threshold (0 to 255); below it there is only noise, however dark the image.
     least_area_px
+        Number of pixels.
     largest_width_share
         Widest marker as a share of the image width.
     largest_eccentricity
         0 is a disc, 1 a line; a square seen at 60 degrees has 0.87.
     most
-        So many of the largest are kept.
+        Number of blobs that are kept, the largest first.
     """
 
     levels: tuple[float, ...] = (0.4, 0.6, 0.8)
@@ -45,15 +46,15 @@ class Blobs:
     Parameters
     ----------
     centroids : (n, 2) float64, px, (u, v)
-        Weighted with the blueness, so finer than a pixel.
+        Weighted with the blueness, so finer than a pixel; of the face after `sharpened`.
     areas : (n,) float64, px²
     labels : (height, width) int32
         Index of the blob that a pixel belongs to, -1 elsewhere.
     spreads : (n, 2, 2) float64, px², optional
         Covariance of the pixels that are at least half as blue as the blob's inside.
     fills : (n,) float64, optional
-        Area over that of a square with the same covariance: below 1 by a constant for a face seen
-        whole, by more for one that is partly hidden or runs into another.
+        Area divided by that of a square with the same covariance: the same constant below 1 for
+        every face seen whole, less for one that is partly hidden or merges with another.
     """
 
     centroids: FloatArray
@@ -67,11 +68,15 @@ class Blobs:
 
 
 def blueness(color: ByteArray) -> ByteArray:
-    """I = B - max(R, G), thesis (24); negative values become 0.
+    """Compute I = B - max(R, G), thesis (24); negative values become 0.
 
     Parameters
     ----------
     color : (height, width, 3) uint8, RGB
+
+    Returns
+    -------
+    (height, width) uint8
     """
     red, green, blue = cv2.split(np.ascontiguousarray(color))
     return np.asarray(cv2.subtract(blue, cv2.max(red, green)))
@@ -83,6 +88,12 @@ def find_blobs(color: ByteArray, limits: BlobLimits = BlobLimits()) -> Blobs:
     Parameters
     ----------
     color : (height, width, 3) uint8, RGB
+    limits
+
+    Returns
+    -------
+    Blobs
+        With centroids, areas and labels only; see `sharpened` for the rest.
     """
     blue = blueness(color)
     labels = np.full(blue.shape, -1, dtype=np.int32)
@@ -95,9 +106,9 @@ def find_blobs(color: ByteArray, limits: BlobLimits = BlobLimits()) -> Blobs:
 
 
 def _strongest(blue: ByteArray) -> int:
-    """Give the blueness that one pixel in ten thousand exceeds.
+    """Return the blueness that one pixel in ten thousand exceeds.
 
-    That many are fewer than the pixels of one marker and more than the defective ones.
+    These are fewer pixels than one marker has, and more than the defective ones.
     """
     brighter = np.cumsum(cv2.calcHist([blue], [0], None, [256], [0, 256]).ravel()[::-1])
     return 255 - int(np.argmax(brighter > blue.size / 10_000))
@@ -110,9 +121,9 @@ def _add_blobs(
     found: list[FloatArray],
     limits: BlobLimits,
 ) -> None:
-    """Take the components above a threshold that look like markers and are not taken yet."""
+    """Add the components above a threshold that look like markers and are not labelled yet."""
     mask = ((blue > threshold) & (labels < 0)).astype(np.uint8)
-    # What a lower level left over is mostly little, and far from filling the picture.
+    # After a lower level little is left, so only its bounding box is searched.
     left, upper, width, height = cv2.boundingRect(mask)
     part = (slice(upper, upper + height), slice(left, left + width))
     mask = np.ascontiguousarray(mask[part])
@@ -142,7 +153,7 @@ def _features(
     weight: FloatArray,
     count: int,
 ) -> tuple[FloatArray, FloatArray]:
-    """Centroid and area (count, 3), and eccentricity (count,), of every component."""
+    """Compute centroid and area (count, 3), and eccentricity (count,), of every component."""
 
     def total(values: FloatArray) -> FloatArray:
         return np.asarray(np.bincount(component, values, minlength=count), dtype=np.float64)
@@ -169,13 +180,24 @@ def _largest(features: FloatArray, labels: IndexArray, most: int) -> Blobs:
 
 
 def sharpened(color: ByteArray, blobs: Blobs) -> Blobs:
-    """Place the centres of blobs where those of the faces are, undisturbed by what is beside them.
+    """Measure centre, spread and fill of every blob relative to its own blueness.
 
-    A threshold common to the image takes in the light that blur spreads into a marker's
+    A threshold common to the image includes the light that blur spreads into a marker's
     surroundings, more on one side than on the other, and strips of other markers behind it.
-    Measured against its own blueness, a face counts fully from 0.85 of it on and not at all below
-    0.65, so that its rim is placed evenly on all sides and finer than a pixel. Its width is
+    Here the pixels of a face count fully from 0.85 of its own blueness on and not at all below
+    0.65, so that its rim is placed evenly on all sides, to a fraction of a pixel. Its width is
     measured at half of its blueness, where blur does not change it.
+
+    Parameters
+    ----------
+    color : (height, width, 3) uint8, RGB
+    blobs
+        Found in `color`.
+
+    Returns
+    -------
+    Blobs
+        The same blobs with the centres of their faces, and with `spreads` and `fills`.
     """
     blue = blueness(color)
     v, u = np.nonzero(blobs.labels >= 0)
@@ -193,7 +215,7 @@ def sharpened(color: ByteArray, blobs: Blobs) -> Blobs:
 def _moments(
     label: IndexArray, u: IntArray, v: IntArray, weight: FloatArray, count: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Weighted mean (count, 2) and covariance (count, 2, 2) of the pixels of every blob."""
+    """Compute weighted mean (count, 2) and covariance (count, 2, 2) of the pixels of every blob."""
     mass = np.maximum(np.bincount(label, weight, minlength=count), 1e-9)
     centers = np.stack(
         [np.bincount(label, weight * at, minlength=count) / mass for at in (u, v)], axis=1
@@ -207,7 +229,7 @@ def _moments(
 
 
 def _upper_half_means(values: FloatArray, group: IndexArray, count: int) -> FloatArray:
-    """Mean of the values above their group's mean: the face without its rim."""
+    """Return the mean of the values above their group's mean: the face without its rim."""
     size = np.maximum(np.bincount(group, minlength=count), 1)
     mean = np.bincount(group, values, minlength=count) / size
     upper = values >= mean[group]

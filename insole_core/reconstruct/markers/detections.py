@@ -1,4 +1,4 @@
-"""From blobs in the colour image to points in space, through the depth image."""
+"""Positions of blobs in space: direction from the colour image, distance from the depth image."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _RIM_SHARE = 3 / 1280
 """Width of a blob's rim as a share of the image width."""
 _NEAR_MM = 4.0
 _PLACE_SHARE = 6 / 1280
-"""Half the width of what is looked at round a place, as a share of the image width."""
+"""Radius of the readings used around a pixel, as a share of the image width."""
 _DISTANCES_MM = (400.0, 2000.0)
 _AROUND_PX = 10
 
 
 @dataclass(frozen=True)
 class SizeLimits:
-    """How large a marker can be, and how much depth must support it."""
+    """How large a marker can be, and how many depth readings it needs."""
 
     smallest_mm: float = 6.0
     largest_mm: float = 40.0
@@ -32,7 +32,7 @@ class SizeLimits:
 
 @dataclass(frozen=True, eq=False)
 class Detections:
-    """Blobs that have a place in space.
+    """Marker candidates of one view with their positions in space.
 
     Parameters
     ----------
@@ -43,8 +43,8 @@ class Detections:
     fills : (n,) float64, optional
         How square each is (see `Blobs`).
     placed
-        So many at the end are no blue spots, but places that somebody pointed at: they have NaN
-        for `spreads` and `fills`, and for `points` where the depth image tells nothing.
+        Number of detections, the last ones, that are not blobs but were pointed at by the user:
+        their `spreads` and `fills` are NaN, and their `points` where there is no depth reading.
     """
 
     pixels: FloatArray
@@ -57,7 +57,18 @@ class Detections:
         return len(self.points)
 
     def with_places(self, pixels: FloatArray, points: FloatArray) -> Detections:
-        """Add places (k, 2) that somebody pointed at, with their points (k, 3)."""
+        """Append positions that the user pointed at.
+
+        Parameters
+        ----------
+        pixels : (k, 2) float64, px, colour image
+        points : (k, 3) float64, mm, depth camera frame, NaN = unknown
+
+        Returns
+        -------
+        Detections
+            With k more `placed` ones at the end.
+        """
         more = len(pixels)
         return Detections(
             np.concatenate([self.pixels, pixels]),
@@ -74,18 +85,25 @@ def locate_blobs(
     sensor: Sensor,
     limits: SizeLimits = SizeLimits(),
 ) -> Detections:
-    """Place blobs in space: the direction from the colour image, the distance from the depth.
+    """Locate blobs in space: the direction from the colour image, the distance from the depth.
 
-    Of every blob the rim is left out, where depth runs over to what lies behind, and the distance
-    of the rest is taken along the ray through its centroid (thesis 6.2.2, with (13) - (15) run
-    backwards). The distance is the mean of what lies near the median: the median alone has the
-    steps of the sensor, 2 mm.
+    The rim of every blob is left out, because depth there blends with what lies behind; the
+    distance of the rest is taken along the ray through its centroid (thesis 6.2.2, with the
+    inverse of (13) - (15)). The distance is the mean of the readings near the median: the median
+    alone has the sensor's steps of 2 mm.
 
     Parameters
     ----------
     blobs
+        In the colour image.
     points : (height, width, 3) float64, mm, depth camera frame, NaN = no reading
     sensor
+    limits
+
+    Returns
+    -------
+    Detections
+        Those blobs that have enough readings and the size of a marker, in the order of `blobs`.
     """
     color_points = transform(sensor.depth2color, points[np.isfinite(points[..., 2])])
     blob = _blob_below(sensor.color_camera.project(color_points), _without_rim(blobs.labels))
@@ -101,7 +119,7 @@ def locate_blobs(
 
 
 def locate_places(pixels: FloatArray, points: FloatArray, sensor: Sensor) -> FloatArray:
-    """Place what somebody pointed at in space, by the depth readings round it.
+    """Locate positions that the user pointed at by the depth readings around them.
 
     Parameters
     ----------
@@ -119,7 +137,7 @@ def locate_places(pixels: FloatArray, points: FloatArray, sensor: Sensor) -> Flo
 def _point_below(pixel: FloatArray, points: FloatArray, sensor: Sensor) -> FloatArray:
     camera, color2depth = sensor.color_camera, inverse(sensor.depth2color)
     ray = np.append(camera.normalised(pixel[None])[0], 1.0)
-    # Only the part of the depth image is looked at in which the ray can lie.
+    # Only the part of the depth image that the ray can cross is searched.
     ends = sensor.depth_camera.project(
         transform(color2depth, ray * np.array(_DISTANCES_MM)[:, None])
     )
@@ -135,7 +153,7 @@ def _point_below(pixel: FloatArray, points: FloatArray, sensor: Sensor) -> Float
 
 
 def _extended(values: FloatArray | None, more: int) -> FloatArray | None:
-    """Add so many unknown ones."""
+    """Append `more` unknown (NaN) values."""
     if values is None:
         return None
     return np.concatenate([values, np.full((more, *values.shape[1:]), np.nan)])
@@ -148,7 +166,7 @@ def _without_rim(labels: IndexArray) -> IndexArray:
 
 
 def _blob_below(pixels: FloatArray, labels: IndexArray) -> IndexArray:
-    """Give for every pixel position (n, 2) the blob there, -1 for none or outside."""
+    """Return the blob at every pixel position (n, 2), -1 for none or outside."""
     height, width = labels.shape
     u, v = np.rint(pixels).astype(np.int64).T
     inside = (u >= 0) & (u < width) & (v >= 0) & (v < height)
@@ -158,7 +176,7 @@ def _blob_below(pixels: FloatArray, labels: IndexArray) -> IndexArray:
 def _robust_means(
     values: FloatArray, group: IndexArray, count: int
 ) -> tuple[FloatArray, np.ndarray[tuple[int], np.dtype[np.intp]]]:
-    """Mean of what lies near the median of every group, NaN for an empty one, and its size."""
+    """Return the mean of the values near every group's median, NaN if empty, and their number."""
     order = np.lexsort((values, group))
     size = np.bincount(group, minlength=count)
     middle = np.cumsum(size) - size + size // 2

@@ -1,4 +1,4 @@
-"""Which spot is which marker, once the hand has had its say."""
+"""The matching of detections to markers after the user's corrections."""
 
 from __future__ import annotations
 
@@ -19,25 +19,26 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
 SNAP_SHARE = 12 / 1280
-"""A spot so near to where somebody pointed, as a share of the image width, was meant."""
+"""Largest distance from where the user pointed to the detection meant, per image width."""
 ENOUGH_NAMES = 4
-"""From so many markers on the hand alone says where the sensor is."""
+"""Number of markers named by the user that alone determine the sensor's pose."""
 _FOLLOW_SHARES = np.geomspace(30, 3, 6) / 1280
 
 
 @dataclass(frozen=True, eq=False)
 class EditedMatch:
-    """Spots with the markers they are.
+    """Detections matched to markers, with the user's corrections.
 
     Parameters
     ----------
     markers
         Those that the view can see.
     sightings
+        The detections of the view.
     pairs
-        Indices into both, by the order of the markers.
+        Indices into both, in the order of the markers.
     by_hand, excluded : (k,) bool
-        Of each pair, whether somebody pointed at it, and whether somebody left it out.
+        Whether the user pointed at the marker of each pair, and whether the user excluded it.
     """
 
     markers: tuple[Marker, ...]
@@ -48,27 +49,37 @@ class EditedMatch:
 
     @property
     def positions(self) -> FloatArray:
-        """(k, 3) where the reference system has the markers, mm, reference frame."""
+        """(k, 3) positions of the markers in the reference system, mm, reference frame."""
         return positions_of(self.markers)[self.pairs.markers]
 
     @property
     def points(self) -> FloatArray:
-        """(k, 3) measured, mm, depth camera frame."""
+        """(k, 3) measured positions, mm, depth camera frame."""
         return self.sightings.points[self.pairs.points]
 
     @property
     def pixels(self) -> FloatArray:
-        """(k, 2) in the colour image, px."""
+        """(k, 2) positions in the colour image, px."""
         return self.sightings.pixels[self.pairs.points]
 
 
 def positions_of(markers: tuple[Marker, ...]) -> FloatArray:
-    """Give the places (m, 3) of markers, mm, reference frame."""
+    """Return the positions (m, 3) of markers, mm, reference frame."""
     return np.array([marker.position_mm for marker in markers], dtype=float).reshape(-1, 3)
 
 
 def searched(pixels: FloatArray, edits: ViewEdits) -> BoolArray:
-    """Tell which places (n, 2) of the colour image may show markers at all."""
+    """Return which positions may show markers, by the regions that the user drew.
+
+    Parameters
+    ----------
+    pixels : (n, 2) float64, px, colour image
+    edits
+
+    Returns
+    -------
+    (n,) bool
+    """
     may = np.ones(len(pixels), dtype=bool)
     if edits.searched is not None:
         may &= _inside(pixels, edits.searched)
@@ -80,7 +91,7 @@ def searched(pixels: FloatArray, edits: ViewEdits) -> BoolArray:
 def with_places(
     sightings: Detections, points: FloatArray, sensor: Sensor, edits: ViewEdits
 ) -> Detections:
-    """Add the places that somebody pointed at and that no blue spot stands for.
+    """Append the positions that the user pointed at and where nothing was detected.
 
     Parameters
     ----------
@@ -88,6 +99,11 @@ def with_places(
     points : (height, width, 3) float64, mm, depth camera frame, NaN = no reading
     sensor
     edits
+
+    Returns
+    -------
+    Detections
+        `sightings` itself when nothing is to be added.
     """
     missing = [
         spot.pixel
@@ -107,12 +123,29 @@ def named(
     camera: PinholeCamera,
     edits: ViewEdits,
 ) -> EditedMatch:
-    """Put the hand's word over an assignment.
+    """Apply the user's corrections to a matching.
+
+    Parameters
+    ----------
+    pairs
+        The automatic matching; indices into `sightings` and `markers`.
+    markers
+        Those that the view can see.
+    sightings
+        With the positions that the user pointed at (see `with_places`).
+    camera
+        The colour camera.
+    edits
+
+    Returns
+    -------
+    EditedMatch
+        In which a marker named by the user has the detection pointed at, and no other marker has.
 
     Raises
     ------
     ReconstructionError
-        When a place that was pointed at is not among the sightings, or too few markers are left.
+        When the user pointed at a position without a detection, or too few markers are left.
     """
     index = {marker.id: number for number, marker in enumerate(markers)}
     said = {
@@ -145,14 +178,14 @@ def named(
 def follow_names(
     markers: tuple[Marker, ...], sightings: Detections, camera: PinholeCamera, edits: ViewEdits
 ) -> tuple[MarkerMatch, FloatArray]:
-    """Find the camera from the markers that somebody pointed at, then the other markers.
+    """Find the camera's pose from the markers named by the user, then match the others.
 
     Parameters
     ----------
     markers
         Those that the view can see.
     sightings
-        With the places that were pointed at.
+        With the positions that the user pointed at (see `with_places`).
     camera
         The colour camera.
     edits
@@ -160,19 +193,20 @@ def follow_names(
 
     Returns
     -------
-    Assignment, and reference2color : (4, 4) float64, mm
+    pairs : MarkerMatch
+    reference2color : (4, 4) float64, mm
 
     Raises
     ------
     ReconstructionError
-        When the camera cannot stand anywhere so that the markers are seen there.
+        When no pose of the camera explains the named markers.
     """
     index = {marker.id: number for number, marker in enumerate(markers)}
     spots = [spot for spot in edits.named if spot.id in index]
     positions = positions_of(markers)
     pointed = np.array([_row(spot, sightings, camera) for spot in spots])
     places = positions[[index[spot.id] for spot in spots]]
-    # Which of the rest may be markers; what was pointed at is one wherever it lies.
+    # The regions limit the other markers only; a named one counts wherever it lies.
     may = searched(sightings.pixels, edits)
     may[pointed] = True
     rows = np.flatnonzero(may)
@@ -194,7 +228,7 @@ def follow_names(
 
 
 def _pose_of(places: FloatArray, rays: FloatArray) -> PoseBatch:
-    """Camera pose from markers (k, 3) and their normalised image coordinates (k, 2), k > 3."""
+    """Compute the pose from markers (k, 3) and their normalised image coordinates (k, 2), k > 3."""
     found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
     if not found:
         return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
@@ -229,7 +263,7 @@ def _row(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int:
 
 
 def _nearest(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int | None:
-    """Give the sighting that was meant; a place that was added counts before a blue spot."""
+    """Return the index of the detection meant; one added by the user counts before a blob."""
     if len(sightings) == 0:
         return None
     distance = np.linalg.norm(sightings.pixels - spot.pixel, axis=1)[::-1]

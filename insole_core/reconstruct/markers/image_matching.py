@@ -1,4 +1,4 @@
-"""Which blob is which marker, from a colour image alone: no depth is needed."""
+"""Match blobs to markers in the colour image alone, without depth."""
 
 from __future__ import annotations
 
@@ -29,39 +29,38 @@ _TABLE = 256
 
 @dataclass(frozen=True)
 class ImageMatchLimits:
-    """When an assignment is trusted.
+    """When a matching is trusted.
 
     Parameters
     ----------
     distance_mm
-        The camera is so far from the markers, least and most.
+        Smallest and largest distance of the camera from the markers.
     steepest
-        Cosine of the largest angle under which markers are looked at.
+        Cosine of the largest angle between the rays and the markers' normal.
     largest_size_ratio
-        Markers of one triangle differ no more in their area in the image.
+        Largest ratio of the areas, in the image, of the markers of one triangle.
     rough_share, near_px
-        A marker is explained by a blob so near: at first, as a share of the pattern's size; at
-        last, in pixels of an image 1280 wide.
+        Largest distance of a blob from the marker that it explains: first as a share of the
+        pattern's size, finally in pixels of an image 1280 wide.
     least_markers, least_share
-        So many markers must be explained, all when the system has fewer, and such a share.
+        Least number (or all, when the system has fewer) and least share of markers explained.
     noise_px
         Standard deviation of a blob's centre.
     margin
-        Any other pose has a larger sum of squared distances, by so many times the variance of a
-        blob's centre; a marker without a blob counts as one that just is not near.
+        Least excess of the sum of squared distances of any other pose, in variances of a blob's
+        centre; a marker without a blob counts with the distance `near_px`.
     elsewhere_deg
-        From this angle on a pose is another one.
-    stray_px
-        A blob that lies farther off than that, and than `strays` times the usual distance, in
-        pixels of an image 1280 wide, is the marker all the same, but only partly seen; it neither
-        counts nor speaks against the pose.
-    strays
+        Angle from which on a pose is a different one.
+    stray_px, strays
+        A blob farther off than `stray_px`, in pixels of an image 1280 wide, and than `strays`
+        times the median distance is still the marker, but only partly visible; it counts neither
+        for nor against the pose.
     doubted_px
-        A blob so far off counts half in the pose, in pixels of an image 1280 wide.
+        Distance of a blob that counts half in the pose, in pixels of an image 1280 wide.
     largest_rms_px
-        Of the reprojection errors at last, strays left out.
+        Largest root mean square of the final reprojection errors, strays left out.
     triples
-        So many triangles of markers are tried.
+        Number of triangles of markers that are tried.
     """
 
     distance_mm: tuple[float, float] = (400.0, 1500.0)
@@ -88,9 +87,10 @@ class ImageMarkerMatch:
     Parameters
     ----------
     pairs
+        Indices of blobs and markers.
     reference2color : (4, 4) float64, mm
     rms_px
-        Of the reprojection errors.
+        Root mean square of the reprojection errors.
     """
 
     pairs: MarkerMatch
@@ -105,21 +105,27 @@ def match_in_image(
     camera: PinholeCamera,
     limits: ImageMatchLimits = ImageMatchLimits(),
 ) -> ImageMarkerMatch:
-    """Find the one pose of the camera from which most markers are seen where blobs are.
+    """Find the camera pose that explains most markers by blobs, and match the two.
 
     Three blobs that are three given markers determine the camera under weak perspective up to a
     mirror image in depth (Alter 1994). All triangles of blobs are compared with a fixed choice of
-    triangles of markers, so that the answer does not depend on chance; the poses that explain most
-    are improved under full perspective on all that they explain.
+    triangles of markers, so that the result does not depend on chance; the poses that explain most
+    markers are refined under full perspective on all that they explain.
 
     Parameters
     ----------
     pixels : (n, 2) float64, px
-        Centres of blobs; some may be no markers.
+        Centres of blobs, not all of which need be markers.
     areas : (n,) float64, px²
     markers : (m, 3) float64, mm, reference frame
-        That this camera can see; some may be hidden.
+        Those that this camera can see; some may be hidden.
     camera
+        The colour camera.
+    limits
+
+    Returns
+    -------
+    ImageMarkerMatch
 
     Raises
     ------
@@ -165,7 +171,7 @@ def match_in_image(
 
 
 def _whole(squared: FloatArray, near: float, limits: ImageMatchLimits) -> BoolArray:
-    """Tell which pairs (k,) agree with most others, from their squared distances."""
+    """Return which pairs (k,) agree with most others, from their squared distances."""
     usual = np.median(squared) if len(squared) else 0.0
     return np.asarray(squared <= max(near**2, limits.strays**2 * usual))
 
@@ -193,7 +199,7 @@ def _elsewhere(poses: PoseBatch, best: int, limits: ImageMatchLimits) -> BoolArr
 
 
 def _search(sight: Sight, areas: FloatArray, limits: ImageMatchLimits, near: float) -> PoseBatch:
-    """Give the best candidate poses, improved; none where none explains four markers."""
+    """Return the best candidate poses, refined; none when none explains four markers."""
     triangles = _blob_triangles(areas, limits)
     if len(triangles) == 0 or len(sight.markers) < LEAST_EXPLAINED:
         return PoseBatch.none()
@@ -220,7 +226,7 @@ def _search(sight: Sight, areas: FloatArray, limits: ImageMatchLimits, near: flo
 
 
 def _blob_triangles(areas: FloatArray, limits: ImageMatchLimits) -> IntArray:
-    """Give all ordered triples (t, 3) of blobs of similar size."""
+    """Return all ordered triples (t, 3) of blobs of similar size."""
     count = len(areas)
     i, j, k = np.indices((count,) * 3).reshape(3, -1)
     differ = (i != j) & (j != k) & (k != i)
@@ -230,7 +236,7 @@ def _blob_triangles(areas: FloatArray, limits: ImageMatchLimits) -> IntArray:
 
 
 def _marker_triangles(markers: FloatArray, count: int) -> IntArray:
-    """Choose wide triangles (c, 3) of markers so that every marker is in about as many."""
+    """Choose wide triangles (c, 3) of markers so that each marker is in about as many of them."""
     every = np.array(list(combinations(range(len(markers)), 3)))
     a, b, c = np.moveaxis(markers[every], 1, 0)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -251,7 +257,7 @@ def _marker_triangles(markers: FloatArray, count: int) -> IntArray:
 def _weak_perspective(
     sight: Sight, triangles: IntArray, chosen: IntArray, limits: ImageMatchLimits
 ) -> PoseBatch:
-    """Poses in which three markers are seen as triangles (t, 3) of blobs, up to two for each."""
+    """Compute the poses that map three markers to triangles (t, 3) of blobs, up to two for each."""
     origin, *others = sight.markers[chosen]
     basis, in_plane = _plane_basis(*(other - origin for other in others))
     corner = sight.blobs[triangles]
@@ -281,7 +287,7 @@ def _weak_perspective(
 
 
 def _plane_basis(first: FloatArray, second: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Orthonormal rows (3, 3), two in the plane of two edges, and the edges in it (2, 2)."""
+    """Return orthonormal rows (3, 3), two in the plane of two edges, and the edges in it (2, 2)."""
     along = first / np.linalg.norm(first)
     normal = np.cross(first, second)
     normal /= np.linalg.norm(normal)
@@ -291,7 +297,7 @@ def _plane_basis(first: FloatArray, second: FloatArray) -> tuple[FloatArray, Flo
 
 @dataclass(frozen=True, eq=False)
 class _DistanceTable:
-    """How far the nearest blob is, for places on a lattice over the image."""
+    """The distance to the nearest blob, tabulated on a lattice over the image."""
 
     low: FloatArray
     step: FloatArray
@@ -310,7 +316,7 @@ class _DistanceTable:
         return _DistanceTable(low, step, np.sqrt(nearest))
 
     def look_up(self, places: FloatArray) -> FloatArray:
-        """Distances (...,) of places (..., 2); infinite outside of the table."""
+        """Return the distances (...,) at positions (..., 2); infinite outside of the table."""
         index = np.rint((places - self.low) / self.step)
         inside = np.all((index >= 0) & (index < _TABLE), axis=-1)
         cell = np.where(inside[..., None], index, 0).astype(np.int64)

@@ -1,4 +1,4 @@
-"""What a marker seen aslant shows beside its face: how far behind the face its centre appears."""
+"""How far behind its face the centre of a marker seen at an angle appears."""
 
 from __future__ import annotations
 
@@ -10,35 +10,37 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LEAST_TANGENT = 0.25
 _LEAST_OBLIQUE = 6
-"""The width of one marker tells the depth of its flank to a third of a millimetre only."""
+"""The width of a single marker gives the depth of its flank to a third of a millimetre only."""
 _DEEPEST_MM = 8.0
 _ALONG_AXIS = float(np.cos(np.radians(25)))
-"""Blocks of different heights lift the plane of their centres out of that of their faces so far."""
+"""Blocks of different heights tilt the plane of their centres by up to this angle."""
 
 
 def apparent_centers(
     markers: FloatArray, spreads: FloatArray, camera: PinholeCamera, reference2color: FloatArray
 ) -> FloatArray:
-    """Give the places that the centres of blobs show: those of the faces, or a little behind.
+    """Compute the points that appear as the centres of blobs, on the faces or a little behind.
 
     A marker is a block: seen at an angle t to its normal, it shows, beside its face, a strip of its
     coloured flank of height h, so that the blob is wider by h tan t in the direction of the slant
-    and its centre is half of that aside. That is where a point h/2 behind the face would be seen,
-    whatever the angle. The width across the slant tells how wide the face alone would be.
+    and its centre is shifted by half of that. This is where a point h/2 behind the face is seen,
+    whatever the angle. The width across the slant is that of the face alone.
 
     Parameters
     ----------
     markers : (n, 3) float64, mm, reference frame
-        Centres of the faces; all look the same way.
+        Centres of the faces, all of which have the same normal.
     spreads : (n, 2, 2) float64, px²
         Covariance of the pixels of each blob.
     camera
+        The colour camera.
     reference2color : (4, 4) float64, mm
 
     Returns
     -------
-    (n, 3) float64, mm, reference frame; the faces themselves when the view looks too squarely at
-    them to tell, and then it does not matter
+    (n, 3) float64, mm, reference frame
+        The centres of the faces themselves when too few are seen at an angle; the shift is then
+        negligible.
     """
     towards = inverse(reference2color)[:3, 3] - markers
     normal = _outward(markers, towards)
@@ -58,10 +60,10 @@ def apparent_centers(
 
 
 def _outward(markers: FloatArray, towards: FloatArray) -> FloatArray:
-    """Way (3,) that the faces look: an axis of the reference frame, as a rule.
+    """Return the common normal (3,) of the faces, as a rule an axis of the reference frame.
 
-    The centres (n, 3) lie in one plane only roughly. What that makes of the widths cannot be told
-    from a flank in a single view.
+    The centres (n, 3) lie only roughly in one plane, and in a single view the effect of a tilted
+    normal on the widths cannot be distinguished from that of a flank.
     """
     normal = np.linalg.svd(markers - markers.mean(0))[2][2]
     main = int(np.abs(normal).argmax())
@@ -77,9 +79,9 @@ def _widths_mm(
     camera: PinholeCamera,
     reference2color: FloatArray,
 ) -> FloatArray:
-    """Widths (n, 2) of blobs along two axes (n, 2, 3) in the plane of the face.
+    """Compute the widths (n, 2), mm, of blobs along two axes (n, 2, 3) in the plane of the face.
 
-    An even square has the variance width² / 12 in every direction.
+    A uniform square has the variance width² / 12 in every direction.
     """
     at = camera.project(transform(reference2color, markers))
     steps = [camera.project(transform(reference2color, markers + axes[:, i])) for i in (0, 1)]

@@ -1,4 +1,4 @@
-"""Which point seen is which marker, from nothing but the distances between them."""
+"""Match points in space to markers by nothing but the distances between them."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ _REFINED = 1000
 
 @dataclass(frozen=True)
 class MarkerMatchLimits:
-    """When an assignment is trusted.
+    """When a matching is trusted.
 
     Parameters
     ----------
     near_mm
-        A marker is explained by a point so near to it.
+        Largest distance of a point from the marker that it explains.
     found_mm
-        A point so near to a marker is still that marker, but measured too badly to be used.
+        Largest distance of a point that is still that marker, but measured too poorly to be used.
     least_markers, least_share
-        So many markers, and such a share of them, must be explained.
+        Least number and least share of markers explained.
     margin
-        The best assignment explains so many markers more than any that puts the sensor elsewhere.
+        Number of markers that the best pose must explain more than any different one.
     least_width_mm
-        Spread (standard deviation) of the explained markers across their main direction.
+        Least spread (standard deviation) of the explained markers across their main direction.
     narrowest_triple_mm
-        Height of the flattest triangle of markers that a search starts from.
+        Height of the flattest triangle of markers that the search starts from.
     elsewhere_mm
-        From this displacement of the markers on, a pose is another one.
+        Mean displacement of the markers from which on a pose is a different one.
     """
 
     near_mm: float = 6.0
@@ -55,7 +55,7 @@ class MarkerMatch:
     Parameters
     ----------
     points, markers : (k,) int64
-        Index of the point and of its marker.
+        Index of each pair's point and of its marker.
     used : (k,) bool
         Whether the pair agrees well enough to determine the pose.
     """
@@ -67,7 +67,7 @@ class MarkerMatch:
 
 @dataclass(frozen=True, eq=False)
 class _Poses:
-    """Many candidate poses with what each explains, all along the first axis."""
+    """Candidate poses along the first axis, with the markers that each explains."""
 
     rotations: FloatArray
     translations: FloatArray
@@ -99,19 +99,26 @@ def match_markers(
     markers: FloatArray,
     limits: MarkerMatchLimits = MarkerMatchLimits(),
 ) -> MarkerMatch:
-    """Find the one pose in which most markers have a point, whatever else was seen.
+    """Find the pose in which most markers have a point near them, and match the two.
 
     Every triangle of markers is compared with every triangle of points of the same side lengths;
     each agreement gives a pose (Horn), and the pose that explains most markers, then the one with
-    the least error, is refined on all that it explains. Exhaustive, so the answer does not depend
-    on chance; a mirrored arrangement cannot be turned onto the markers and is refused.
+    the least error, is refined on all that it explains. The search is exhaustive, so the result
+    does not depend on chance; a mirrored arrangement cannot be rotated onto the markers and is
+    refused.
 
     Parameters
     ----------
     points : (n, 3) float64, mm, depth camera frame
-        Marker candidates; some may be none.
+        Marker candidates, not all of which need be markers.
     markers : (m, 3) float64, mm, reference frame
         The markers that this view can see; some may be hidden.
+    limits
+
+    Returns
+    -------
+    MarkerMatch
+        In the order of the markers.
 
     Raises
     ------
@@ -131,7 +138,7 @@ def match_markers(
 
 
 def _candidate_poses(points: FloatArray, markers: FloatArray, limits: MarkerMatchLimits) -> _Poses:
-    """Give refined candidate poses, those that explain most."""
+    """Return refined candidate poses, those that explain most markers."""
     three_points, three_markers = _congruent_triples(points, markers, limits)
     parts = []
     for start in range(0, max(len(three_points), 1), _CHUNK):
@@ -164,7 +171,17 @@ def _joined(parts: list[_Poses]) -> _Poses:
 
 
 def looks_at_foot(rotations: FloatArray) -> BoolArray:
-    """Tell which poses look towards +z or +y, as the sensors do that see the markers' faces."""
+    """Return which poses look towards +z or +y, as every sensor that sees the markers' faces does.
+
+    Parameters
+    ----------
+    rotations : (..., 3, 3) float64
+        Camera frame to reference frame.
+
+    Returns
+    -------
+    (...,) bool
+    """
     axis = rotations[..., :, 2]
     return np.asarray(np.maximum(axis[..., 1], axis[..., 2]) > 0.3)
 
@@ -172,7 +189,7 @@ def looks_at_foot(rotations: FloatArray) -> BoolArray:
 def _congruent_triples(
     points: FloatArray, markers: FloatArray, limits: MarkerMatchLimits
 ) -> tuple[IntArray, IntArray]:
-    """Give (t, 3) indices of points and of markers whose triangles have the same sides."""
+    """Return indices (t, 3) of points and of markers whose triangles have the same sides."""
     between_points = np.linalg.norm(points[:, None] - points[None], axis=2)
     between_markers = np.linalg.norm(markers[:, None] - markers[None], axis=2)
     fits = np.abs(between_points - between_markers[..., None, None]) < limits.near_mm
@@ -189,7 +206,7 @@ def _congruent_triples(
 
 
 def _heights(triangles: FloatArray) -> FloatArray:
-    """Smallest heights (t,) of triangles (t, 3, 3)."""
+    """Compute the smallest heights (t,) of triangles (t, 3, 3)."""
     sides = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2)
     a, b, c = np.moveaxis(triangles, 1, 0)
     doubled_area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -199,7 +216,7 @@ def _heights(triangles: FloatArray) -> FloatArray:
 def _fit(
     source: FloatArray, target: FloatArray, weight: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Fit many weighted point sets (t, k, 3) at once, Horn; gives rotations and translations."""
+    """Fit many weighted point sets (t, k, 3) at once (Horn); return rotations and translations."""
     share = (weight / weight.sum(1, keepdims=True))[..., None]
     mean_source, mean_target = (share * source).sum(1), (share * target).sum(1)
     covariance = np.swapaxes(share * (source - mean_source[:, None]), 1, 2) @ (
@@ -216,7 +233,7 @@ def _explain(
     markers: FloatArray,
     near_mm: float,
 ) -> _Poses:
-    """See which markers have a point near them; a point explains one marker at most."""
+    """Find which markers have a point near them; a point explains one marker at most."""
     moved = points @ np.swapaxes(rotations, 1, 2) + translations[:, None]
     squared = ((moved[:, :, None] - markers) ** 2).sum(3)
     if len(points) == 0:
@@ -230,7 +247,7 @@ def _explain(
 def _elsewhere(
     poses: _Poses, best: _Poses, markers: FloatArray, limits: MarkerMatchLimits
 ) -> BoolArray:
-    """Tell which poses would put the points of the markers elsewhere than the best does."""
+    """Return which poses (t,) place the points of the markers elsewhere than the best does."""
     seen = (markers - best.translations[0]) @ best.rotations[0]
     moved = seen @ np.swapaxes(poses.rotations, 1, 2) + poses.translations[:, None]
     return np.asarray(np.linalg.norm(moved - markers, axis=2).mean(1) > limits.elsewhere_mm)

@@ -12,7 +12,7 @@ from insole_core.reconstruct.poses.camera_pose import CameraPose
 
 @dataclass(frozen=True)
 class MarkerObservation:
-    """One marker as one view saw it.
+    """One marker as observed by one view.
 
     Parameters
     ----------
@@ -20,19 +20,20 @@ class MarkerObservation:
     pixel
         (u, v) of its centre in the colour image, px.
     position_mm
-        Measured, reference frame.
+        Measured position, reference frame.
     residual_mm
-        Distance from where the reference system has it.
+        Distance of the measured position from the one in the reference system.
     used
         Whether it helped to determine the pose.
     reprojection_px
-        Distance in the colour image from where the pose puts it; the thesis's chain has none.
+        Distance between observed and projected centre in the colour image; None for the thesis's
+        method.
     projected
-        (u, v) where the pose puts it; the thesis's chain has none.
+        (u, v) of the centre projected with the pose, px; None for the thesis's method.
     by_hand
-        Whether somebody pointed at it.
+        Whether the user pointed at it.
     excluded
-        Whether somebody excluded it.
+        Whether the user excluded it.
     """
 
     id: str
@@ -53,12 +54,13 @@ class Registration:
     Parameters
     ----------
     sensor2reference : (4, 4) float64, mm
+        Pose of the depth camera.
     fixes
-        In the order of the reference system.
+        The observed markers, in the order of the reference system.
     camera_pose : optional
-        With its certainty, where the pose was found in the colour image.
+        Pose of the colour camera with its covariance, when it was fitted in the colour image.
     displacement_mm : optional
-        Standard deviation of the place of the foot's middle that comes with the pose's; with
+        Standard deviation of the position of the foot's middle that follows from the pose's; with
         `camera_pose` only.
     """
 

@@ -1,4 +1,4 @@
-"""Where a camera stood, by the least reprojection error of markers in its image."""
+"""The pose of a camera by the least reprojection error of markers in its image."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ _STEPS = np.repeat([_TURN_STEP_RAD, _SHIFT_STEP_MM], 3)
 _TURNS = np.stack([rotation_about(axis, np.degrees(_TURN_STEP_RAD)) for axis in np.eye(3)])
 _FREEDOM = 6
 _MEDIAN_OF_SQUARES = 2 * np.log(2)
-"""Of the sums of two squares of standard normal numbers."""
+"""Median of the sum of the squares of two standard normal variables."""
 
 
 @dataclass(frozen=True)
 class SightingNoise:
-    """Standard deviations of what was seen of a marker.
+    """Standard deviations of what is observed of a marker.
 
     Parameters
     ----------
     pixel_px
-        Of its centre in a good colour image; where the residuals show more, that counts.
+        Of its centre in a good colour image; enlarged where the residuals show more.
     place_mm
-        Of its place in the marker system, along an axis.
+        Of its position in the reference system, along an axis.
     depth_mm
         Of its distance, from the depth image.
     """
@@ -40,27 +40,39 @@ class SightingNoise:
     depth_mm: float = 1.0
 
     def seen_from(self, distance_mm: float, camera: PinholeCamera) -> SightingNoise:
-        """Count what the marker system is off as if the picture were."""
+        """Convert the error of the marker positions to an error in the image.
+
+        Parameters
+        ----------
+        distance_mm
+            Mean distance of the markers from the camera.
+        camera
+
+        Returns
+        -------
+        SightingNoise
+            With both errors in `pixel_px`, and 0 for `place_mm`.
+        """
         place_px = self.place_mm * camera.fx / distance_mm
         return SightingNoise(float(np.hypot(self.pixel_px, place_px)), 0.0, self.depth_mm)
 
 
 @dataclass(frozen=True, eq=False)
 class CameraPose:
-    """The pose of a camera, and how certain it is.
+    """The pose of a camera and its covariance.
 
     Parameters
     ----------
     reference2color : (4, 4) float64, mm
     residuals_px : (n, 2) float64, px
-        Observed minus projected; 0 for a marker that does not count.
+        Observed minus projected; 0 for a marker without a precise centre.
     weights : (n,) float64
         1 for a marker that fits in the image, towards 0 for one that does not: 1 / (1 + r²) at r
-        times the noise.
+        times the noise; 0 for a marker without a precise centre.
     covariance : (6, 6) float64
-        Of a small turn (rad) about the markers' centre and a shift (mm), camera frame.
+        Of a small rotation (rad) about the markers' centre and a shift (mm), camera frame.
     center : (3,) float64, mm, reference frame
-        Of the markers.
+        Mean of the markers.
     """
 
     reference2color: FloatArray
@@ -71,37 +83,46 @@ class CameraPose:
 
     @property
     def rms_px(self) -> float:
-        """Weighted root mean square of the distances in the image."""
+        """Weighted root mean square of the distances in the image, px."""
         squared = (self.residuals_px**2).sum(1)
         return float(np.sqrt(self.weights @ squared / self.weights.sum()))
 
     def displacement_mm(self, place: FloatArray) -> float:
-        """Give the standard deviation of where a place (3,), mm, is put, all axes together."""
+        """Compute the standard deviation of a point under the pose, all axes together.
+
+        Parameters
+        ----------
+        place : (3,) float64, mm, reference frame
+
+        Returns
+        -------
+        float, mm
+        """
         arm = self.reference2color[:3, :3] @ (place - self.center)
-        # A small turn t moves the place by t × arm.
+        # A small rotation t moves the point by t × arm.
         change = np.concatenate([np.cross(np.eye(3), arm).T, np.eye(3)], axis=1)
         return float(np.sqrt(np.trace(change @ self.covariance @ change.T)))
 
     @property
     def turn_deviation_deg(self) -> float:
-        """Standard deviation of the rotation, all axes together."""
+        """Standard deviation of the rotation, all axes together, degrees."""
         return float(np.degrees(np.sqrt(np.trace(self.covariance[:3, :3]))))
 
 
 @dataclass(frozen=True, eq=False)
 class SeenMarkers:
-    """Markers and what a camera saw of them.
+    """Markers and their observations by a camera.
 
     Parameters
     ----------
     faces : (n, 3) float64, mm, reference frame
         Centres of their faces, n > 3.
     centers : (n, 3) float64, mm, reference frame
-        What the camera sees as their centres: the faces', or a little behind them.
+        The points that appear as their centres: those of the faces, or a little behind them.
     pixels : (n, 2) float64, px
-        Where the camera saw the centres; NaN = not precisely enough to count.
+        Observed centres; NaN = too imprecise to count.
     distances_mm : (n,) float64, mm
-        Of the faces along the camera's axis, NaN = unknown.
+        Measured depth of the faces along the camera's axis; NaN = unknown.
     """
 
     faces: FloatArray
@@ -116,19 +137,24 @@ def fit_camera_pose(
     start: FloatArray,
     noise: SightingNoise = SightingNoise(),
 ) -> CameraPose:
-    """Find the likeliest pose: least reprojection error, robust (Gauss-Newton, Cauchy's weights).
+    """Find the pose of least robust reprojection error (Gauss-Newton with Cauchy's weights).
 
-    The image tells five of the six degrees of freedom well. How far away the markers are it tells
-    only by their size, and an error of 0.03 % in the focal length is 0.25 mm there; so the
+    The image determines five of the six degrees of freedom well, but the distance of the markers
+    only by their size, where an error of 0.03 % in the focal length makes 0.25 mm; so the
     distances, where they are known, count as well, with their own and larger noise.
 
     Parameters
     ----------
     seen
     camera
+        The camera that observed the markers.
     start : (4, 4) float64, mm
-        Reference frame to camera frame, from a closed form.
+        Initial reference2color, from a closed form.
     noise
+
+    Returns
+    -------
+    CameraPose
     """
     distance_mm = float(transform(start, seen.faces)[:, 2].mean())
     problem = _Problem(seen, camera, noise.seen_from(distance_mm, camera))
@@ -148,26 +174,28 @@ def fit_camera_pose(
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
+    """The least-squares problem of one pose."""
+
     seen: SeenMarkers
     camera: PinholeCamera
     noise: SightingNoise
 
     def converged(self, pose: FloatArray) -> FloatArray:
-        """Improve a pose until it stays."""
+        """Refine a pose by Gauss-Newton steps until it converges."""
         for _ in range(_ROUNDS):
             scaled, design = self.linearised(pose)
-            normal, pull = _normal_equations(design, scaled, _cauchy(scaled))
-            step = np.asarray(np.linalg.solve(normal, pull), dtype=np.float64)
+            normal, rhs = _normal_equations(design, scaled, _cauchy(scaled))
+            step = np.asarray(np.linalg.solve(normal, rhs), dtype=np.float64)
             pose = _moved(pose, step, self.seen.faces.mean(0))
             if step @ step < _CONVERGED:
                 break
         return pose
 
     def as_noisy_as_seen(self, pose: FloatArray) -> _Problem:
-        """Take the noise from the residuals in the image, where they show more than expected.
+        """Enlarge the noise where the residuals in the image show more than expected.
 
-        From their median, which strays do not widen. What the pose's six degrees of freedom took
-        up was as large as expected.
+        It is estimated from their median, which outliers do not affect; the share absorbed by the
+        pose's six degrees of freedom is taken to be as expected.
         """
         seen = np.isfinite(self.seen.pixels[:, 0])
         scaled, _ = self.linearised(pose)
@@ -176,14 +204,14 @@ class _Problem:
         return replace(self, noise=replace(self.noise, pixel_px=self.noise.pixel_px * float(wider)))
 
     def linearised(self, pose: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Residuals in standard deviations, and how the prediction changes.
+        """Compute the residuals, in standard deviations, and their design matrix.
 
         Returns
         -------
         scaled : (n, 2, 2) float64
-            For each marker what the image says, (u, v), and what the depth says, (z, 0).
+            For each marker the residual in the image, (u, v), and in depth, (z, 0).
         design : (n, 2, 2, 6) float64
-            Change of the prediction with turn and shift.
+            Derivative of the prediction by rotation and shift.
         """
         predicted, *moved = self._predict(_varied(pose, self.seen.faces.mean(0)))
         observed = np.zeros_like(predicted)
@@ -203,9 +231,9 @@ class _Problem:
 
 
 def _cauchy(scaled: FloatArray) -> FloatArray:
-    """Weights (n, 2) of the image and of the depth of every marker."""
+    """Compute the weights (n, 2) of the image and of the depth of every marker."""
     squared = (scaled**2).sum(2)
-    # Where most lie far away the start was rough: only the relative size counts then.
+    # When most residuals are large the start is rough; then only their relative size counts.
     usual = np.maximum(1, np.median(squared, axis=0))
     return np.asarray(1 / (1 + squared / usual))
 
@@ -219,12 +247,12 @@ def _normal_equations(
 
 
 def _placed(poses: FloatArray, points: FloatArray) -> FloatArray:
-    """Bring points (n, 3) to the frames of many poses: (k, n, 3)."""
+    """Transform points (n, 3) to the frames of many poses: (k, n, 3)."""
     return np.asarray(points @ poses[:, :3, :3].swapaxes(1, 2) + poses[:, None, :3, 3])
 
 
 def _varied(pose: FloatArray, center: FloatArray) -> FloatArray:
-    """Give a pose and what it becomes by a small step in each direction: (7, 4, 4)."""
+    """Return a pose and its variations by a small step in each direction: (7, 4, 4)."""
     poses = np.tile(pose, (7, 1, 1))
     poses[1:4, :3, :3] = _TURNS @ pose[:3, :3]
     poses[1:4, :3, 3] = transform(pose, center) - poses[1:4, :3, :3] @ center
@@ -233,7 +261,7 @@ def _varied(pose: FloatArray, center: FloatArray) -> FloatArray:
 
 
 def _moved(pose: FloatArray, step: FloatArray, center: FloatArray) -> FloatArray:
-    """Turn a pose about the place of `center`, and shift it."""
+    """Rotate a pose about the image of `center` in the camera frame, and shift it."""
     angle = float(np.linalg.norm(step[:3]))
     turn = rotation_about(step[:3], np.degrees(angle)) if angle > 0 else np.eye(3)
     rotation = turn @ pose[:3, :3]

@@ -1,4 +1,4 @@
-"""Many candidate poses of a camera at once, and their improvement on what they explain."""
+"""Many candidate poses of a camera at once, and their refinement on the markers they explain."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from scipy.spatial.transform import Rotation
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 
 LEAST_EXPLAINED = 4
-"""Three markers are explained by any three blobs."""
+"""Least number of explained markers: any three blobs explain three markers."""
 _DAMPING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Sight:
-    """What a camera saw, and what it should see.
+    """The blobs that a camera saw and the markers that it should see.
 
     Parameters
     ----------
@@ -47,38 +47,54 @@ class PoseBatch:
 
     @staticmethod
     def none() -> PoseBatch:
-        """Give no pose."""
+        """Return an empty batch."""
         return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
 
     @staticmethod
     def joined(parts: list[PoseBatch]) -> PoseBatch:
-        """Put batches one behind the other."""
+        """Concatenate batches."""
         return PoseBatch(
             np.concatenate([part.rotations for part in parts]),
             np.concatenate([part.translations for part in parts]),
         )
 
     def take(self, index: IntArray | BoolArray) -> PoseBatch:
-        """Keep some of the poses."""
+        """Return some of the poses, by index or mask."""
         return PoseBatch(self.rotations[index], self.translations[index])
 
     def turned(self, markers: FloatArray) -> FloatArray:
-        """Turn places (m, 3) into the camera's directions, (t, m, 3)."""
+        """Rotate points (m, 3) to the axes of every camera, (t, m, 3)."""
         return np.asarray(markers @ np.swapaxes(self.rotations, 1, 2))
 
     def project(self, markers: FloatArray) -> FloatArray:
-        """Normalised image coordinates (t, m, 2); far away for what lies behind the camera."""
+        """Project points (m, 3), mm, reference frame, with every pose.
+
+        Returns
+        -------
+        (t, m, 2) float64
+            Normalised image coordinates; 1e6 for points behind the camera.
+        """
         return _divided(self.turned(markers) + self.translations[:, None])
 
 
 def matches(poses: PoseBatch, sight: Sight, near: float) -> tuple[IntArray, BoolArray, FloatArray]:
-    """See which markers have a blob near them; a blob explains one marker at most.
+    """Find which markers have a blob near their projection; a blob explains one marker at most.
+
+    Parameters
+    ----------
+    poses
+    sight
+    near
+        Largest distance, normalised image coordinates.
 
     Returns
     -------
-    nearest : (t, m) int64, the blob nearest to every marker
+    nearest : (t, m) int64
+        The blob nearest to every marker.
     explained : (t, m) bool
-    squared : (t, m) float64, its distance squared, normalised image coordinates
+        Whether it is near enough, and nearest to no other marker.
+    squared : (t, m) float64
+        Its squared distance, normalised image coordinates.
     """
     projected = poses.project(sight.markers)
     squared = ((projected[:, :, None] - sight.blobs) ** 2).sum(3)
@@ -89,10 +105,21 @@ def matches(poses: PoseBatch, sight: Sight, near: float) -> tuple[IntArray, Bool
 
 
 def improved(poses: PoseBatch, sight: Sight, near: float, doubted: float = np.inf) -> PoseBatch:
-    """Take one Gauss-Newton step on the reprojection errors of what each pose explains.
+    """Take one Gauss-Newton step on the reprojection errors of the markers each pose explains.
 
-    An error of `doubted` counts half (Cauchy's weights). Poses that explain fewer than four
-    markers go.
+    Parameters
+    ----------
+    poses
+    sight
+    near
+        Largest distance of a blob that explains a marker, normalised image coordinates.
+    doubted
+        Reprojection error that counts half (Cauchy's weights), normalised image coordinates.
+
+    Returns
+    -------
+    PoseBatch
+        Without the poses that explained fewer than four markers.
     """
     nearest, explained, squared = matches(poses, sight, near)
     enough = explained.sum(1) >= LEAST_EXPLAINED
@@ -106,10 +133,10 @@ def improved(poses: PoseBatch, sight: Sight, near: float, doubted: float = np.in
     design = _design(turned, points)
     weighted = design * weights[..., None, None]
     normal = np.einsum("tmci,tmcj->tij", weighted, design)
-    pull = np.einsum("tmci,tmc->ti", weighted, residuals)
-    # Turns are in rad and shifts in mm; damped alike against their own size.
+    rhs = np.einsum("tmci,tmc->ti", weighted, residuals)
+    # Rotations are in rad and shifts in mm; the damping is relative to the mean scale.
     damping = _DAMPING * np.einsum("tii->ti", normal)[..., None] * np.eye(6)
-    step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), pull[..., None])[..., 0]
+    step = np.linalg.solve(normal + damping + 1e-15 * np.eye(6), rhs[..., None])[..., 0]
     turn = Rotation.from_rotvec(step[:, :3]).as_matrix()
     return PoseBatch(turn @ poses.rotations, poses.translations + step[:, 3:])
 
@@ -120,7 +147,7 @@ def _divided(points: FloatArray) -> FloatArray:
 
 
 def _design(turned: FloatArray, points: FloatArray) -> FloatArray:
-    """Change (t, m, 2, 6) of the projections with a turn about the reference origin and a shift."""
+    """Differentiate the projections by rotation about the origin and shift, (t, m, 2, 6)."""
     depth = np.maximum(points[..., 2], 1.0)
     by_point = np.zeros((*points.shape[:2], 2, 3))
     by_point[..., 0, 0] = by_point[..., 1, 1] = 1 / depth

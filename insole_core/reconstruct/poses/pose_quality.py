@@ -1,4 +1,4 @@
-"""Whether a pose is good enough to be used; one that is not is refused with its markers."""
+"""Whether a pose is good enough to be used."""
 
 from __future__ import annotations
 
@@ -19,15 +19,16 @@ class RegistrationLimits:
     residual_mm
         Largest mean distance of the measured markers from the reference system.
     least_used
-        So many markers must determine the pose, and half of those that were found; fused only.
+        Least number of markers that determine the pose, which must also be half of those found;
+        fused only.
     reprojection_px
         Largest root mean square of the distances in the colour image, fused only.
     displacement_mm
-        Largest standard deviation of the place of the foot's middle, fused only.
+        Largest standard deviation of the position of the foot's middle, fused only.
     turn_deviation_deg
-        Largest standard deviation of the direction, fused only.
+        Largest standard deviation of the rotation, fused only.
     assignment
-        When the assignment of blobs to markers is trusted.
+        When the matching of points to markers is trusted.
     """
 
     residual_mm: float = 4.0
@@ -42,7 +43,7 @@ DEFAULT_LIMITS = RegistrationLimits()
 
 
 class PoseRefusedError(ReconstructionError):
-    """A pose was found, but it is not good enough; `registration` shows what it rests on."""
+    """A pose was found but is not good enough; `registration` holds it with its markers."""
 
     def __init__(self, reason: str, registration: Registration) -> None:
         super().__init__(reason)
@@ -50,7 +51,13 @@ class PoseRefusedError(ReconstructionError):
 
 
 def check_pose(registration: Registration, limits: RegistrationLimits) -> None:
-    """Refuse a pose below the limits.
+    """Refuse a pose that does not meet the limits.
+
+    Parameters
+    ----------
+    registration
+        The pose with its markers.
+    limits
 
     Raises
     ------

@@ -1,8 +1,8 @@
-"""Where a sensor stood: the pose of one view from the markers it saw.
+"""The pose of one view from the markers that its sensor saw.
 
-By Horn's method on their places in space as in the thesis (6.2.2, 6.2.3), or by their places in the
-colour image, which are an order of magnitude finer; then Horn's pose is the start. What somebody
-corrected by hand comes before either.
+It is found by Horn's method from their positions in space, as in the thesis (6.2.2, 6.2.3), or from
+their positions in the colour image, which are an order of magnitude finer; Horn's pose is then the
+start. The user's corrections take precedence over both.
 """
 
 from __future__ import annotations
@@ -44,24 +44,24 @@ from insole_core.sensing.sensor import Sensor
 _LEAST_PRECISE = 6
 _LARGEST_LOSS = 0.05
 _USUAL_LOSSES = 3.0
-"""A marker is partly hidden or runs into another where its fill is less than the usual one by more
-than that share, and by more than so many standard deviations of the fills."""
+"""A marker is partly hidden or merges with another when its fill is less than the median by more
+than `_LARGEST_LOSS` of it and by more than `_USUAL_LOSSES` standard deviations of the fills."""
 _LEAST_WEIGHT = 0.1
-"""Below it a marker lies three times its noise off and hardly counts."""
+"""Below this weight a marker is off by more than three times its noise and hardly counts."""
 
 
 @dataclass(frozen=True)
 class PoseSearch:
-    """What is known when a view's pose is looked for. Each way raises when it finds none.
+    """The search for the pose of one view; every method raises when it finds none.
 
     Parameters
     ----------
     system
     sensor
-        Its faces are the marker groups that are looked for.
+        Its faces are the marker groups that are searched for.
     limits
     edits
-        What was corrected by hand; the places it points at are among the sightings.
+        The user's corrections; the positions pointed at are among the sightings.
 
     Raises
     ------
@@ -75,40 +75,40 @@ class PoseSearch:
     edits: ViewEdits = NO_VIEW_EDITS
 
     def by_places(self, sightings: Detections) -> Registration:
-        """Determine the pose by Horn's method on the markers that were seen, thesis (2) - (6)."""
-        naming = self._named(sightings)
-        a2b = _by_horn(naming)
-        registration = Registration(a2b, _fixes(a2b, naming))
+        """Find the pose by Horn's method on the markers' positions in space, thesis (2) - (6)."""
+        match = self._named(sightings)
+        a2b = _by_horn(match)
+        registration = Registration(a2b, _fixes(a2b, match))
         check_pose(registration, self.limits)
         return registration
 
     def by_pixels(self, sightings: Detections) -> Registration:
-        """Determine the pose by the least reprojection error, started and checked by Horn's.
+        """Find the pose of least reprojection error, starting from Horn's.
 
-        The centres of the sightings are found to a fraction of a pixel. Where the hand names enough
-        markers, they are the start instead.
+        The centres of the sightings must be known to a fraction of a pixel. When the user named
+        enough markers, the start is the pose that follows from these.
         """
         if len(self.edits.named) >= ENOUGH_NAMES:
             markers, camera = self._facing(), self.sensor.color_camera
             pairs, start = follow_names(markers, sightings, camera, self.edits)
             return self._fitted(named(pairs, markers, sightings, camera, self.edits), start)
-        naming = self._named(sightings)
-        return self._fitted(naming, self.sensor.depth2color @ inverse(_by_horn(naming)))
+        match = self._named(sightings)
+        return self._fitted(match, self.sensor.depth2color @ inverse(_by_horn(match)))
 
     def in_image(self, blobs: Blobs) -> Registration:
-        """Determine the pose from sharpened blobs alone, where depth does not tell who is who."""
+        """Find the pose from sharpened blobs alone, when depth cannot identify the markers."""
         markers, camera = self._facing(), self.sensor.color_camera
         rows = np.flatnonzero(searched(blobs.centroids, self.edits))
         found = match_in_image(
             blobs.centroids[rows], blobs.areas[rows], positions_of(markers), camera
         )
-        # The depth image has no say, so nothing has a place in space.
+        # Depth is not used here, so no detection has a position in space.
         nowhere = np.full((len(blobs), 3), np.nan)
         sightings = Detections(blobs.centroids, nowhere, blobs.spreads, blobs.fills)
         exact = np.array([spot.pixel for spot in self.edits.named if spot.exact]).reshape(-1, 2)
         sightings = sightings.with_places(exact, np.full((len(exact), 3), np.nan))
-        naming = named(_of_rows(found.pairs, rows), markers, sightings, camera, self.edits)
-        return self._fitted(naming, found.reference2color)
+        match = named(_of_rows(found.pairs, rows), markers, sightings, camera, self.edits)
+        return self._fitted(match, found.reference2color)
 
     def _facing(self) -> tuple[Marker, ...]:
         faces = self.sensor.faces
@@ -124,7 +124,7 @@ class PoseSearch:
         return markers
 
     def _named(self, sightings: Detections) -> EditedMatch:
-        """Find who is who by the places in space, then let the hand correct it."""
+        """Match the markers by their positions in space, then apply the user's corrections."""
         markers = self._facing()
         may = searched(sightings.pixels, self.edits)
         may[len(sightings) - sightings.placed :] = False
@@ -140,19 +140,19 @@ class PoseSearch:
         camera = self.sensor.color_camera
         return named(_of_rows(found, rows), markers, sightings, camera, self.edits)
 
-    def _fitted(self, naming: EditedMatch, start: FloatArray) -> Registration:
-        """Fit the pose to named markers and judge it."""
-        counted, camera = ~naming.excluded, self.sensor.color_camera
-        pixels, positions = naming.pixels, naming.positions
-        precise = _precise(naming)[counted]
+    def _fitted(self, match: EditedMatch, start: FloatArray) -> Registration:
+        """Fit the pose to matched markers and check it."""
+        counted, camera = ~match.excluded, self.sensor.color_camera
+        pixels, positions = match.pixels, match.positions
+        precise = _precise(match)[counted]
         seen = SeenMarkers(
             positions[counted],
             positions[counted],
             np.where(precise[:, None], pixels[counted], np.nan),
-            transform(self.sensor.depth2color, naming.points[counted])[:, 2],
+            transform(self.sensor.depth2color, match.points[counted])[:, 2],
         )
         pose = fit_camera_pose(seen, camera, start)
-        spreads = _spreads(naming)
+        spreads = _spreads(match)
         centers = positions
         if spreads is not None:
             centers = apparent_centers(positions, spreads, camera, pose.reference2color)
@@ -162,7 +162,7 @@ class PoseSearch:
         used[counted] = pose.weights > _LEAST_WEIGHT
         projected = camera.project(transform(pose.reference2color, centers))
         sensor2reference = inverse(pose.reference2color) @ self.sensor.depth2color
-        fixes = _fixes(sensor2reference, _placed_on_rays(naming, self.sensor, pose))
+        fixes = _fixes(sensor2reference, _placed_on_rays(match, self.sensor, pose))
         registration = Registration(
             sensor2reference,
             tuple(_seen_in_image(fix, projected[i], bool(used[i])) for i, fix in enumerate(fixes)),
@@ -173,7 +173,7 @@ class PoseSearch:
         return registration
 
     def _why_unassigned(self, error: ReconstructionError, points: FloatArray) -> str:
-        """Say why no pose was found; the likeliest cause is a view in another view's place."""
+        """Explain why no pose was found; the likeliest cause is that two views were exchanged."""
         if len(points) == 0:
             return (
                 "no blue marker with a depth reading is seen; check the light and that the "
@@ -202,21 +202,21 @@ class PoseSearch:
 
 
 def _of_rows(pairs: MarkerMatch, rows: IntArray) -> MarkerMatch:
-    """Give pairs of some sightings as pairs of all."""
+    """Convert indices among the chosen rows to indices among all detections."""
     return replace(pairs, points=rows[pairs.points])
 
 
-def _by_horn(naming: EditedMatch) -> FloatArray:
-    """Give the pose (4, 4) of the markers' places in space."""
-    weights = (naming.pairs.used & np.isfinite(naming.points[:, 2])).astype(float)
+def _by_horn(match: EditedMatch) -> FloatArray:
+    """Compute sensor2reference (4, 4) from the markers' positions in space."""
+    weights = (match.pairs.used & np.isfinite(match.points[:, 2])).astype(float)
     if weights.sum() < ENOUGH_NAMES - 1:
         raise ReconstructionError(
             "only {count:.0f} of its markers have a depth reading; see that more markers are in "
             "view",
             count=weights.sum(),
         )
-    points = np.nan_to_num(naming.points)
-    return absolute_orientation(points, naming.positions, weights).a2b
+    points = np.nan_to_num(match.points)
+    return absolute_orientation(points, match.positions, weights).a2b
 
 
 def _seen_in_image(fix: MarkerObservation, projected: FloatArray, used: bool) -> MarkerObservation:
@@ -226,66 +226,66 @@ def _seen_in_image(fix: MarkerObservation, projected: FloatArray, used: bool) ->
 
 
 def _middle(system: ReferenceSystem) -> FloatArray:
-    """Give the middle (3,) of where the foot is, mm, reference frame."""
+    """Return the centre (3,) of the space for the foot, mm, reference frame."""
     box = enclosed_volume(system)
     return np.add(box.min_mm, box.max_mm) / 2
 
 
-def _spreads(naming: EditedMatch) -> FloatArray | None:
-    """Spreads (k, 2, 2) of the markers; what somebody pointed at has the usual one."""
-    if naming.sightings.spreads is None:
+def _spreads(match: EditedMatch) -> FloatArray | None:
+    """Return the spreads (k, 2, 2) of the markers; those without one get the mean."""
+    if match.sightings.spreads is None:
         return None
-    spreads = naming.sightings.spreads[naming.pairs.points]
+    spreads = match.sightings.spreads[match.pairs.points]
     known = np.isfinite(spreads[:, 0, 0])
     if not known.any():
         return None
     return np.asarray(np.where(known[:, None, None], spreads, spreads[known].mean(0)))
 
 
-def _placed_on_rays(naming: EditedMatch, sensor: Sensor, pose: CameraPose) -> EditedMatch:
-    """Put markers without a place in space on their rays, as far away as they should be."""
-    unknown = np.flatnonzero(np.isnan(naming.points[:, 2]))
+def _placed_on_rays(match: EditedMatch, sensor: Sensor, pose: CameraPose) -> EditedMatch:
+    """Place markers without a depth reading on their rays, at the distance the pose predicts."""
+    unknown = np.flatnonzero(np.isnan(match.points[:, 2]))
     if len(unknown) == 0:
-        return naming
-    rows, camera = naming.pairs.points[unknown], sensor.color_camera
-    away = transform(pose.reference2color, naming.positions[unknown])[:, 2:]
-    rays = np.column_stack([camera.normalised(naming.pixels[unknown]), np.ones(len(rows))])
-    points = naming.sightings.points.copy()
+        return match
+    rows, camera = match.pairs.points[unknown], sensor.color_camera
+    away = transform(pose.reference2color, match.positions[unknown])[:, 2:]
+    rays = np.column_stack([camera.normalised(match.pixels[unknown]), np.ones(len(rows))])
+    points = match.sightings.points.copy()
     points[rows] = transform(inverse(sensor.depth2color), rays * away)
-    return replace(naming, sightings=replace(naming.sightings, points=points))
+    return replace(match, sightings=replace(match.sightings, points=points))
 
 
-def _precise(naming: EditedMatch) -> BoolArray:
-    """Tell which markers (k,) are seen whole; all when too few of them are."""
-    whole = np.ones(len(naming.pairs.points), dtype=bool)
-    if naming.sightings.fills is None:
+def _precise(match: EditedMatch) -> BoolArray:
+    """Return which markers (k,) are seen whole; all of them when too few are."""
+    whole = np.ones(len(match.pairs.points), dtype=bool)
+    if match.sightings.fills is None:
         return whole
-    fills = naming.sightings.fills[naming.pairs.points]
+    fills = match.sightings.fills[match.pairs.points]
     if not np.isfinite(fills).any():
         return whole
-    # A place that somebody pointed at has no shape, and is as good as it was pointed at.
+    # A position that the user pointed at has no shape and is trusted.
     loss = 1 - fills / np.nanmedian(fills)
-    deviation = 1.4826 * float(np.nanmedian(np.abs(loss)))
-    unspoilt = np.isnan(fills) | (loss < max(_LARGEST_LOSS, _USUAL_LOSSES * deviation))
+    std = 1.4826 * float(np.nanmedian(np.abs(loss)))
+    unspoilt = np.isnan(fills) | (loss < max(_LARGEST_LOSS, _USUAL_LOSSES * std))
     return np.asarray(unspoilt) if unspoilt.sum() >= _LEAST_PRECISE else whole
 
 
-def _fixes(a2b: FloatArray, naming: EditedMatch) -> tuple[MarkerObservation, ...]:
-    measured = transform(a2b, naming.points)
-    residuals = np.linalg.norm(measured - naming.positions, axis=1)
+def _fixes(a2b: FloatArray, match: EditedMatch) -> tuple[MarkerObservation, ...]:
+    measured = transform(a2b, match.points)
+    residuals = np.linalg.norm(measured - match.positions, axis=1)
     fixes = []
-    for i, marker in enumerate(naming.pairs.markers):
-        u, v = naming.pixels[i].tolist()
+    for i, marker in enumerate(match.pairs.markers):
+        u, v = match.pixels[i].tolist()
         x, y, z = measured[i].tolist()
         fixes.append(
             MarkerObservation(
-                naming.markers[marker].id,
+                match.markers[marker].id,
                 (u, v),
                 (x, y, z),
                 float(residuals[i]),
-                bool(naming.pairs.used[i]),
-                by_hand=bool(naming.by_hand[i]),
-                excluded=bool(naming.excluded[i]),
+                bool(match.pairs.used[i]),
+                by_hand=bool(match.by_hand[i]),
+                excluded=bool(match.excluded[i]),
             )
         )
     return tuple(fixes)

@@ -11,7 +11,10 @@ from insole_core.sensing.sensor import Sensor
 
 
 def mean_color(view: View) -> ByteArray:
-    """Give the mean of a view's colour frames, (height, width, 3) uint8, RGB; one at a time."""
+    """Return the mean of a view's colour frames, (height, width, 3) uint8, RGB.
+
+    The frames are read one at a time to save memory.
+    """
     if view.color_count == 1:
         return view.read_color(0)
     total = np.asarray(view.read_color(0), dtype=np.float32)
@@ -23,15 +26,15 @@ def mean_color(view: View) -> ByteArray:
 def color_points(
     points: FloatArray, wanted: BoolArray, color: ByteArray, sensor: Sensor
 ) -> ByteArray:
-    """Look up the colours of depth pixels, thesis (13) - (15), bilinear.
+    """Look up the colours of depth pixels by bilinear interpolation, thesis (13) - (15).
 
     Parameters
     ----------
     points : (height, width, 3) float64, mm, depth camera frame
     wanted : (height, width) bool
-        Where a colour is needed; elsewhere it is black.
-    color : uint8, RGB
-        Of the sensor's colour camera.
+        Pixels whose colour is needed; the others become black.
+    color : (color_height, color_width, 3) uint8, RGB
+        Image of the sensor's colour camera.
 
     Returns
     -------

@@ -21,24 +21,29 @@ _GROUND_FACING = -0.3
 _HIGHEST_SOLE_MM = 60.0
 _LEAST_SOLE_MM2 = 2000.0
 _USUAL_LENGTH_MM = 140.0
-"""A child's of three years; what is shorter is a part of a foot."""
+"""Foot length of a three-year-old; a shorter surface is only part of a foot."""
 _BACK_FACING = -0.4
 _ACHILLES_MM = (25.0, 125.0)
 _ACHILLES_WIDTH_CELLS = 4
 ENOUGH = 0.8
-"""Toes with their gaps cover more than this."""
+"""Share above which a region counts as measured; toes with their gaps cover more than this."""
 
 
 def coverage_of(mesh: TriangleMesh) -> dict[str, float]:
-    """Give the share of every region that has a surface, 0 to 1.
+    """Compute the measured share of every region of the foot, 0 to 1.
 
-    For the sole the share of the cells between the medial and the lateral border that hold a
-    surface facing the ground; for the Achilles tendon the share of the heights from 25 to 125 mm
-    above the ground at which the back of the leg is there.
+    For the sole this is the share of the cells between the medial and the lateral border that
+    hold a surface facing the ground; for the Achilles tendon the share of the heights from 25 to
+    125 mm above the ground at which the back of the leg was measured.
 
     Parameters
     ----------
     mesh : mm, reference frame
+
+    Returns
+    -------
+    dict
+        Share by name of the region, in the order of `REGIONS`.
     """
     normals = mesh.vertex_normals
     height_mm = mesh.vertices[:, 2] - mesh.vertices[:, 2].min()
@@ -68,7 +73,7 @@ def _sole_coverage(mesh: TriangleMesh, sole: BoolArray) -> dict[str, float]:
 
 
 def _filled(occupied: BoolArray, span: BoolArray, rows: BoolArray) -> float:
-    """Share of the cells between the borders that are occupied; rows without any count in full."""
+    """Compute the occupied share of the cells between the borders; an empty row has usual width."""
     usual = np.median(span.sum(0)[span.any(0)])
     expected = np.maximum(span[:, rows].sum(0), np.where(span[:, rows].any(0), 0, usual)).sum()
     return float(occupied[:, rows].sum() / expected) if expected else 0.0
@@ -85,14 +90,20 @@ def _heights_covered(places: FloatArray, height_mm: FloatArray) -> float:
 
 
 def coverage_warnings(coverage: dict[str, float], *, absence_is_told: bool) -> list[str]:
-    """Name the parts of the foot that are missing, and those that are missing in part.
+    """Return warnings that name the regions of the foot not measured, or only in part.
 
     Parameters
     ----------
     coverage
-        As `coverage_of` gives it.
+        Share by region, from `coverage_of`.
     absence_is_told
-        Whether it was said already that a side of the foot was not looked at.
+        Whether another warning already says that no view faces a side of the foot; regions that
+        are less than half covered are then not named again.
+
+    Returns
+    -------
+    list of str
+        At most two sentences; empty when every region is covered.
     """
     known = {r: share for r, share in coverage.items() if share >= 0.5 or not absence_is_told}
     absent = [region for region, share in known.items() if share < 0.05]

@@ -1,4 +1,4 @@
-"""What one view measured, its frames averaged, before anybody knows where its sensor stood."""
+"""The measurement of one view: its averaged frames, before the sensor's pose is known."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from insole_core.sensing.frames import RawAverage, average_raw, median_raw
 
 @dataclass(frozen=True, eq=False)
 class MeasuredView:
-    """One view, its frames averaged; all of it can be kept while the markers are corrected.
+    """The averaged frames of one view, independent of its pose and of corrected markers.
 
     Parameters
     ----------
@@ -42,11 +42,11 @@ class MeasuredView:
     color : (height, width, 3) uint8, RGB
         Mean of the colour frames.
     left_out
-        So many depth frames were left out, because something in them had moved.
+        Number of depth frames left out because something moved in them.
     motion_note
-        How far it moved, as the end of a sentence; mostly empty.
+        How far it moved, as the end of a sentence; empty when nothing moved.
     precise
-        Whether the centres of the markers are measured finer than a pixel.
+        Whether marker centres are measured to a fraction of a pixel.
     """
 
     view: View
@@ -59,18 +59,18 @@ class MeasuredView:
 
     @cached_property
     def blobs(self) -> Blobs:
-        """What may be markers in the colour image."""
+        """Candidates for markers in the colour image."""
         found = find_blobs(self.color)
         return sharpened(self.color, found) if self.precise else found
 
     @cached_property
     def picture_fault(self) -> str:
-        """What is wrong with the colour picture; mostly empty."""
+        """The fault of the colour picture, as the start of a sentence; empty when it has none."""
         return picture_fault(self.color, self.blobs)
 
     @cached_property
     def sightings(self) -> Detections:
-        """The blobs that have a place in space."""
+        """The blobs whose position in space was measured."""
         return locate_blobs(self.blobs, self.points, self.view.sensor)
 
     def register(
@@ -79,12 +79,27 @@ class MeasuredView:
         limits: RegistrationLimits = DEFAULT_LIMITS,
         edits: ViewEdits = NO_VIEW_EDITS,
     ) -> Registration:
-        """Find where the sensor stood; quick enough to follow the hand that corrects the markers.
+        """Find the sensor's pose; fast enough to be repeated while markers are corrected.
+
+        Parameters
+        ----------
+        system
+            The markers of the reference system, mm, reference frame.
+        limits
+            How well the markers must fit for the pose to be accepted.
+        edits
+            The user's corrections of this view's markers.
+
+        Returns
+        -------
+        Registration
+            Pose, and what was decided about every marker.
 
         Raises
         ------
         ReconstructionError
-            With the reason, as the end of a sentence.
+            With the reason, as the end of a sentence; `PoseRefusedError` also holds the pose that
+            was found but not accepted.
         """
         try:
             return self._registered(system, limits, edits)
@@ -114,12 +129,12 @@ class MeasuredView:
 
 
 def measure_view(view: View) -> MeasuredView:
-    """Average a view's frames in disparity, with all that they tell.
+    """Average a view's frames in disparity and leave out those in which something moved.
 
     Raises
     ------
     ReconstructionError
-        With the reason, as the end of a sentence.
+        When most frames show motion or none holds a reading; the message is the end of a sentence.
     """
     average = average_raw(_depth_frames(view))
     check_still(average)
@@ -130,7 +145,20 @@ def measure_view(view: View) -> MeasuredView:
 
 
 def used_result(measured: MeasuredView, registration: Registration, note: str = "") -> ViewResult:
-    """Say what a view that is part of the foot rests on, and what is to be known of it."""
+    """Return the result of a view that is part of the foot.
+
+    Parameters
+    ----------
+    measured
+    registration
+    note
+        A further remark for the user, appended to the view's own.
+
+    Returns
+    -------
+    ViewResult
+        Marked as used, its remarks joined in `reason`.
+    """
     notes = (measured.motion_note, measured.picture_fault, note)
     return replace(
         placed_result(measured.view.name, registration),
@@ -147,7 +175,7 @@ def measure_as_thesis(view: View) -> MeasuredView:
     Raises
     ------
     ReconstructionError
-        With the reason, as the end of a sentence.
+        When no frame holds a reading; the message is the end of a sentence.
     """
     median = median_raw(_depth_frames(view))
     average = RawAverage(median, np.zeros_like(median), view.depth_count, (), 0.0)
@@ -157,7 +185,7 @@ def measure_as_thesis(view: View) -> MeasuredView:
 
 
 def _depth(view: View, average: RawAverage) -> tuple[FloatArray, FloatArray]:
-    """Corrected raw image and depth in mm."""
+    """Return the corrected raw image and its depth in mm."""
     raw = view.sensor.corrected(average.raw)
     depth_mm = view.sensor.disparity.depth_mm(raw)
     if not np.isfinite(depth_mm).any():

@@ -1,4 +1,4 @@
-"""The thesis's way to one surface: cut the views where they overlap (6.2.4)."""
+"""The thesis's merging of the views: cut them where they overlap (6.2.4)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from insole_core.reconstruct.views.range_mesh import RangeMesh
 _SOLE_HEIGHT_MM = 50.0
 _SLICE_MM = 10.0
 _SEAM_MM = 20.0
-"""How far each half reaches across the line, for what the other view sees badly there."""
+"""Overlap of each half across the line, where the other view measures poorly."""
 
 
 def cut_at_midline(sheets: list[RangeMesh]) -> list[RangeMesh]:
@@ -20,6 +20,11 @@ def cut_at_midline(sheets: list[RangeMesh]) -> list[RangeMesh]:
     mid-line and those at the right the rest, as long as there are both; at the seam they overlap.
     A view that faces the Achilles tendon keeps what lies behind and above the lower rear edge of
     the foot.
+
+    Returns
+    -------
+    list of RangeMesh
+        First the views that face the sole, then the others.
     """
     sole = [sheet for sheet in sheets if _faces_sole(sheet)]
     back = [sheet for sheet in sheets if not _faces_sole(sheet)]
@@ -37,7 +42,8 @@ def fit_midline(points: FloatArray) -> tuple[float, float]:
 
     Returns
     -------
-    offset, slope
+    offset : float, mm
+    slope : float
     """
     low = points[points[:, 2] < points[:, 2].min() + _SOLE_HEIGHT_MM]
     piece = np.floor((low[:, 1] - low[:, 1].min()) / _SLICE_MM).astype(np.int64)
@@ -73,7 +79,7 @@ def _cut_left_and_right(sheets: list[RangeMesh]) -> list[RangeMesh]:
 
 
 def _cut_below_heel(sheet: RangeMesh, sole: list[RangeMesh]) -> RangeMesh:
-    """Drop what a view from behind sees of the sole, at a grazing angle.
+    """Drop the sole from a view from behind, which sees it at a grazing angle.
 
     What remains lies above the plane that rises by 45 degrees from the foot's lower rear edge.
     """

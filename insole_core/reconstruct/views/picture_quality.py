@@ -1,4 +1,4 @@
-"""What is wrong with a colour picture: dark, overexposed, out of focus."""
+"""Faults of a colour picture: dark, overexposed, out of focus."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from insole_core.geometry.arrays import BoolArray, ByteArray
 from insole_core.reconstruct.markers.blobs import Blobs, blueness
 
 _DARK = 40
-"""Brightness, of 255, that a hundredth of the pixels exceeds; 140 and more in a usual picture."""
+"""Brightness (of 255) exceeded by one pixel in a hundred; 140 and more in a usual picture."""
 _MARGIN_PX = 6
 _GLARING = 250
 _GLARING_SHARE = 0.25
@@ -19,13 +19,18 @@ when it is blurred by 3 px."""
 
 
 def picture_fault(color: ByteArray, blobs: Blobs) -> str:
-    """Say what is wrong with a picture, as the start of a sentence; empty when nothing is.
+    """Check whether a picture is dark, overexposed or out of focus.
 
     Parameters
     ----------
     color : (height, width, 3) uint8, RGB
     blobs
-        What was found in it; focus is judged at the rims of the markers.
+        Marker candidates found in `color`; focus is judged at their rims.
+
+    Returns
+    -------
+    str
+        The fault, as the start of a sentence; empty when there is none.
     """
     small = cv2.resize(color, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     red, green, blue = cv2.split(small)
@@ -39,7 +44,7 @@ def picture_fault(color: ByteArray, blobs: Blobs) -> str:
 
 
 def _sharpness(color: ByteArray, blobs: Blobs) -> float:
-    """Steepest change of the blueness per pixel, as a share of it, of the sharpest blobs."""
+    """Compute the steepest relative change of the blueness per pixel of the sharpest blobs."""
     rows, columns = (_extent(np.any(blobs.labels >= 0, axis=axis)) for axis in (1, 0))
     labels = blobs.labels[rows, columns]
     blue = cv2.GaussianBlur(blueness(color[rows, columns]).astype(np.float32), (0, 0), 0.7)
@@ -57,6 +62,6 @@ def _sharpness(color: ByteArray, blobs: Blobs) -> float:
 
 
 def _extent(occupied: BoolArray) -> slice:
-    """Span what is occupied, with the pixels around that a blur takes in."""
+    """Return the occupied span, with the margin that a blur needs."""
     index = np.flatnonzero(occupied)
     return slice(max(int(index[0]) - _MARGIN_PX, 0), int(index[-1]) + _MARGIN_PX + 1)

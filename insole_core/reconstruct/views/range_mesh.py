@@ -1,4 +1,4 @@
-"""The surface that one view measured, as a lattice of points in the order of the depth image."""
+"""The surface measured by one view, as a lattice of points in the order of the depth image."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SMALLEST_PIECE = 0.01
 
 @dataclass(frozen=True, eq=False)
 class RangeMesh:
-    """One view's part of the foot.
+    """The part of the foot that one view measured.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ class RangeMesh:
     colors : (height, width, 3) uint8
     sensor2reference : (4, 4) float64, mm
     camera
-        The depth camera whose pixels the lattice is.
+        The depth camera; every lattice point is one of its pixels.
     """
 
     points: FloatArray
@@ -42,17 +42,17 @@ class RangeMesh:
         return np.asarray(self.points.reshape(-1, 3)[self.triangles])
 
     def keeping(self, kept: BoolArray) -> RangeMesh:
-        """Keep some of the triangles (m,)."""
+        """Return the mesh with only the triangles chosen by the mask `kept` (m,)."""
         return replace(self, triangles=self.triangles[kept])
 
 
 def triangulate(points: FloatArray, inside: BoolArray, longest_edge_mm: FloatArray) -> IndexArray:
     """Triangulate the pixels of a depth image, thesis 3.1 and 6.2.3.
 
-    A 2-D Delaunay triangulation in the image plane with the long edges cut. The pixels are a
-    regular lattice, whose squares have their corners on one circle, so every square halved along
-    either diagonal is a Delaunay triangulation; of the two the flatter one in depth is taken. It
-    is 200 times faster than a general triangulation of the same points.
+    This is a 2-D Delaunay triangulation in the image plane without the long edges. The corners of
+    every square of the pixel lattice lie on one circle, so either diagonal gives a Delaunay
+    triangulation; the one that is shorter in space is taken. It is 200 times faster than a
+    general triangulation of the same points.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def triangulate(points: FloatArray, inside: BoolArray, longest_edge_mm: FloatArr
     inside : (height, width) bool
         The pixels that may be used.
     longest_edge_mm : (height, width) float64, mm
-        Longest edge in space that is no jump, at every pixel.
+        Longest edge in space at every pixel; a longer one is a jump in depth and is cut.
 
     Returns
     -------
@@ -95,12 +95,23 @@ def triangulate(points: FloatArray, inside: BoolArray, longest_edge_mm: FloatArr
 
 
 def longest_edges(depth_mm: FloatArray, focal_px: float) -> FloatArray:
-    """Give the longest edge that is no jump: five pixels' width, a slope of 78 degrees."""
+    """Compute the longest edge that is not a jump: five pixels' width, a slope of 78 degrees.
+
+    Parameters
+    ----------
+    depth_mm : (height, width) float64, mm
+    focal_px
+        Of the depth camera.
+
+    Returns
+    -------
+    (height, width) float64, mm
+    """
     return np.asarray(_LONGEST_EDGE_PIXELS * depth_mm / focal_px)
 
 
 def without_small_pieces(sheet: RangeMesh) -> RangeMesh:
-    """Drop the pieces of a sheet that have less than a hundredth of its triangles."""
+    """Drop the connected pieces that have less than a hundredth of the mesh's triangles."""
     if len(sheet.triangles) == 0:
         return sheet
     piece = _pieces(sheet.triangles, sheet.points.shape[:2])
@@ -109,7 +120,10 @@ def without_small_pieces(sheet: RangeMesh) -> RangeMesh:
 
 
 def join(sheets: list[RangeMesh]) -> TriangleMesh:
-    """Put sheets together to one coloured mesh; only vertices that have a triangle remain."""
+    """Concatenate range meshes into one coloured mesh, mm, reference frame.
+
+    Vertices without a triangle are dropped.
+    """
     vertices, triangles, colors = [], [], []
     count = 0
     for sheet in sheets:

@@ -1,4 +1,4 @@
-"""How many views see each place of the foot, and how far they differ there."""
+"""How many views see each point of the foot, and how far they differ there."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _FARTHEST_MM = 10.0
 
 @dataclass(frozen=True, eq=False)
 class ViewConsistency:
-    """What the views say of a mesh.
+    """Number of views at every vertex of a mesh, and their disagreement.
 
     Parameters
     ----------
     views : (n,) int64
-        How many see each vertex.
+        Number of views that see each vertex.
     spread_mm : (n,) float64
-        Distance between the lowest and the highest of their surfaces there, along the normal; NaN
-        where fewer than two see it.
+        Distance between the lowest and the highest of their surfaces along the normal; NaN where
+        fewer than two views see the vertex.
     """
 
     views: IntArray
@@ -34,13 +34,17 @@ class ViewConsistency:
 
 
 def view_consistency(mesh: TriangleMesh, readings: Iterable[DepthView]) -> ViewConsistency:
-    """Compare the views with each other on a mesh.
+    """Compare the views with each other at the vertices of a mesh.
 
     Parameters
     ----------
     mesh : mm, reference frame
     readings
-        Of placed views.
+        Depth views whose poses are known.
+
+    Returns
+    -------
+    ViewConsistency
     """
     count = np.zeros(len(mesh.vertices), dtype=np.int64)
     low, high = np.full(len(count), np.inf), np.full(len(count), -np.inf)
@@ -54,7 +58,7 @@ def view_consistency(mesh: TriangleMesh, readings: Iterable[DepthView]) -> ViewC
 
 
 def _heights(mesh: TriangleMesh, reading: DepthView) -> FloatArray:
-    """How far a view's surface lies before each vertex along the normal, mm; NaN = not seen."""
+    """Compute a view's height above each vertex along the normal, mm; NaN = not seen."""
     depth_mm = smooth_depth(reading).depth_mm
     way = reading.origin_mm - mesh.vertices
     cosine = np.einsum("nc,nc->n", mesh.vertex_normals, way) / np.linalg.norm(way, axis=1)

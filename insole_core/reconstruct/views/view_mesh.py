@@ -1,4 +1,4 @@
-"""What one placed view alone measured, as a coarse surface to look at."""
+"""A coarse surface of a single view, for display."""
 
 from __future__ import annotations
 
@@ -18,7 +18,22 @@ _STEP = 2
 def view_mesh(
     measured: MeasuredView, sensor2reference: FloatArray, box: Box, rgb: tuple[int, int, int]
 ) -> TriangleMesh:
-    """Give every second reading of a view in the volume, mm, reference frame, in one colour."""
+    """Mesh every second reading of a view inside a volume, in one colour.
+
+    Parameters
+    ----------
+    measured
+    sensor2reference : (4, 4) float64, mm
+        Pose of the depth camera.
+    box
+        The volume of interest, reference frame.
+    rgb
+        Colour of every vertex.
+
+    Returns
+    -------
+    TriangleMesh, mm, reference frame
+    """
     camera = measured.view.sensor.depth_camera
     points = measured.points[::_STEP, ::_STEP]
     placed = transform(sensor2reference, points)
