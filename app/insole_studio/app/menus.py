@@ -1,4 +1,4 @@
-"""Menus and toolbar: tables of the keys of actions."""
+"""Menus and toolbar as tables of action keys."""
 
 from __future__ import annotations
 
