@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self._pads = pads
         self._make_menus()
         self._worded: list[QToolButton] = []
-        """Buttons of the toolbar that bear their name as long as there is room."""
+        """Toolbar buttons that show their label while there is space for it."""
         self._make_strip(stage)
         self._make_toolbar()
         self._make_notices(stage)

@@ -26,7 +26,7 @@ class Canvas(QWidget):
 
     plotter: Any
     surface: QWidget
-    """The widget that receives the mouse."""
+    """The widget that receives mouse events."""
 
     def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -8,7 +8,7 @@ from inspect import GEN_RUNNING, getgeneratorstate
 from insole_studio.scene.pointer import PointerEvent
 
 Gesture = Generator[None, PointerEvent, None]
-"""Started with the press; receives every move, and ends at the release."""
+"""Started by the press; receives every move, and ends at the release."""
 
 
 class RunningGesture:

@@ -29,7 +29,7 @@ PAN_PX = 40.0
 ZOOM = 0.88
 RING_PX = 13.0
 ARM_PX = (5.0, 15.0)
-"""Where the arms of the cross begin and end."""
+"""Inner and outer end of the arms of the crosshair."""
 _RING = np.linspace(0.0, 2 * np.pi, 33)
 
 ARROWS: dict[int, tuple[int, int]] = {
@@ -46,13 +46,13 @@ class KeyboardCursor:
     def __init__(self, view: SceneView) -> None:
         self._view = view
         self._place: FloatArray | None = None
-        """Where the pointer is, (3,) mm; None while it is not shown."""
+        """Position of the cursor, (3,) mm; None while it is hidden."""
         self.handle: str | None = None
         """The handle that the arrows drag."""
         self.holds = False
-        """Whether a gesture is under way."""
+        """Whether a gesture is running."""
         self._has_clicked = False
-        """Whether something was placed just now, which the arrows may move."""
+        """Whether an object was just placed, which the arrows may then move."""
 
     @property
     def is_shown(self) -> bool:

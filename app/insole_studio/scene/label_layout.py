@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 
 GAP_PX = 11.0
-"""Between a dot and its name."""
+"""Gap between a point and its name."""
 _ROW = 1.15
 _ROWS = 9
 _ASIDE_PX = (0.0, 26.0, 60.0)

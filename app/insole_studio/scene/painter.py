@@ -23,14 +23,14 @@ from insole_studio.texts import tr
 MATERIAL = (232, 229, 222)
 CONTOUR = "#30363d"
 CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
-"""How much of the lines of equal height covers what lies below."""
+"""Opacity of the contour lines."""
 STRONG_CONTOUR = 5
 GHOST_OPACITY = 0.35
 SURE = 0.6
 NAME_PX, DIRECTION_PX = 12, 13
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
-"""Of the anatomical words from what they stand beside, in x and in y."""
+"""Distance of the anatomical directions from the surface, in x and in y."""
 
 
 @dataclass(frozen=True)
@@ -63,9 +63,9 @@ class Painter:
         self._colored = ""
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
-        """Form and look of the marks that are shown; equal ones only move."""
+        """Geometry and style of the shown marks; a mark that keeps both only moves."""
         self._texts: dict[str, Callable[[], None]] = {}
-        """Writes the words that are shown once more."""
+        """Functions that redraw the shown texts."""
         self._tags = NameTags(plotter, pixel_ratio)
         self._named: Sequence[MarkedPoint] = ()
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])

@@ -32,7 +32,7 @@ from insole_studio.scene.secondary_mesh import SecondaryMesh
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera, ViewTransform, fitted, look
 
 FRAME_PX = 2
-"""Shows which view the keys act on."""
+"""Width of the frame around the view that has the keyboard focus."""
 GRAB_PX = 14.0
 TOUCH_GRAB_PX = 28.0
 ORBIT_DEG_PER_PX = 0.4
@@ -40,7 +40,7 @@ ZOOM_PER_STEP = 0.88
 
 _TABS = (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 _DARK = 128
-"""Below this lightness of its windows a theme is dark."""
+"""A theme with a darker window background than this is dark."""
 
 
 class OfferedItem(Protocol):
@@ -114,9 +114,9 @@ class SceneView(QWidget):
         self.camera = ViewCamera()
         self.handles: tuple[Handle, ...] = ()
         self.grab_px = GRAB_PX
-        """How near the pointer must come to a handle."""
+        """Largest distance at which the pointer grabs a handle."""
         self.start: Callable[[], tuple[float, float, float] | None] | None = None
-        """Tells where the pointer of the keys begins."""
+        """Returns the start position of the keyboard cursor."""
         self.keys = KeyboardCursor(self)
         self._mesh: TriangleMesh | None = None
         self._picker: SurfacePicker | None = None

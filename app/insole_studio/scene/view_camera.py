@@ -19,7 +19,7 @@ MAX_ELEVATION_DEG = 85.0
 SMALLEST_VIEW_MM = 10.0
 LARGEST_VIEW_MM = 2000.0
 ROUND_MM = (45.0, 19.0, 24.0)
-"""What a fitted picture leaves free round its box for the anatomical words, in x, y and z."""
+"""Margin around a fitted box for the anatomical directions, in x, y and z."""
 
 
 class Preset(StrEnum):
