@@ -37,7 +37,7 @@ def go_on(roots: Sequence[QWidget], forward: bool) -> bool:
     Returns
     -------
     bool
-        False if there is no stop in this direction.
+        False if there are no stops; the order is cyclic.
     """
     stops = [stop for root in roots for stop in tab_stops(root)]
     if not stops:

@@ -131,7 +131,7 @@ class SensorCard(QFrame):
         return row
 
     def _retake_view(self) -> None:
-        """Request a new capture of a view; if the sensor has several, of the chosen one."""
+        """Request a new capture of a view; if the sensor has several, offer a menu."""
         if len(self._retakes) == 1:
             self._emit_retake(self._retakes[0])
             return
