@@ -288,19 +288,45 @@ class Painter:
         self._show_dots("spots-chosen", list(chosen_mm), chosen_px, self.scheme.alarm)
 
     def show_label(self, place_mm: FloatArray | None, text: str, name: str = "label") -> None:
-        """Write a text at a position (3,), mm; None removes it."""
+        """Write a text at a point.
+
+        Parameters
+        ----------
+        place_mm : (3,) float64
+            Insole frame; None removes the text.
+        text
+            Usually a measure.
+        name
+            Name of the actor, for several labels at a time.
+        """
         places = [] if place_mm is None else [place_mm]
         self._show_texts(name, places, [f"  {text}  "] * len(places), 13, boxed=True)
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
-        """Write the anatomical directions around a box (2, 3), mm; None removes them."""
+        """Write the anatomical directions around a box.
+
+        Parameters
+        ----------
+        side
+            Side of the foot; None removes the directions.
+        bounds_mm : (2, 3) float64
+            The box, insole frame; None removes the directions.
+        """
         self._directions = ([], [])
         if side is not None and bounds_mm is not None:
             self._directions = direction_words(side, bounds_mm)
         self._show_texts("directions", *self._directions, DIRECTION_PX, centred=True)
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
-        """Show the reference plane as a translucent square of this size; None removes it."""
+        """Show the reference plane as a translucent square.
+
+        Parameters
+        ----------
+        plane
+            The plane; None removes it.
+        size_mm
+            Length of the square's sides.
+        """
         self._plotter.remove_actor("plane", render=False)
         if plane is None:
             return
@@ -433,7 +459,22 @@ def _title(coloring: Coloring | None) -> str:
 
 
 def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:
-    """Return positions (3,) and texts of the anatomical directions, outside the box (2, 3)."""
+    """Return the anatomical directions around a box.
+
+    Parameters
+    ----------
+    side
+        Side of the foot.
+    bounds_mm : (2, 3) float64
+        The box, insole frame.
+
+    Returns
+    -------
+    places : list of (3,) float64
+        Positions outside the box, mm.
+    words : list of str
+        The translated directions.
+    """
     low, high = bounds_mm
     middle = (low + high) / 2
     medial, lateral = (high, low) if side is Side.LEFT else (low, high)

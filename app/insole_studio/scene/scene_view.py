@@ -90,11 +90,27 @@ class PointerSink(Protocol):
         ...
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
-        """Handle the wheel; return False to leave it to the camera."""
+        """Handle the wheel; return False to leave it to the camera.
+
+        Parameters
+        ----------
+        event
+            Position of the pointer.
+        steps
+            Notches of the wheel, > 0 away from the user.
+        """
         ...
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
-        """Handle an arrow key, one step right or up; return False if it is not used."""
+        """Handle an arrow key; return False if it is not used.
+
+        Parameters
+        ----------
+        event
+            Position of the pointer, and the modifier keys.
+        right, up
+            Direction of the key: -1, 0 or 1.
+        """
         ...
 
 
@@ -151,7 +167,15 @@ class SceneView(QWidget):
         mesh: TriangleMesh | None,
         coloring: Coloring | None = None,
     ) -> None:
-        """Show another surface and let the pointer pick on it."""
+        """Show another surface and let the pointer pick on it.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface; None removes it.
+        coloring
+            By default the mesh's own colours, or those of the material.
+        """
         self.painter.show_surface(mesh, coloring)
         self._take(mesh)
 
@@ -206,7 +230,15 @@ class SceneView(QWidget):
         self.camera_changed.emit(camera)
 
     def aim_at(self, preset: Preset, bounds_mm: FloatArray) -> ViewCamera:
-        """Return the camera of a preset that shows the whole box (2, 3) in this view."""
+        """Return a camera that shows a whole box in this view.
+
+        Parameters
+        ----------
+        preset
+            The viewing direction.
+        bounds_mm : (2, 3) float64
+            The box, insole frame.
+        """
         size = (self._canvas.width(), self._canvas.height())
         return fitted(ViewCamera(preset), bounds_mm, size)
 

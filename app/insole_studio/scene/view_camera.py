@@ -65,7 +65,15 @@ class ViewCamera:
     height_mm: float = 300.0
 
     def orbited(self, azimuth_deg: float, elevation_deg: float) -> ViewCamera:
-        """Return the camera rotated by these angles; elevation stops at the poles."""
+        """Return the rotated camera.
+
+        Parameters
+        ----------
+        azimuth_deg
+            Rotation about the upright axis.
+        elevation_deg
+            Change of the elevation, which stops short of the poles.
+        """
         elevation = self.elevation_deg + elevation_deg
         return replace(
             self,
@@ -172,7 +180,17 @@ def look(
 
 
 def fitted(camera: ViewCamera, bounds_mm: FloatArray, size_px: tuple[int, int]) -> ViewCamera:
-    """Return the camera centred and scaled so that a whole box (2, 3) is visible."""
+    """Return the camera centred and scaled so that a whole box is visible.
+
+    Parameters
+    ----------
+    camera
+        The camera, whose direction is kept.
+    bounds_mm : (2, 3) float64
+        The box, insole frame.
+    size_px
+        Width and height of the image.
+    """
     low, high = bounds_mm
     extent = high - low + 2 * np.array(ROUND_MM)
     aspect = size_px[0] / max(size_px[1], 1)
