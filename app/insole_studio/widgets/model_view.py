@@ -84,7 +84,15 @@ class ModelView(QWidget):
             self.scene.side = side
 
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None:
-        """Show a sentence and buttons instead of the scene."""
+        """Show a sentence and buttons instead of the scene.
+
+        Parameters
+        ----------
+        sentence
+            What to do next.
+        offers
+            Button texts by key; the first is the default.
+        """
         self._empty.show_offers(sentence, offers)
         self._pages.setCurrentWidget(self._empty)
         self._scale.show_scale(0)
@@ -94,7 +102,15 @@ class ModelView(QWidget):
         mesh: TriangleMesh,
         coloring: Coloring | None = None,
     ) -> None:
-        """Show a surface, and a legend if it is coloured by values."""
+        """Show a surface, and a legend if it is coloured by values.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface.
+        coloring
+            By default the mesh's own colours, or those of the material.
+        """
         self._pages.setCurrentWidget(self.scene)
         self._legend.show_coloring(coloring)
         self.scene.show_mesh(mesh, coloring)
@@ -182,7 +198,13 @@ class ModelView(QWidget):
         self.scene.request_render()
 
     def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:
-        """Draw the outlines (n, 3) of the corrections, the selected ones stronger."""
+        """Draw the outlines of the corrections.
+
+        Parameters
+        ----------
+        lines, selected : (n, 3) each, mm, insole frame
+            Outlines; those of the selected correction are drawn stronger.
+        """
         scheme = self.scene.painter.scheme
         self.scene.painter.show_lines("outlines", lines, scheme.mark, 2.0)
         self.scene.painter.show_lines("selected", selected, scheme.accent, 3.0)
