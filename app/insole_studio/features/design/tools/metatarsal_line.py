@@ -22,7 +22,20 @@ SNAPPING = ("egg", "drop", "bar")
 
 
 def clearance(record: CaseRecord, pad: Pelott) -> Clearance | None:
-    """Return the clearance of a pad from the line of the heads; None if it does not apply."""
+    """Return the clearance of a pad from the line of the metatarsal heads.
+
+    Parameters
+    ----------
+    record
+        The open case.
+    pad
+        The pad.
+
+    Returns
+    -------
+    Clearance or None
+        None if the line does not matter for the pad.
+    """
     line = metatarsal_line(record) if pad.shape in SNAPPING else None
     return None if line is None else pad_clearance(pad, line[:, :2])
 
@@ -36,7 +49,15 @@ def usual_place(record: CaseRecord, pad: Pelott) -> Place | None:
 
 
 def snapped(record: CaseRecord, pad: Pelott) -> Pelott:
-    """Return the pad at the usual distance behind the heads if it is almost there."""
+    """Return the pad, moved to the usual distance behind the heads if it is almost there.
+
+    Parameters
+    ----------
+    record
+        The open case.
+    pad
+        The pad being dragged.
+    """
     found = clearance(record, pad)
     if found is None or abs(found.distance_mm - USUAL_MM) > SNAP_MM:
         return pad

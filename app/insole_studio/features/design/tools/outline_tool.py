@@ -203,7 +203,15 @@ def with_source(record: CaseRecord, source: str) -> Outline:
 
 
 def with_added(points: tuple[Place, ...], place: Place) -> tuple[Place, ...]:
-    """Return the points with a new one inserted where it lies along the curve."""
+    """Return the points with a new one inserted where it lies along the curve.
+
+    Parameters
+    ----------
+    points
+        Points of the closed outline, in order.
+    place
+        The new point (x, y), mm.
+    """
     number = _span(points, np.array(place)) + 1
     return (*points[:number], place, *points[number:])
 

@@ -121,7 +121,20 @@ def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
 
 
 def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
-    """Start dragging the handle or the pad under the pointer; return None if there is neither."""
+    """Start dragging the handle or the pad under the pointer.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    event
+        The press.
+
+    Returns
+    -------
+    Gesture or None
+        None if neither handle nor pad is under the pointer.
+    """
     design = case.record.design
     if design is None:
         return None
@@ -137,7 +150,20 @@ def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
 
 
 def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
-    """Return the last enabled pad whose outline contains the point under the pointer."""
+    """Return the pad under the pointer.
+
+    Parameters
+    ----------
+    design
+        The shown design.
+    event
+        Position of the pointer.
+
+    Returns
+    -------
+    Pelott or None
+        The last enabled pad whose outline contains the point.
+    """
     if event.surface_mm is None or seen_from_above(event):
         return None
     place = event.surface_mm[:2]

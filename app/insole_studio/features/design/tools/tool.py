@@ -54,7 +54,18 @@ class SurfaceContext(Protocol):
         ...
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
-        """Return the point of the surface at a position of the insole frame, mm."""
+        """Return the point of the surface at a position.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Position in the insole frame.
+
+        Returns
+        -------
+        tuple of float
+            The point (x, y, z), mm, insole frame.
+        """
         ...
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
@@ -75,7 +86,15 @@ class Tool:
         raise NotImplementedError
 
     def handles(self, _case: Case, _surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Return the spots that can be dragged."""
+        """Return the spots that can be dragged.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _surface
+            Surface of the view for which the handles are.
+        """
         return ()
 
     def start(self, _case: Case) -> Place | None:
@@ -93,7 +112,22 @@ class Tool:
         return None
 
     def press(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Start a gesture; return None to leave the press to the camera."""
+        """Start a gesture.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            The press.
+        _surface
+            Surface of the event's view.
+
+        Returns
+        -------
+        Gesture or None
+            None leaves the press to the camera.
+        """
         return None
 
     def double_click(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> bool:
@@ -103,20 +137,63 @@ class Tool:
     def offers(
         self, _case: Case, _event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Return the context menu items for a position."""
+        """Return the context menu items for a position.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            Position of the pointer.
+        _surface
+            Surface of the event's view.
+        """
         return ()
 
     def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Handle the wheel; return False to leave it to the camera."""
+        """Handle the wheel; return False to leave it to the camera.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            Position of the pointer.
+        _steps
+            Notches of the wheel, > 0 away from the user.
+        """
         return False
 
     def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
-        """Handle an arrow key, one step right or up; return False if nothing was moved."""
+        """Handle an arrow key; return False if nothing was moved.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            The view transform, and the modifier keys.
+        _right, _up
+            Direction of the key: -1, 0 or 1.
+        """
         return False
 
 
 def nudge_mm(event: PointerEvent, right: int, up: int) -> FloatArray:
-    """Return the step (2,) of an arrow key in the image: 0.5 mm, Shift × 10, Ctrl × 0.1."""
+    """Return the step of an arrow key in the plane of the insole.
+
+    Parameters
+    ----------
+    event
+        The view transform, and the modifier keys.
+    right, up
+        Direction of the key in the image: -1, 0 or 1.
+
+    Returns
+    -------
+    (2,) float64
+        Length 0.5 mm; Shift × 10, Ctrl × 0.1.
+    """
     distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
     step = (right * event.look.right + up * event.look.up)[:2]
     return np.asarray(step / max(float(np.linalg.norm(step)), 1e-9) * distance)
@@ -128,11 +205,27 @@ def place_at(place: FloatArray, step_mm: float = PLACE_STEP_MM) -> Place:
 
 
 def with_number(value: Record, name: str, number: float) -> Record:
-    """Return the record with one of its numbers replaced."""
+    """Return the record with one of its numbers replaced.
+
+    Parameters
+    ----------
+    value
+        The record.
+    name
+        Name of the attribute.
+    number
+        The new number.
+    """
     changes: dict[str, Any] = {name: number}
     return replace(value, **changes)
 
 
 def rise_mm(start: PointerEvent, now: PointerEvent) -> float:
-    """Return the pointer's movement up the screen since `start`, in mm of the image."""
+    """Return the pointer's movement up the screen, in mm of the image.
+
+    Parameters
+    ----------
+    start, now
+        First and current event.
+    """
     return (start.pixel[1] - now.pixel[1]) * now.look.mm_per_px

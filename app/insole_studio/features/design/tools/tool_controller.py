@@ -34,7 +34,7 @@ class ToolController(QObject):
 
     @property
     def is_busy(self) -> bool:
-        """Return whether a gesture is running."""
+        """Whether a gesture is running."""
         return bool(self._gesture)
 
     def press(self, event: PointerEvent, surface: SurfaceContext) -> bool:
