@@ -225,7 +225,7 @@ class CaptureView(QWidget):
 
     @property
     def _fields(self) -> tuple[QWidget, ...]:
-        """Return the widgets that are disabled while a capture runs."""
+        """The widgets that are disabled while a capture runs."""
         foot = (self._side, self._weight, self._held)
         return (*foot, self._mode, self._views, self._frames, self._bursts)
 

@@ -33,7 +33,7 @@ class ViewAssignment:
 
     @property
     def pairs(self) -> list[tuple[str, str]]:
-        """Return pairs of view and serial number."""
+        """Pairs of view and serial number."""
         return [(view, serial) for serial, view in self._views.items()]
 
     def view(self, serial: str) -> str:
@@ -91,7 +91,15 @@ class ViewAssignment:
 
 
 def options_of(request: PlanRequest, options: CaptureOptions) -> CaptureOptions:
-    """Return the options with those that a request determines replaced."""
+    """Return the options with those that a request determines replaced.
+
+    Parameters
+    ----------
+    request
+        Request of an earlier capture.
+    options
+        The options to complete it with.
+    """
     serials = [serial for _, serial in request.assignment]
     moved = len(set(serials)) < len(serials)
     return replace(

@@ -47,7 +47,15 @@ MEASURES: dict[str, Callable[[], str]] = {
 def figure_rows(
     difference: Difference, measures: dict[str, dict[str, float]]
 ) -> tuple[FigureRow, ...]:
-    """Return the statistics of the difference, and the measures of table 3 for both surfaces."""
+    """Return the rows of the table: statistics of the difference, then measures of both surfaces.
+
+    Parameters
+    ----------
+    difference
+        The computed difference.
+    measures
+        Measures of table 3 of the thesis, by surface ("a", "b") and name.
+    """
     statistics = difference.statistics
     fit = difference.fit.residual_mm
     rows = [FigureRow(tr("Difference"))]

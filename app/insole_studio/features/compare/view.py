@@ -104,7 +104,17 @@ class CompareView(QWidget):
             field.show_value(chosen.get(which, ""))
 
     def show_source(self, which: str, mesh: TriangleMesh | None, from_above: bool) -> None:
-        """Show a surface, "a" or "b", from the side being compared."""
+        """Show a surface.
+
+        Parameters
+        ----------
+        which
+            "a" or "b".
+        mesh
+            The surface; None shows a hint instead.
+        from_above
+            Whether the compared side faces up (+z).
+        """
         model = self.models[which]
         if mesh is None:
             model.show_empty(tr("Choose what is compared, at the left."), {})
@@ -118,7 +128,17 @@ class CompareView(QWidget):
         self.models[which].show_key_points(points)
 
     def show_result(self, mesh: TriangleMesh, coloring: Coloring, from_above: bool) -> None:
-        """Show the difference as colours on the first surface."""
+        """Show the difference as colours on the first surface.
+
+        Parameters
+        ----------
+        mesh
+            The first surface.
+        coloring
+            The difference, per vertex.
+        from_above
+            Whether the compared side faces up (+z).
+        """
         self.result.scene.subject = Subject.INSOLE if from_above else Subject.FOOT
         self.result.show_mesh(mesh, coloring)
         self.result.look_at_whole(mesh.bounds_mm)

@@ -143,7 +143,17 @@ class ExportPresenter:
         self._keep_rules(self._rules.with_cutter(diameter_mm))
 
     def edit_rule(self, name: CheckName, policy: Policy, limit: float) -> None:
-        """Set policy and limit of a check."""
+        """Set policy and limit of a check.
+
+        Parameters
+        ----------
+        name
+            The check.
+        policy
+            How strictly it is applied.
+        limit
+            In the unit of the check; ignored by checks without a limit.
+        """
         has_limit = name in self._rules.limits
         self._keep_rules(self._rules.with_rule(name, policy, limit if has_limit else None))
 
@@ -249,7 +259,7 @@ class ExportPresenter:
 
     @property
     def _piece(self) -> Part | None:
-        """Return the part being shown; for the block, the first."""
+        """The part being shown; for the block, the first."""
         named = (piece for piece in self.pieces if str(piece.side) == self._shown)
         return next(named, self.pieces[0] if self.pieces else None)
 

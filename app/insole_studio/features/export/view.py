@@ -156,7 +156,15 @@ class ExportView(QWidget):
         self.model.scene.request_render()
 
     def show_block(self, edges: Sequence[FloatArray], again: bool) -> None:
-        """Draw the edges (2, 3), mm, of a block; fit it into the view unless it is shown again."""
+        """Draw the edges of a block.
+
+        Parameters
+        ----------
+        edges : (2, 3) each, mm
+            An empty sequence removes the block.
+        again
+            Whether it is shown again, so that the camera stays.
+        """
         if edges and not again:
             corners = np.concatenate(edges)
             self.model.look_at_whole(np.stack([corners.min(axis=0), corners.max(axis=0)]))

@@ -16,7 +16,20 @@ _LEAST_SPAN_MM = 0.5
 
 
 def color_foot(kind: FootMap, made: MadeFoot) -> Coloring | None:
-    """Return the colours of a foot; None for skin colour and for maps without data."""
+    """Return the colours of a foot.
+
+    Parameters
+    ----------
+    kind
+        The colour map.
+    made
+        The foot, with the data its reconstruction kept.
+
+    Returns
+    -------
+    Coloring or None
+        None for skin colour, and for maps without data.
+    """
     maker = _MAKERS.get(kind)
     return None if maker is None else maker(made)
 

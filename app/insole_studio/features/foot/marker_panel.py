@@ -72,7 +72,15 @@ class MarkerPanel(QWidget):
         self.clear.setEnabled(bool(edits.ignored) or edits.searched is not None)
 
     def fill_menu(self, marker: str, pixel: Pixel) -> None:
-        """Fill the menu for a marker, a blue spot, or any other place."""
+        """Fill the menu of corrections for a place in the image.
+
+        Parameters
+        ----------
+        marker
+            Id of the marker there; empty if there is none.
+        pixel
+            Position in the image.
+        """
         self.menu.clear()
         mark = next((mark for mark in self._marks if mark.pixel == pixel), None)
         if marker:

@@ -118,7 +118,15 @@ class MarkerPicture(QWidget):
         self.update()
 
     def show_regions(self, ignored: Sequence[Region], searched: Region | None) -> None:
-        """Show the ignored regions, and the one that alone is searched."""
+        """Show the regions that limit the search for markers.
+
+        Parameters
+        ----------
+        ignored
+            Regions without markers.
+        searched
+            The only region that is searched; None for the whole image.
+        """
         self._ignored, self._searched = tuple(ignored), searched
         self.update()
 
