@@ -32,7 +32,7 @@ ACTIONS: tuple[ActionRecord[Any], ...] = (
 
 
 def bind_actions(features: Features, window: WindowFeature) -> dict[str, Run]:
-    """Return what each action does with its feature, by the action's key."""
+    """Return the callable that runs each action, by the action's key."""
     return {
         **_bound(CASE_FILE_ACTIONS, features.case_files),
         **_bound(CAPTURE_ACTIONS, features.capture),

@@ -1,4 +1,4 @@
-"""How the window looks and speaks; the settings remember it."""
+"""The window's theme, language and layout, as kept in the settings."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LAYOUT_REST_MS = 600
 
 
 class Appearance(QObject):
-    """Theme, touch, language, linked views, and where the panels are."""
+    """Theme, touch mode, language, linked views, and the positions of the panels."""
 
     def __init__(self, services: AppServices, window: MainWindow, stage: DesignStage) -> None:
         super().__init__(window)
@@ -30,7 +30,7 @@ class Appearance(QObject):
         self._layout_rest.timeout.connect(self.remember_layout)
 
     def set_linked(self, linked: bool) -> None:
-        """Let the views move together or not."""
+        """Link the cameras of the two views, or unlink them."""
         self._settings.linked_views = linked
         self._stage.set_linked(linked)
         self._services.save_settings()
@@ -44,24 +44,24 @@ class Appearance(QObject):
         self._services.save_settings()
 
     def set_touch(self, touch: bool) -> None:
-        """Make the targets large enough for fingers, or small again."""
+        """Enlarge the controls for touch, or restore their usual size."""
         self._settings.touch = touch
         self._apply_theme()
         self._stage.set_touch(touch)
         self._services.save_settings()
 
     def set_language(self, language: Language) -> None:
-        """Speak another language from the next start on."""
+        """Set the language; it takes effect at the next start."""
         self._settings.language = language
         self._services.save_settings()
         self._services.messages.say(tr("The window speaks this language from the next start on."))
 
     def note_layout(self) -> None:
-        """Remember where the panels are, once they rest."""
+        """Schedule saving the layout once the panels stop moving."""
         self._layout_rest.start()
 
     def remember_layout(self) -> None:
-        """Remember where the panels are now."""
+        """Save the current layout of the panels."""
         self._layout_rest.stop()
         layout = self._window.layout_state()
         self._settings.window_geometry, self._settings.window_docks = layout

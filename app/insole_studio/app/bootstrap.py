@@ -48,7 +48,7 @@ SIGNAL_POLL_MS = 200
 
 @dataclass(frozen=True, eq=False)
 class Application:
-    """Everything that lives as long as the window."""
+    """All objects that live as long as the window."""
 
     services: AppServices
     features: Features
@@ -63,12 +63,12 @@ class Application:
 
     @property
     def jobs(self) -> Jobs:
-        """The work beside the window."""
+        """The background jobs."""
         return self.services.jobs
 
     @property
     def settings(self) -> Settings:
-        """What is remembered between two starts."""
+        """The settings kept between two starts."""
         return self.services.settings
 
     @property
@@ -100,9 +100,11 @@ def build_application(
     Parameters
     ----------
     application
+        The running Qt application.
     paths
+        The files and folders of the user.
     emulate
-        A recorded session that plays as live sensors; None for the real ones.
+        Recorded session to play back as live sensors; None uses the real ones.
     """
     share_one_heap()
     settings = load_settings(paths.settings_file)
@@ -161,18 +163,18 @@ def run_application(
     side: Side | None = None,
     emulate: Path | None = None,
 ) -> int:
-    """Open the window, then the paths, and stay until the user closes.
+    """Open the window and the first of the given paths; return when the user closes the window.
 
     Parameters
     ----------
     paths
-        Of which the first is opened: a case, a session or a mesh.
+        Cases, sessions or meshes; only the first is opened.
     user_paths
-        By default those of the user.
+        By default those of the current user.
     side
-        Of a mesh; asked for where it is not given.
+        Side of a mesh; the user is asked if it is None.
     emulate
-        A recorded session that plays as live sensors.
+        Recorded session to play back as live sensors.
 
     Returns
     -------
@@ -180,7 +182,7 @@ def run_application(
         The exit code.
     """
     qt = qt_application()
-    qt.setQuitOnLastWindowClosed(False)  # the controller says when: saving may take a moment
+    qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
     app = build_application(qt, user_paths or UserPaths.of_user(), emulate)
     opener = app.features.case_files.opener
     sys.excepthook = _show_unexpected(app.services.messages)
@@ -202,7 +204,7 @@ def run_application(
 
 
 def qt_application() -> QApplication:
-    """Return the running application of Qt, or start it."""
+    """Return the running Qt application, or create it."""
     running = QApplication.instance()
     if isinstance(running, QApplication):
         return running
@@ -213,10 +215,10 @@ def qt_application() -> QApplication:
 
 
 def _quit_on_signals(qt: QApplication) -> None:
-    """End on SIGTERM and Ctrl-C; the case stays in the autosave folder and is offered again."""
+    """Quit on SIGTERM and Ctrl-C; the autosaved case is offered at the next start."""
     for name in (signal.SIGTERM, signal.SIGINT):
         signal.signal(name, lambda _number, _frame: qt.quit())
-    # Inside Qt's loop Python only handles a signal when it gets a turn.
+    # Inside Qt's event loop Python handles signals only when the interpreter gets to run.
     turn = QTimer(qt)
     turn.timeout.connect(lambda: None)
     turn.start(SIGNAL_POLL_MS)
@@ -225,7 +227,7 @@ def _quit_on_signals(qt: QApplication) -> None:
 def _show_unexpected(
     messages: UserMessages,
 ) -> Callable[[type[BaseException], BaseException, TracebackType | None], None]:
-    """Show an exception that nobody caught: no slot may lose one."""
+    """Return an exception hook that shows uncaught exceptions, those of slots included."""
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         sys.__excepthook__(kind, error, trace)

@@ -1,4 +1,4 @@
-"""All features of the program, and which actions each of them contributes."""
+"""All features of the program and the actions that each contributes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """One object a feature; they do not know each other, the main controller connects them."""
+    """One object per feature; features are independent, the main controller connects them."""
 
     case_files: CaseFiles
     capture: CaptureWindow
@@ -30,7 +30,7 @@ class Features:
     calibrate: CalibrateWindow
 
     def close_windows(self) -> None:
-        """Close the windows of all stages."""
+        """Close the windows of all features."""
         for feature in (self.capture, self.calibrate, self.export, self.compare, self.foot):
             feature.close()
 
@@ -38,7 +38,7 @@ class Features:
 def make_features(
     services: AppServices, stage: DesignStage, autosave: Autosave, source: SensorSource
 ) -> Features:
-    """Construct every feature; the windows of stages are constructed when they are opened."""
+    """Construct every feature; the windows of stages are created when they are opened."""
     foot = FootWindow(services)
     return Features(
         case_files=make_case_files(services, autosave, foot.open_session),

@@ -1,4 +1,4 @@
-"""What the Help menu does."""
+"""The actions of the Help menu."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from insole_studio.widgets.tour import Tour
 
 
 class HelpActions(QObject):
-    """Shows the program to the one who sits before it."""
+    """Tour, list of keyboard shortcuts, and about box."""
 
     def __init__(
         self,
@@ -31,17 +31,17 @@ class HelpActions(QObject):
         self._keys = keys
 
     def begin_tour(self) -> None:
-        """Show the window in five steps."""
+        """Start the tour of the window in five steps."""
         tour = Tour(tour_stops(self._stage), self._window)
         tour.ended.connect(self._end_tour)
         tour.begin()
 
     def show_keys(self) -> None:
-        """List all that the keys do."""
+        """List all keyboard shortcuts."""
         KeyHelp(self._keys(), self._window).show()
 
     def show_about(self) -> None:
-        """Say what this program is."""
+        """Show the about box."""
         QMessageBox.about(
             self._window,
             tr("About Insole Studio"),

@@ -1,4 +1,4 @@
-"""All that the keys do: what the actions say, and what views and fields add."""
+"""The list of keyboard shortcuts: those of actions, views and fields."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ WINDOW_KEYS: tuple[tuple[Callable[[], str], str], ...] = (
 
 
 def key_sections() -> Iterator[tuple[str, list[Line]]]:
-    """Give the lines of the list under their headings."""
+    """Yield the lines of the list, grouped under their headings."""
     yield tr("In the views"), [(text(), keys) for text, keys in VIEW_KEYS]
     yield tr("In the fields"), [(text(), keys) for text, keys in FIELD_KEYS]
     yield tr("In every window"), [(text(), keys) for text, keys in WINDOW_KEYS]

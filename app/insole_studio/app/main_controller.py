@@ -1,4 +1,4 @@
-"""The controller of the window: runs actions, and shows how far the case is."""
+"""The controller of the window: runs actions and shows the progress of the case."""
 
 from __future__ import annotations
 
@@ -52,7 +52,15 @@ class MainController(QObject):
         main.appearance.set_linked(services.settings.linked_views)
 
     def run_action(self, key: str, checked: bool) -> None:
-        """Run an action; what the user can put right is shown as a sentence."""
+        """Run an action; show a user-correctable error as a sentence.
+
+        Parameters
+        ----------
+        key
+            The action's key in the action table.
+        checked
+            The new state of a toggle; ignored by other actions.
+        """
         self._stage.end_keys()
         try:
             self._run[key](checked)
@@ -61,7 +69,7 @@ class MainController(QObject):
         self._show_choices()
 
     def quit(self) -> None:
-        """Close, once nothing can be lost."""
+        """Close the window after unsaved work has been dealt with."""
         self._features.case_files.saver.after_unsaved(self._close)
 
     def _connect_window(self) -> None:
@@ -77,7 +85,7 @@ class MainController(QObject):
         self._stage.steps.chosen.connect(self._go_to_step)
 
     def _connect_features(self) -> None:
-        """Lead what one feature has made to the next."""
+        """Connect the output of each feature to the feature that continues with it."""
         features = self._features
         capture, foot, opener = features.capture, features.foot, features.case_files.opener
         capture.captured.connect(opener.open_path)
@@ -142,7 +150,7 @@ class MainController(QObject):
         self._stage.steps.show_whose(whose(case.record))
 
     def _show_choices(self) -> None:
-        """Check what is really shown, whoever has chosen it."""
+        """Check the toggles and choices that match what is shown, however they were changed."""
         side_by_side = self._features.design.side_by_side
         self._window.check_action(f"beside_{side_by_side.counterpart.kind.value}", True)
         self._window.check_action(f"map_{side_by_side.map_kind.value}", True)

@@ -1,4 +1,4 @@
-"""The frame: actions in menus and toolbars, the stage's panels as docks, the status line."""
+"""The frame: actions in menus and toolbars, the stage's panels as docks, the status bar."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ SECTION_SHARE = 0.34
 
 
 class MainWindow(QMainWindow):
-    """Shows; what is done on an action or on closing is decided by the studio."""
+    """The main window; the controller decides what an action or closing does."""
 
     action_triggered = Signal(str, bool)
     close_requested = Signal()
@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self._pads = pads
         self._make_menus()
         self._worded: list[QToolButton] = []
-        """Buttons of the toolbar that bear their name as long as there is room."""
+        """Toolbar buttons that show their label while there is space for it."""
         self._make_strip(stage)
         self._make_toolbar()
         self._make_notices(stage)
@@ -87,14 +87,14 @@ class MainWindow(QMainWindow):
         self.setWindowModified(unsaved)
 
     def show_action(self, key: str, enabled: bool, text: str | None = None) -> None:
-        """Enable an action, and say what it would do."""
+        """Enable or disable an action; `text` replaces its label."""
         action = self.actions_by_key[key]
         action.setEnabled(enabled)
         if text is not None:
             action.setText(text)
 
     def check_action(self, key: str, checked: bool) -> None:
-        """Show a toggle or choice as on or off, without running it."""
+        """Check or uncheck an action without running it."""
         action = self.actions_by_key[key]
         group = action.actionGroup()
         for other in group.actions() if group is not None else [action]:
@@ -102,14 +102,14 @@ class MainWindow(QMainWindow):
                 other.setChecked(checked if other is action else False)
 
     def renew_icons(self) -> None:
-        """Draw the icons in the colours of the palette."""
+        """Redraw the icons in the colours of the palette."""
         for record in self._records:
             if record.icon:
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
         self._maps.setIcon(icon("map"))
 
     def show_recent(self, names: Sequence[str]) -> None:
-        """List what was open lately."""
+        """List the recently opened files."""
         self._recent.clear()
         for name in names:
             action = self._recent.addAction(name)
@@ -117,7 +117,7 @@ class MainWindow(QMainWindow):
         self._recent.setEnabled(bool(names))
 
     def arrange(self) -> None:
-        """Give the panels their usual sizes: the two views share what the fields leave."""
+        """Set the default sizes of the panels: the two views share what the fields leave."""
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         shared = self.width() - PATIENT_PX
         self.resizeDocks(
@@ -130,43 +130,43 @@ class MainWindow(QMainWindow):
         )
 
     def layout_state(self) -> tuple[str, str]:
-        """Give geometry and docks, packed as text."""
+        """Return geometry and dock state, encoded as text."""
         packed = (self.saveGeometry(), self.saveState())
         geometry, docks = (bytes(p.toBase64().data()).decode("ascii") for p in packed)
         return geometry, docks
 
     def restore_layout(self, geometry: str, docks: str) -> None:
-        """Take the geometry and docks of the last time, where they are understood."""
+        """Restore a saved geometry and dock state; invalid ones are ignored."""
         if geometry:
             self.restoreGeometry(QByteArray.fromBase64(geometry.encode("ascii")))
         if docks:
             self.restoreState(QByteArray.fromBase64(docks.encode("ascii")))
-        self._section.hide()  # it comes with the first cut
+        self._section.hide()  # shown with the first section
         self._notices.hide()
 
     def come_forward(self) -> None:
-        """Stand before what else is open, with the keys."""
+        """Raise the window and give it the keyboard focus."""
         self.raise_()
         self.activateWindow()
 
     def close_for_good(self) -> None:
-        """Close without asking again."""
+        """Close without asking."""
         self._may_close = True
         self.close()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape, where nobody else needs it, leads back."""
+        """Go back on Escape, unless another widget handles the key."""
         if event.key() == Qt.Key.Key_Escape:
             self.back_requested.emit()
         else:
             super().keyPressEvent(event)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        """Let Tab go through the panels in the order of reading."""
+        """Move the focus through the panels in reading order."""
         return go_on(self._panels, forward)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Let the studio decide."""
+        """Leave the decision to the controller."""
         if not self._may_close:
             self.close_requested.emit()
         event.setAccepted(self._may_close)
@@ -250,7 +250,7 @@ class MainWindow(QMainWindow):
         stage.notices.filled.connect(self._notices.setVisible)
 
     def _fit_toolbar(self) -> None:
-        """Leave the words out where the window is too narrow for them."""
+        """Hide the labels of the toolbar where the window is too narrow for them."""
         beside, alone = (
             Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
             Qt.ToolButtonStyle.ToolButtonIconOnly,
@@ -306,7 +306,7 @@ class MainWindow(QMainWindow):
         return dock
 
     def _show_section(self, wanted: bool) -> None:
-        """Give the section its share of the width when it comes."""
+        """Give the section its share of the width when it is shown."""
         comes = wanted and self._section.isHidden()
         self._section.setVisible(wanted)
         if comes:
@@ -322,7 +322,7 @@ class MainWindow(QMainWindow):
             self.layout_changed.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Tell that the layout is another one."""
+        """Announce the changed layout."""
         super().resizeEvent(event)
         self._fit_toolbar()
         self._note_layout()

@@ -1,4 +1,4 @@
-"""Menus and toolbar: tables of the keys of actions."""
+"""Menus and toolbar as tables of action keys."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from insole_studio.texts import tr
 
 SEPARATOR = ""
 MAPS = "maps"
-"""Where the toolbar offers the colour maps."""
+"""Placeholder for the colour maps in the toolbar."""
 PADS = "pads"
-"""Where the menu offers the pads of the library."""
+"""Placeholder for the library's pads in the menu."""
 RECENT = "recent"
-"""Where the menu lists what was open lately."""
+"""Placeholder for the recent files in the menu."""
 
 MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference")
 BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
@@ -144,7 +144,7 @@ TOOLBAR: tuple[tuple[str, ...], ...] = (
     TOOL_KEYS,
     ("fit", "linked", MAPS),
 )
-"""Parts of the toolbar."""
+"""Sections of the toolbar."""
 
 STRIP = ("undo", "redo")
-"""What stands at the right of the path, and is never cut."""
+"""Actions at the right of the step strip, always visible."""

@@ -1,4 +1,4 @@
-"""The window led by a program: for the demonstration, screenshots, and journeys in tests."""
+"""Drive the real window from a program: demonstrations, screenshots and end-to-end tests."""
 
 from __future__ import annotations
 
@@ -27,18 +27,20 @@ from insole_studio.user_paths import UserPaths
 
 
 class ScriptedWindow:
-    """The real window, led by a program: for the demonstration, screenshots and journeys.
+    """The real window, driven by a program.
 
-    Use it as a context; inside, every call returns when its work is done.
+    A context manager; inside, every call returns when its work is done.
 
     Parameters
     ----------
     paths
+        The files and folders of the user.
     size
-        Of the window, pixels.
+        Width and height of the window, pixels.
     dark
+        Whether to use the dark theme.
     answers
-        To what the window would ask somebody; by default unsaved work is left behind.
+        Answers to the window's questions; by default unsaved work is discarded.
     """
 
     def __init__(
@@ -77,7 +79,15 @@ class ScriptedWindow:
         self.settle()
 
     def place_pelott(self, x_mm: float, y_mm: float, height_mm: float = 6.0) -> None:
-        """Put a pelott under a place of the insole frame and select it."""
+        """Place a pelott at (x, y) in the insole frame and select it.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Apex of the pelott, mm.
+        height_mm
+            Height of the apex, mm.
+        """
         case = self.app.case
         design = case.record.design
         if design is None:
@@ -89,16 +99,22 @@ class ScriptedWindow:
         self.settle()
 
     def export(self, path: Path) -> tuple[Path, ...]:
-        """Order at the export stage what it offers, under the name of a path.
+        """Export with the default order of the export stage.
+
+        Parameters
+        ----------
+        path
+            Path from which the names of all files are derived.
 
         Returns
         -------
-        The files of the solids, whose names say the side.
+        tuple of Path
+            The files of the solids, whose names contain the side.
 
         Raises
         ------
         OutputError
-            When nothing was written; the sentence is that of the stage.
+            If nothing was written; the sentence is that of the stage.
         """
         self.answers.path = path
         return export_at_stage(self.app)
@@ -109,18 +125,18 @@ class ScriptedWindow:
         self.settle()
 
     def screenshot(self, path: Path) -> None:
-        """Write a picture of the whole window as PNG."""
+        """Save an image of the whole window as PNG."""
         self.settle()
         if not grab_window(self.app).save(str(path)):
             raise OutputError("{path} cannot be written; choose another place.", path=path)
 
     def settle(self) -> None:
-        """Wait until all work is done and shown."""
+        """Wait until all jobs are done and their results shown."""
         wait_for(self.app.jobs)
 
 
 def wait_for(jobs: Jobs) -> None:
-    """Wait until all jobs have answered and what they answered is shown."""
+    """Wait until all jobs have delivered their results and these are shown."""
     QApplication.processEvents()
     while jobs.is_running():
         loop = QEventLoop()
@@ -130,14 +146,19 @@ def wait_for(jobs: Jobs) -> None:
 
 
 def export_at_stage(app: Application) -> tuple[Path, ...]:
-    """Open the export stage, order what it offers, and close it; return the files of the solids.
+    """Open the export stage, export its default order, and close it.
 
-    The window's questions have to answer where to.
+    The scripted answers must contain the path to write to.
+
+    Returns
+    -------
+    tuple of Path
+        The files of the solids.
 
     Raises
     ------
     OutputError
-        When nothing was written; the sentence is that of the stage.
+        If nothing was written; the sentence is that of the stage.
     """
     app.features.export.open()
     stage = app.features.export.stage
@@ -149,7 +170,7 @@ def export_at_stage(app: Application) -> tuple[Path, ...]:
     wait_for(stage.jobs)
     sentence = stage.view.error.text()
     stage.close()
-    app.window.activateWindow()  # as a window manager does when another window is gone
+    app.window.activateWindow()  # as a window manager does when another window has closed
     wait_for(app.jobs)
     if not written:
         raise OutputError(sentence or "Nothing was exported, because a check does not allow it.")
@@ -157,12 +178,12 @@ def export_at_stage(app: Application) -> tuple[Path, ...]:
 
 
 def grab_window(app: Application) -> QImage:
-    """Give a picture of the window with its 3-D views, which Qt alone cannot see."""
+    """Return an image of the window with its 3-D views, which Qt alone cannot grab."""
     return grab(app.window, (app.stage.insole.scene, app.stage.foot.scene))
 
 
 def grab(window: QWidget, scenes: Iterable[SceneView]) -> QImage:
-    """Give a picture of a window with those of its 3-D views that are seen."""
+    """Return an image of a window, composed with those of its 3-D views that are visible."""
     image = window.grab().toImage()
     painter = QPainter(image)
     for scene in scenes:

@@ -1,4 +1,4 @@
-"""Answers given beforehand, for a window that no user sits before."""
+"""Predefined answers to the questions of a window without a user."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from insole_studio.services.questions import Answer, Questions, SameSide
 
 @dataclass
 class ScriptedAnswers:
-    """What is answered; may be changed between two steps.
+    """The predefined answers; may be changed between two steps.
 
     Parameters
     ----------
     unsaved
         What to do with unsaved work when another case is opened.
     same_side
-        What to do with a second scan of a foot that the case has.
+        What to do with a second scan of a side that the case already has.
     side
-        Of a mesh; None does not open it.
+        Side of a mesh; None cancels opening it.
     anyway
-        Whether to go on although a sentence speaks against it.
+        Whether to continue despite a warning.
     replace
-        Whether files may be replaced.
+        Whether existing files may be overwritten.
     typed
-        A line of text; None for never mind.
+        A line of text; None cancels.
     path
-        A file or folder to open or to write; None for never mind.
+        A file or folder to open or to write; None cancels.
     """
 
     unsaved: Answer = Answer.DISCARD
@@ -44,44 +44,44 @@ class ScriptedAnswers:
 
 
 class AnsweredQuestions(Questions):
-    """Asks nobody."""
+    """Questions answered from a `ScriptedAnswers`."""
 
     def __init__(self, parent: QWidget, answers: ScriptedAnswers) -> None:
         super().__init__(parent)
         self.answers = answers
 
     def which_side(self, _path: Path) -> Side | None:
-        """Give the side."""
+        """Return the side."""
         return self.answers.side
 
     def open_anyway(self, _sentence: str) -> bool:
-        """Tell whether to go on."""
+        """Return whether to continue."""
         return self.answers.anyway
 
     def about_unsaved(self, _name: str) -> Answer:
-        """Tell what becomes of unsaved work."""
+        """Return what to do with unsaved work."""
         return self.answers.unsaved
 
     def about_same_side(self, _side: Side) -> SameSide:
-        """Tell what becomes of a second scan."""
+        """Return what to do with a second scan of the same side."""
         return self.answers.same_side
 
     def text(self, _title: str, _question: str, _value: str) -> str | None:
-        """Give the line of text."""
+        """Return the line of text."""
         return self.answers.typed
 
     def may_replace(self, _paths: Sequence[Path]) -> bool:
-        """Tell whether files may be replaced."""
+        """Return whether existing files may be overwritten."""
         return self.answers.replace
 
     def folder_to_open(self) -> Path | None:
-        """Give the path."""
+        """Return the path."""
         return self.answers.path
 
     def file_to_open(self, _kinds: str) -> Path | None:
-        """Give the path."""
+        """Return the path."""
         return self.answers.path
 
     def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
-        """Give the path."""
+        """Return the path."""
         return self.answers.path

@@ -1,4 +1,4 @@
-"""The last line of the window: place, hint, and the progress of what is being done."""
+"""The status bar: pointer position, hint, and progress of the current job."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SHOW_AFTER_MS = 300
 
 
 class StatusBar(QStatusBar):
-    """Shows one job at a time: the one that spoke last."""
+    """The status bar; of several jobs it shows the one that reported last."""
 
     cancel_requested = Signal(str)
 
@@ -46,11 +46,11 @@ class StatusBar(QStatusBar):
         jobs.ended.connect(self._ended)
 
     def show_place(self, text: str) -> None:
-        """Show where the pointer is."""
+        """Show the position of the pointer."""
         self._place.setText(text)
 
     def show_hint(self, text: str) -> None:
-        """Show what one can do now."""
+        """Show what the user can do next."""
         self._hint.setText(text)
 
     def _progressed(self, news: JobProgress) -> None:

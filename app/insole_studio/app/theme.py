@@ -53,7 +53,17 @@ DARK = Colors(
 
 
 def apply_theme(application: QApplication, dark: bool, touch: bool = False) -> None:
-    """Give the whole application its palette, style and icon colours; `touch` for fingers."""
+    """Set palette, style and icon colours of the whole application.
+
+    Parameters
+    ----------
+    application
+        The running Qt application.
+    dark
+        Whether to use the dark palette.
+    touch
+        Whether to enlarge the controls for touch.
+    """
     colors = DARK if dark else LIGHT
     application.setStyle("Fusion")
     application.setPalette(_palette(colors))
@@ -132,7 +142,7 @@ def _style_sheet(colors: Colors) -> str:
 
 
 def _touch_sheet(colors: Colors) -> str:
-    """Targets that a finger meets: 44 pixels with their frames, plus beside minus."""
+    """Return the style sheet for touch: controls at least 44 pixels high, plus beside minus."""
     plus, minus = (resource_path(f"icons/{name}.svg").as_posix() for name in ("plus", "minus"))
     return f"""
     QToolButton, QPushButton, QComboBox, QLineEdit, QAbstractSpinBox {{ min-height: 40px; }}

@@ -8,7 +8,7 @@ from insole_studio.widgets.tour import Stop
 
 
 def tour_stops(stage: DesignStage) -> tuple[Stop, ...]:
-    """Give the stops, in the order of the work."""
+    """Return the stops in the order of the work."""
     return (
         Stop(
             stage.steps,

@@ -1,4 +1,4 @@
-"""The window itself: theme, language, help."""
+"""Actions of the window itself: theme, language, help."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The window itself: how it looks, and its help."""
+"""The window's own feature: appearance and help."""
 
 from __future__ import annotations
 

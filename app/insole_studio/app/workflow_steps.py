@@ -1,4 +1,4 @@
-"""How far the open case has come on the path from patient to insole."""
+"""The progress of the open case on the way from patient to insole."""
 
 from __future__ import annotations
 
@@ -10,9 +10,16 @@ from insole_studio.widgets.step_strip import StepState, WorkflowStep
 
 
 def steps_of(record: CaseRecord, exported: bool) -> list[WorkflowStep]:
-    """Give the five steps: the current one is where the work is, and what lies behind may be open.
+    """Return the five steps; the current one is where the work is, earlier ones may be incomplete.
 
-    A foot on the bench is designed on; the design stays current until it is exported.
+    A foot in the case makes design the current step, until the insole is exported.
+
+    Parameters
+    ----------
+    record
+        The open case.
+    exported
+        Whether the case has been exported since its last change.
     """
     prescribed = record.design is not None and bool(record.design.corrections)
     done = {
@@ -32,7 +39,7 @@ def steps_of(record: CaseRecord, exported: bool) -> list[WorkflowStep]:
 
 
 def session_of(record: CaseRecord) -> Path | None:
-    """Give the recorded session that the foot at hand was made of, where it is still there."""
+    """Return the recorded session of the active foot; None if it no longer exists."""
     source = record.source
     if source is None or source.kind != "session" or not Path(source.path).exists():
         return None

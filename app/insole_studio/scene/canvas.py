@@ -1,4 +1,4 @@
-"""The widgets that show a plotter: Qt's own GL window where there is one, else a painted image."""
+"""The widgets that show a plotter: Qt's own GL window if available, else a painted image."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ _GL_PLATFORMS = ("xcb", "windows", "cocoa")
 
 
 def has_gl() -> bool:
-    """Whether VTK can draw into a window of this Qt platform."""
+    """Return whether VTK can draw into a window of this Qt platform."""
     return QGuiApplication.platformName() in _GL_PLATFORMS
 
 
 class Canvas(QWidget):
-    """A place for the scene. `plotter` takes the actors; `request_render` draws soon, once.
+    """Widget that shows a plotter; `plotter` holds the actors, `request_render` draws once, soon.
 
-    `aim` is called before each drawing: many changes of the camera are one.
+    `aim` is called before each drawing, so that several camera changes cost one update.
     """
 
     plotter: Any
     surface: QWidget
-    """The widget that receives the mouse."""
+    """The widget that receives mouse events."""
 
     def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,20 +37,20 @@ class Canvas(QWidget):
         self._timer.timeout.connect(self.render_now)
 
     def request_render(self) -> None:
-        """Draw when the pending events are done; many requests are one picture."""
+        """Draw when the pending events are handled; several requests are drawn once."""
         if self.plotter is not None and not self._timer.isActive():
             self._timer.start()
 
     def render_now(self) -> None:
-        """Draw at once."""
+        """Draw immediately."""
         raise NotImplementedError
 
     def picture(self) -> QImage:
-        """Give the picture as it is drawn, in device pixels."""
+        """Return the rendered image, in device pixels."""
         raise NotImplementedError
 
     def close_plotter(self) -> None:
-        """Free the renderer; may be called twice."""
+        """Free the renderer; may be called more than once."""
         self._timer.stop()
         if self.plotter is not None:
             self.plotter.close()
@@ -58,7 +58,7 @@ class Canvas(QWidget):
 
 
 class WindowCanvas(Canvas):
-    """VTK draws into a native window of its own."""
+    """Canvas in whose native window VTK draws."""
 
     def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(aim, parent)
@@ -73,45 +73,45 @@ class WindowCanvas(Canvas):
         self.setFocusProxy(interactor)
 
     def render_now(self) -> None:
-        """Draw at once."""
+        """Draw immediately."""
         if self.plotter is not None and self.isVisible():
             self.aim()
             self.plotter.render_window.Render()
 
     def picture(self) -> QImage:
-        """Give the picture as it is drawn, in device pixels."""
+        """Return the rendered image, in device pixels."""
         self.aim()
         self.plotter.render_window.Render()
         return _image(self.plotter.screenshot(return_img=True))
 
 
 class ImageCanvas(Canvas):
-    """An off-screen plotter draws, and the widget paints its image: works without GL in Qt."""
+    """Canvas that paints the image of an off-screen plotter; needs no GL in Qt."""
 
     def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(aim, parent)
         import pyvista as pv
 
         self.plotter = pv.Plotter(off_screen=True, window_size=(64, 64))
-        # Without GL the processor draws every sample: several a pixel take three times as long.
+        # Without GL the processor draws every sample: multisampling takes three times as long.
         self.plotter.disable_anti_aliasing()
         self.surface = self
         self._image: QImage | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
     def sizeHint(self) -> QSize:
-        """As large as the layout gives."""
+        """Return the size that the layout offers."""
         return QSize(320, 320)
 
     def render_now(self) -> None:
-        """Draw at once."""
+        """Draw immediately."""
         if self.plotter is None or not self.isVisible():
             return
         self._image = self.picture()
         self.update()
 
     def picture(self) -> QImage:
-        """Give the picture as it is drawn, in device pixels."""
+        """Return the rendered image, in device pixels."""
         ratio = self.devicePixelRatioF()
         size = [max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)]
         self.plotter.window_size = size
@@ -122,7 +122,7 @@ class ImageCanvas(Canvas):
         return image
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Put the last picture onto the widget."""
+        """Paint the last image."""
         painter = QPainter(self)
         if self._image is None:
             painter.fillRect(self.rect(), self.palette().window())
@@ -137,7 +137,15 @@ class ImageCanvas(Canvas):
 
 
 def make_canvas(aim: Callable[[], None], parent: QWidget | None = None) -> Canvas:
-    """Give the best canvas that this Qt platform allows."""
+    """Return the best canvas that this Qt platform supports.
+
+    Parameters
+    ----------
+    aim
+        Sets the camera of the plotter; called before each drawing.
+    parent
+        The parent widget.
+    """
     return WindowCanvas(aim, parent) if has_gl() else ImageCanvas(aim, parent)
 
 

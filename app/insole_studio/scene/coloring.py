@@ -1,4 +1,4 @@
-"""Numbers on a surface as colours: perceptually uniform; white is zero where they are signed."""
+"""Values on a surface as colours: perceptually uniform maps, white at zero for signed values."""
 
 from __future__ import annotations
 
@@ -12,19 +12,20 @@ _SIGNED = ("#2166ac", "#67a9cf", "#f7f7f7", "#ef8a62", "#b2182b")
 
 @dataclass(frozen=True, eq=False)
 class Coloring:
-    """What a colour map shows.
+    """A colour map and the values it shows.
 
     Parameters
     ----------
     values : (n,) float64
-        One a vertex.
+        One per vertex.
     limits
-        Numbers of the first and the last colour.
+        Values of the first and the last colour.
     title
-        What is shown, for the legend.
+        Title of the legend.
     signed
-        Whether zero is the middle, and white.
+        Whether the map diverges, with white at zero.
     unit
+        Unit of the values, for the legend.
     """
 
     values: FloatArray
@@ -40,5 +41,5 @@ class Coloring:
 
     @property
     def colors(self) -> tuple[str, ...]:
-        """The map's colours at equal distances, for the legend."""
+        """The map's colours at equal steps, for the legend."""
         return _SIGNED if self.signed else _VIRIDIS

@@ -1,4 +1,4 @@
-"""A drag as one generator, and the one that is under way."""
+"""The running gesture: a drag as one generator."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ from inspect import GEN_RUNNING, getgeneratorstate
 from insole_studio.scene.pointer import PointerEvent
 
 Gesture = Generator[None, PointerEvent, None]
-"""Started with the press; receives every move, and ends at the release."""
+"""Started by the press; receives every move, and ends at the release."""
 
 
 class RunningGesture:
-    """Begins, feeds and ends a gesture."""
+    """Starts, feeds and ends one gesture at a time."""
 
     def __init__(self) -> None:
         self._gesture: Gesture | None = None
 
     def __bool__(self) -> bool:
-        """Whether a gesture is under way."""
+        """Whether a gesture is running."""
         return self._gesture is not None
 
     def begin(self, gesture: Gesture) -> None:
-        """Lead a gesture up to its first wait."""
+        """Run a gesture up to its first wait."""
         self._gesture = gesture
         next(gesture)
 
     def send(self, event: PointerEvent) -> bool:
-        """Continue it; True when it has ended by this event."""
+        """Pass an event to the gesture; return True if that ended it."""
         if self._gesture is None:
             return False
         try:
@@ -38,9 +38,9 @@ class RunningGesture:
         return False
 
     def close(self) -> bool:
-        """Give it up, as if it had never begun; False when there is none that could be."""
+        """Cancel the gesture without effect; return False if none can be cancelled."""
         if self._gesture is None or getgeneratorstate(self._gesture) == GEN_RUNNING:
-            return False  # what it has just done may have led here
+            return False  # called from within the running gesture itself
         self._gesture.close()
         self._gesture = None
         return True

@@ -1,4 +1,4 @@
-"""Lines that a tool works with, drawn over a model, with one text beside them."""
+"""Guide lines of a tool, drawn over a model with one text beside them."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ from insole_core.geometry.arrays import FloatArray
 
 @dataclass(frozen=True, eq=False)
 class GuideLines:
-    """Lines beside a model and a text at a place.
+    """Guide lines beside a model, and a text.
 
     Parameters
     ----------
     lines : (2, 3) each, mm, insole frame
+        The line segments.
     place : (3,), mm, insole frame
-        Where the text stands.
+        Position of the text.
     text
+        Usually the measured angle.
     """
 
     lines: tuple[FloatArray, ...]
@@ -24,5 +26,5 @@ class GuideLines:
     text: str
 
     def axes_alone(self) -> GuideLines:
-        """Leave out the last line, which is the sole's level, and the text."""
+        """Return the axes without the last line (the sole's level) and the text."""
         return GuideLines(self.lines[:-1], self.place, "")

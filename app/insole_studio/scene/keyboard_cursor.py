@@ -1,7 +1,8 @@
-"""The pointer of a view led by keys: everything that the mouse does, without a mouse.
+"""A pointer for the keyboard: everything that the mouse does in a view, without a mouse.
 
-Page keys choose a handle, arrows drag it; beside the handles arrows move a cross, Enter clicks
-there, Space presses and lets go. What the arrows drag is one gesture: it ends with any other key.
+The Page keys choose a handle and the arrows drag it; away from handles the arrows move a
+crosshair, Enter clicks there, Space presses and releases. A drag by arrow keys is one gesture;
+any other key ends it.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ PAN_PX = 40.0
 ZOOM = 0.88
 RING_PX = 13.0
 ARM_PX = (5.0, 15.0)
-"""Where the arms of the cross begin and end."""
+"""Inner and outer end of the arms of the crosshair."""
 _RING = np.linspace(0.0, 2 * np.pi, 33)
 
 ARROWS: dict[int, tuple[int, int]] = {
@@ -40,26 +41,26 @@ ARROWS: dict[int, tuple[int, int]] = {
 
 
 class KeyboardCursor:
-    """Turns keys into the presses, moves and releases of a pointer."""
+    """Translates keys into presses, moves and releases of a pointer."""
 
     def __init__(self, view: SceneView) -> None:
         self._view = view
         self._place: FloatArray | None = None
-        """Where the pointer is, (3,) mm; None while it is not shown."""
+        """Position of the cursor, (3,) mm; None while it is hidden."""
         self.handle: str | None = None
         """The handle that the arrows drag."""
         self.holds = False
-        """Whether a gesture is under way."""
+        """Whether a gesture is running."""
         self._has_clicked = False
-        """Whether something was placed just now, which the arrows may move."""
+        """Whether an object was just placed, which the arrows may then move."""
 
     @property
     def is_shown(self) -> bool:
-        """Whether there is a cross or a ring."""
+        """Whether the crosshair or the ring around a handle is visible."""
         return self._place is not None
 
     def take(self, event: QKeyEvent) -> bool:
-        """Act on a key; False leaves it to others."""
+        """Handle a key; return False if it is not used here."""
         modifiers = event.modifiers()
         if modifiers & Qt.KeyboardModifier.AltModifier:
             return self._turn_view(event)
@@ -69,7 +70,7 @@ class KeyboardCursor:
         return act is not None and act(self, modifiers)
 
     def let_go(self) -> bool:
-        """End the gesture of the keys, if there is one; what it did is done."""
+        """Finish the keyboard gesture and keep its result; return False if there is none."""
         if not self.holds:
             return False
         self.holds = False
@@ -78,12 +79,12 @@ class KeyboardCursor:
         return True
 
     def forget(self) -> None:
-        """Hide the pointer; the mouse or another tool has taken over."""
+        """Hide the cursor because the mouse or another tool has taken over."""
         self._place, self.handle, self._has_clicked = None, None, False
         self.refresh()
 
     def refresh(self) -> None:
-        """Draw the pointer where it is now; a handle that has moved takes it along."""
+        """Redraw the cursor; if its handle has moved, follow it."""
         if self.handle is not None and not self.holds:
             place = self._place_of(self.handle)
             self.handle, self._place = (None, None) if place is None else (self.handle, place)
@@ -104,7 +105,7 @@ class KeyboardCursor:
         return True
 
     def _nudge(self, right: int, up: int, modifiers: Qt.KeyboardModifier) -> bool:
-        """Move what is selected, unless the cross is on its way."""
+        """Move the selected object, unless the crosshair is being moved."""
         if self._place is not None and not self._has_clicked:
             return False
         if not self._view.nudge(self._event(Phase.MOVE, modifiers), right, up):
@@ -120,7 +121,7 @@ class KeyboardCursor:
         pixel = (x + right * by_px, y - up * by_px)
         moved = self._view.event_at(Phase.MOVE, pixel, self.handle, True, _has_shift(modifiers))
         hit = moved.surface_mm
-        # A handle is dragged in the plane of the picture: the skin below it may be far from it.
+        # A handle moves in the image plane: the skin below it may be far away.
         is_free = hit is None or self.handle is not None
         self._place = look.point_at(*pixel) if is_free else hit
         if self.holds:
@@ -132,21 +133,21 @@ class KeyboardCursor:
         return self.holds
 
     def _hold(self, modifiers: Qt.KeyboardModifier) -> bool:
-        """Space: press, or let go."""
+        """Press or release, on Space."""
         if not self.let_go():
             self._press(modifiers)
             self.refresh()
         return True
 
     def _click(self, modifiers: Qt.KeyboardModifier) -> bool:
-        """Enter: let go, or click where the pointer is."""
+        """Release, or click at the cursor, on Enter."""
         if not self.let_go() and self._press(modifiers):
             self.let_go()
             self._has_clicked = self.handle is None
         return True
 
     def _choose(self, step: int) -> bool:
-        """Take the next handle, or the one before."""
+        """Go to the next handle (`step` 1) or to the previous one (-1)."""
         self.let_go()
         names = [handle.name for handle in self._view.handles]
         if not names:
@@ -188,7 +189,7 @@ class KeyboardCursor:
         return was_shown
 
     def _turn_view(self, event: QKeyEvent) -> bool:
-        """Alt and arrows turn the camera, with Shift they shift it."""
+        """Rotate the camera with Alt and arrows; pan it with Shift as well."""
         right, up = ARROWS.get(event.key(), (0, 0))
         if (right, up) == (0, 0):
             return False
@@ -213,7 +214,7 @@ class KeyboardCursor:
         return float(x), float(y)
 
     def _start(self) -> FloatArray:
-        """Where the pointer begins: where the tool is usually used, or amid the picture."""
+        """Return the start of the cursor: where the tool is usually used, or mid-view."""
         start = self._view.start_mm
         return self._view.look.focal_mm if start is None else np.array(start)
 

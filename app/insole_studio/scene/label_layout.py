@@ -1,4 +1,4 @@
-"""Where names stand in a picture: beside their places, and none on another."""
+"""Layout of names in an image: beside their points, without overlap."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 
 GAP_PX = 11.0
-"""Between a dot and its name."""
+"""Gap between a point and its name."""
 _ROW = 1.15
 _ROWS = 9
 _ASIDE_PX = (0.0, 26.0, 60.0)
@@ -16,21 +16,21 @@ _ASIDE_PX = (0.0, 26.0, 60.0)
 def name_boxes(
     anchors_px: FloatArray, sizes_px: FloatArray, taken_px: FloatArray, room_px: tuple[int, int]
 ) -> FloatArray:
-    """Lay out names without overlap: each at the first free place, tried from near to far.
+    """Place names without overlap, each at the first free candidate from near to far.
 
     Parameters
     ----------
     anchors_px, sizes_px : (n, 2) float64
-        Where the dots are, and how large the names.
+        Positions of the points, and sizes of the names.
     taken_px : (m, 4) float64
-        Boxes (left, top, right, bottom) where no name may stand.
+        Boxes (left, top, right, bottom) that names must not cover.
     room_px
-        Size of the picture; a name stays in it where it can.
+        Width and height of the image; names stay inside where possible.
 
     Returns
     -------
     (n, 4) float64
-        Left, top, right, bottom. Where all places are taken, a name stands at its nearest one.
+        Left, top, right, bottom. A name without any free candidate gets its nearest one.
     """
     dots = np.hstack([anchors_px - GAP_PX + 2, anchors_px + GAP_PX - 2])
     taken = np.vstack([taken_px, dots])
@@ -45,7 +45,20 @@ def name_boxes(
 
 
 def leader_ends(anchors_px: FloatArray, boxes_px: FloatArray) -> FloatArray:
-    """Where a line from each dot meets its name, (n, 2); NaN where the name stands beside it."""
+    """Return where the leader line from each point meets its name.
+
+    Parameters
+    ----------
+    anchors_px : (n, 2) float64
+        Positions of the points.
+    boxes_px : (n, 4) float64
+        Left, top, right, bottom of the names.
+
+    Returns
+    -------
+    (n, 2) float64
+        NaN where the name stands directly beside its point.
+    """
     near = np.clip(anchors_px, boxes_px[:, :2], boxes_px[:, 2:])
     near[:, 1] = boxes_px[:, 1::2].mean(axis=1)
     away = np.hypot(*(near - anchors_px).T) > GAP_PX + 2
@@ -53,7 +66,7 @@ def leader_ends(anchors_px: FloatArray, boxes_px: FloatArray) -> FloatArray:
 
 
 def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:
-    """Boxes (k, 4) beside a dot: right and left of it, then row by row farther up and down."""
+    """Return candidate boxes (k, 4): right and left of the point, then row by row up and down."""
     rows = sorted(range(-_ROWS, _ROWS + 1), key=lambda row: (abs(row), row))
     corners = [
         (x, anchor[1] + (row * _ROW - 0.5) * size[1])
@@ -66,7 +79,7 @@ def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:
 
 
 def _overlap(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Whether boxes a (k, 4) and b (m, 4) overlap, (k, m)."""
+    """Return whether boxes a (k, 4) and b (m, 4) overlap, (k, m)."""
     a, b = a[:, None], b[None]
     return np.asarray(
         (a[..., 0] < b[..., 2])

@@ -1,4 +1,4 @@
-"""Names of places, laid out anew whenever the camera moves."""
+"""Names of points, laid out again whenever the camera moves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _OPACITY = 0.75
 
 
 class NameTags:
-    """The tags of one view, drawn over everything on small sheets of the background's colour."""
+    """The name tags of one view, drawn over everything on a background of the scene's colour."""
 
     def __init__(self, plotter: Any, pixel_ratio: float) -> None:
         self._plotter = plotter
@@ -28,7 +28,17 @@ class NameTags:
         self._sizes = np.zeros((0, 2))
 
     def show(self, points: Sequence[MarkedPoint], size: int, color: str, sheet: str) -> None:
-        """Show other tags; where they stand is told by `place`."""
+        """Replace the tags; `place` then sets their positions.
+
+        Parameters
+        ----------
+        points
+            The named points, mm, insole frame.
+        size
+            Font size.
+        color, sheet
+            Colours of the text and of its background.
+        """
         for number in range(len(self._texts)):
             self._plotter.remove_actor(f"name-{number}", render=False)
         self._places = np.array([p.position_mm for p in points], dtype=float).reshape(-1, 3)
@@ -38,13 +48,19 @@ class NameTags:
         self._sizes = np.array([self._size(text) for text in self._texts]).reshape(-1, 2)
 
     def place(self, look: ViewTransform, taken_px: FloatArray) -> list[FloatArray]:
-        """Put the tags beside their places, and give the lines (2, 3) that lead to them, mm.
+        """Place the tags beside their points.
 
         Parameters
         ----------
         look
+            The current view transform.
         taken_px : (m, 4) float64
-            Boxes of the picture where other words stand.
+            Boxes (left, top, right, bottom) that other texts occupy.
+
+        Returns
+        -------
+        list of (2, 3) float64
+            Leader lines from points to tags, mm.
         """
         anchors = look.pixels_of(self._places) if len(self._places) else np.zeros((0, 2))
         boxes = name_boxes(anchors, self._sizes, taken_px, look.size_px)
@@ -67,7 +83,7 @@ class NameTags:
         return text
 
     def _size(self, text: pv.Text) -> tuple[float, float]:
-        """Width and height in the pixels of the picture."""
+        """Return width and height of a text in pixels of the image."""
         box = [0.0] * 4
         text.GetBoundingBox(self._plotter.renderer, box)
         return (

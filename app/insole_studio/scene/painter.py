@@ -1,4 +1,4 @@
-"""Paints foot, insole, handles and marks on any pyvista plotter; knows no Qt."""
+"""Draw foot, insole, handles and marks on any pyvista plotter; independent of Qt."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from insole_studio.texts import tr
 MATERIAL = (232, 229, 222)
 CONTOUR = "#30363d"
 CONTOURS = {"contours": 0.22, "strong-contours": 0.6}
-"""How much of the lines of equal height covers what lies below."""
+"""Opacity of the contour lines."""
 STRONG_CONTOUR = 5
 GHOST_OPACITY = 0.35
 SURE = 0.6
 NAME_PX, DIRECTION_PX = 12, 13
 EYE_DISTANCE_MM = 1500.0
 WORD_GAP_MM = (26.0, 12.0)
-"""Of the anatomical words from what they stand beside, in x and in y."""
+"""Distance of the anatomical directions from the surface, in x and in y."""
 
 
 @dataclass(frozen=True)
@@ -46,14 +46,14 @@ class Scheme:
 
     @classmethod
     def of(cls, dark: bool) -> Scheme:
-        """Give the light or the dark scheme."""
+        """Return the light or the dark scheme."""
         if dark:
             return cls("#24272b", "#3a3f45", "#e6e8ea", "#5aa9f2", "#ffb454", "#ff6b5e")
         return cls("#dfe3e7", "#f7f8f9", "#33383d", "#1668b8", "#b35900", "#c22316")
 
 
 class Painter:
-    """Keeps the actors of one view; each `show_…` replaces what it showed before."""
+    """Draws one view and owns its actors; each `show_…` replaces what it drew before."""
 
     def __init__(self, plotter: Any, dark: bool = False, pixel_ratio: float = 1.0) -> None:
         self._plotter = plotter
@@ -63,9 +63,9 @@ class Painter:
         self._colored = ""
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
-        """Form and look of the marks that are shown; equal ones only move."""
+        """Geometry and style of the shown marks; a mark that keeps both only moves."""
         self._texts: dict[str, Callable[[], None]] = {}
-        """Writes the words that are shown once more."""
+        """Functions that redraw the shown texts."""
         self._tags = NameTags(plotter, pixel_ratio)
         self._named: Sequence[MarkedPoint] = ()
         self._directions: tuple[list[FloatArray], list[str]] = ([], [])
@@ -73,7 +73,7 @@ class Painter:
         self.scheme = Scheme.of(dark)
         plotter.remove_all_lights()
         plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
-        # A second light from the upper left of the picture lets the relief be read.
+        # A second light from the upper left brings out the relief.
         slanted = pv.Light(light_type="camera light", position=(-1.0, 1.0, 1.0), intensity=0.65)
         plotter.add_light(slanted)
         plotter.enable_parallel_projection()
@@ -81,7 +81,7 @@ class Painter:
 
     @property
     def shown(self) -> frozenset[str]:
-        """Names of what is drawn now."""
+        """Names of what is drawn."""
         return frozenset(self._plotter.actors)
 
     def clear(self) -> None:
@@ -95,7 +95,7 @@ class Painter:
         self._plotter.renderer.clear_actors()
 
     def set_dark(self, dark: bool) -> None:
-        """Change the scheme of the background, of words and of marks."""
+        """Change the colours of background, text and marks."""
         before, self.scheme = self.scheme, Scheme.of(dark)
         self._plotter.set_background(self.scheme.bottom, top=self.scheme.top)
         for name in self._shapes:
@@ -106,7 +106,7 @@ class Painter:
         self._tags.show(self._named, NAME_PX, self.scheme.text, self.scheme.bottom)
 
     def _recolor(self, name: str, before: Scheme) -> None:
-        """Give a mark in a colour of the scheme before that of the scheme of now."""
+        """Recolour an actor from the previous colour scheme to the current one."""
         actor = self._plotter.actors.get(name)
         for role in ("accent", "mark", "alarm"):
             if actor is not None and actor.prop.color == pv.Color(getattr(before, role)):
@@ -123,6 +123,7 @@ class Painter:
         Parameters
         ----------
         mesh : mm, insole frame
+            The surface; None removes it.
         coloring
             By default the mesh's own colours, or those of the material.
         """
@@ -150,17 +151,23 @@ class Painter:
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool:
-        """Give the shown surface new places; False when its triangles or colours are others.
+        """Move the vertices of the shown surface without rebuilding it.
 
         Parameters
         ----------
         mesh : mm, insole frame
+            The surface with its new vertex positions.
         normals : (n, 3) float64
-            Of its vertices.
+            Unit normals of its vertices.
         moved
-            The vertices that have moved; by default all.
+            Indices of the vertices that moved; by default all.
         coloring
-            Of the same kind as the one that is shown.
+            Of the same kind as the shown one.
+
+        Returns
+        -------
+        bool
+            False if triangles or kind of colouring differ; nothing is changed then.
         """
         if self._surface is None or self._mesh is None:
             return False
@@ -177,20 +184,20 @@ class Painter:
         return True
 
     def show_moved(self, step: FloatArray | None) -> None:
-        """Show the surface where a transform (4, 4) puts it; None for where it is."""
+        """Show the surface moved by a transform (4, 4); None shows it in place."""
         actor = self._plotter.actors.get("surface")
         if actor is not None:
             actor.user_matrix = np.eye(4) if step is None else step
 
     def show_wireframe(self, shown: bool) -> None:
-        """Show the triangles' edges alone, or the whole surface."""
+        """Show only the triangles' edges, or the whole surface."""
         self._wireframe = shown
         actor = self._plotter.actors.get("surface")
         if actor is not None:
             actor.prop.style = "wireframe" if shown else "surface"
 
     def show_ghost(self, mesh: TriangleMesh | None) -> None:
-        """Show a second surface, seen through; None for none."""
+        """Show a second, translucent surface; None removes it."""
         self._plotter.remove_actor("ghost", render=False)
         if mesh is None:
             return
@@ -206,7 +213,7 @@ class Painter:
         )
 
     def show_contours(self, step_mm: float) -> None:
-        """Draw lines of equal height on the surface, every fifth stronger; 0 for none."""
+        """Draw contour lines of height on the surface, every fifth one stronger; 0 removes them."""
         for name in CONTOURS:
             self._plotter.remove_actor(name, render=False)
         if step_mm <= 0 or self._surface is None:
@@ -231,7 +238,19 @@ class Painter:
             )
 
     def show_lines(self, name: str, lines: Iterable[FloatArray], color: str, width: float) -> None:
-        """Draw closed or open polylines, each (n, 3) mm, in front of everything."""
+        """Draw polylines in front of everything, replacing those of the same name.
+
+        Parameters
+        ----------
+        name
+            Name of the actor.
+        lines : (n, 3) each, mm, insole frame
+            Open or closed polylines.
+        color
+            Any colour that pyvista accepts.
+        width
+            Line width, pixels.
+        """
         parts = list(lines)
         points = np.concatenate(parts) if parts else np.empty((0, 3))
         self._show_in_front(
@@ -243,14 +262,14 @@ class Painter:
         )
 
     def show_handles(self, handles: Sequence[Handle]) -> None:
-        """Show spots to grab, of constant size on the screen."""
+        """Show draggable handles of constant size on the screen."""
         for kind, size in (("move", 17.0), ("size", 12.0)):
             places = [h.position_mm for h in handles if (h.kind == "move") == (kind == "move")]
             self._show_dots(f"rim-{kind}", places, size + 5, "white")
             self._show_dots(f"handles-{kind}", places, size, self.scheme.accent)
 
     def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
-        """Show named places with their names; those that are not sure stand out."""
+        """Show points with their names; uncertain ones are highlighted."""
         for name, wanted in (("sure", True), ("unsure", False)):
             places = [p.position_mm for p in points if (p.confidence >= SURE) is wanted]
             color = self.scheme.accent if wanted else self.scheme.mark
@@ -264,24 +283,60 @@ class Painter:
     def show_spots(
         self, spots_mm: FloatArray, chosen_mm: FloatArray, chosen_px: float = 6.0
     ) -> None:
-        """Mark places (n, 3) that need attention, the chosen ones stronger."""
+        """Mark places that need attention.
+
+        Parameters
+        ----------
+        spots_mm : (n, 3) float64
+            All marked places.
+        chosen_mm : (m, 3) float64
+            Those to emphasise.
+        chosen_px
+            Size of the emphasised marks.
+        """
         self._show_dots("spots", list(spots_mm), 4.0, self.scheme.mark)
         self._show_dots("spots-chosen", list(chosen_mm), chosen_px, self.scheme.alarm)
 
     def show_label(self, place_mm: FloatArray | None, text: str, name: str = "label") -> None:
-        """Write a measure at a place; None for none."""
+        """Write a text at a point.
+
+        Parameters
+        ----------
+        place_mm : (3,) float64
+            Insole frame; None removes the text.
+        text
+            Usually a measure.
+        name
+            Name of the actor, for several labels at a time.
+        """
         places = [] if place_mm is None else [place_mm]
         self._show_texts(name, places, [f"  {text}  "] * len(places), 13, boxed=True)
 
     def show_directions(self, side: Side | None, bounds_mm: FloatArray | None) -> None:
-        """Write the anatomical words around what lies in the box (2, 3)."""
+        """Write the anatomical directions around a box.
+
+        Parameters
+        ----------
+        side
+            Side of the foot; None removes the directions.
+        bounds_mm : (2, 3) float64
+            The box, insole frame; None removes the directions.
+        """
         self._directions = ([], [])
         if side is not None and bounds_mm is not None:
             self._directions = direction_words(side, bounds_mm)
         self._show_texts("directions", *self._directions, DIRECTION_PX, centred=True)
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
-        """Show the reference plane as a translucent sheet."""
+        """Show the reference plane as a translucent square.
+
+        Parameters
+        ----------
+        plane
+            The plane; None removes it.
+        size_mm
+            Length of the square's sides.
+        """
         self._plotter.remove_actor("plane", render=False)
         if plane is None:
             return
@@ -303,7 +358,7 @@ class Painter:
         )
 
     def aim(self, look: ViewTransform) -> None:
-        """Look at the scene."""
+        """Set the camera."""
         camera = self._plotter.camera
         camera.focal_point = tuple(look.focal_mm)
         camera.position = tuple(look.focal_mm + look.back * EYE_DISTANCE_MM)
@@ -314,7 +369,7 @@ class Painter:
         self._place_names(look)
 
     def _place_names(self, look: ViewTransform) -> None:
-        """Lay the names of the key points out, clear of the anatomical words."""
+        """Lay out the names of the key points clear of the anatomical directions."""
         places, words = self._directions
         middle = look.pixels_of(np.array(places)) if words else np.zeros((0, 2))
         half = np.array([[0.3 * DIRECTION_PX * len(word), 0.7 * DIRECTION_PX] for word in words])
@@ -352,7 +407,7 @@ class Painter:
     def _show_in_front(
         self, name: str, points: FloatArray, line_lengths: tuple[int, ...], **look: Any
     ) -> None:
-        """Show points, or lines of these lengths through them, never hidden by a surface."""
+        """Draw points, or polylines of these lengths through them, never hidden by a surface."""
         shape = (len(points), line_lengths, tuple(look.items()))
         if self._shapes.get(name) == shape:
             if len(points):
@@ -368,7 +423,7 @@ class Painter:
         actor = self._plotter.add_mesh(
             drawn, name=name, lighting=False, reset_camera=False, render=False, **look
         )
-        # Drawn as if nearer than any surface: what can be grabbed must never hide in the foot.
+        # Drawn in front of any surface: handles must never be hidden by the foot.
         actor.mapper.SetResolveCoincidentTopologyToPolygonOffset()
         actor.mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -66000)
         actor.mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-66000)
@@ -414,7 +469,22 @@ def _title(coloring: Coloring | None) -> str:
 
 
 def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray], list[str]]:
-    """Give the anatomical words and where they stand, outside the box."""
+    """Return the anatomical directions around a box.
+
+    Parameters
+    ----------
+    side
+        Side of the foot.
+    bounds_mm : (2, 3) float64
+        The box, insole frame.
+
+    Returns
+    -------
+    places : list of (3,) float64
+        Positions outside the box, mm.
+    words : list of str
+        The translated directions.
+    """
     low, high = bounds_mm
     middle = (low + high) / 2
     medial, lateral = (high, low) if side is Side.LEFT else (low, high)
@@ -429,7 +499,7 @@ def direction_words(side: Side, bounds_mm: FloatArray) -> tuple[list[FloatArray]
 
 
 def _line_cells(lengths: tuple[int, ...]) -> IndexArray:
-    """Give VTK's list of polylines through consecutive points: count, indices, count, …"""
+    """Return VTK's cell array of polylines through consecutive points: count, indices, count, …"""
     starts = np.cumsum((0, *lengths[:-1]))
     return np.concatenate(
         [
@@ -440,7 +510,7 @@ def _line_cells(lengths: tuple[int, ...]) -> IndexArray:
 
 
 def polydata(mesh: TriangleMesh) -> pv.PolyData:
-    """Give a mesh as the renderer takes it, with its normals and colours."""
+    """Return a mesh with its normals and colours as pyvista data."""
     surface = pv.PolyData.from_regular_faces(
         np.ascontiguousarray(mesh.vertices, dtype=np.float32), mesh.triangles
     )

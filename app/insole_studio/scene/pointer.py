@@ -1,4 +1,4 @@
-"""What the mouse did, in the terms of the foot: tools know neither Qt nor the renderer."""
+"""Pointer events in the foot's coordinates, so that tools depend neither on Qt nor the renderer."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from insole_studio.scene.view_camera import Subject, ViewTransform
 
 
 class Phase(Enum):
-    """The moments of a gesture."""
+    """The phases of a gesture."""
 
     PRESS = auto()
     MOVE = auto()
@@ -21,7 +21,7 @@ class Phase(Enum):
 
 @dataclass(frozen=True)
 class Handle:
-    """A spot that can be grabbed, mm, insole frame."""
+    """A spot that can be dragged, mm, insole frame."""
 
     name: str
     position_mm: tuple[float, float, float]
@@ -31,7 +31,7 @@ class Handle:
 
 @dataclass(frozen=True)
 class MarkedPoint:
-    """A named place to be shown, mm, insole frame, and how sure it is (0 to 1)."""
+    """A named point to be shown, mm, insole frame, with its confidence (0 to 1)."""
 
     text: str
     position_mm: tuple[float, float, float]
@@ -40,25 +40,26 @@ class MarkedPoint:
 
 @dataclass(frozen=True, eq=False)
 class PointerEvent:
-    """One moment of the pointer over a view.
+    """The state of the pointer over a view at one moment.
 
     Parameters
     ----------
     phase
+        Press, move or release.
     subject
-        Which view: the foot or the insole.
+        The view: foot or insole.
     look
-        The view's camera at this moment.
+        The view transform at this moment.
     pixel
-        Place in the view (x, y).
+        Position in the view (x, y).
     surface_mm
-        Where the pointer touches what is shown, (3,) mm in the insole frame; None beside it.
+        Point of the surface under the pointer, (3,) mm, insole frame; None off the surface.
     handle
         Name of the handle under the pointer.
     fine, coarse
         Whether Ctrl or Shift is held.
     by_key
-        Whether keys lead the pointer, which then means what is selected rather than what it is on.
+        Whether the pointer is driven by keys; it then refers to the selected object.
     """
 
     phase: Phase
@@ -72,12 +73,12 @@ class PointerEvent:
     by_key: bool = False
 
     def on_level(self, z_mm: float) -> FloatArray | None:
-        """Give the place (3,) under the pointer at a height; None where one looks along it."""
+        """Return the point (3,) under the pointer at a height; None if seen edge-on."""
         origin, direction = self.look.ray_at(*self.pixel)
         if abs(direction[2]) < 0.05:
             return None
         return np.asarray(origin + direction * ((z_mm - origin[2]) / direction[2]))
 
     def place_mm(self, z_mm: float) -> FloatArray | None:
-        """Give the touched place, or where the pointer is at the height `z_mm` beside the foot."""
+        """Return the touched point, or beside the foot the one at the height `z_mm`."""
         return self.surface_mm if self.surface_mm is not None else self.on_level(z_mm)

@@ -1,4 +1,4 @@
-"""One 3-D view: camera by the hand, and pointer events in the terms of the foot for the tools."""
+"""One 3-D view: interactive camera, and pointer events in the foot's coordinates for the tools."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from insole_studio.scene.secondary_mesh import SecondaryMesh
 
 FRAME_PX = 2
-"""Shows which view the keys act on."""
+"""Width of the frame around the view that has the keyboard focus."""
 GRAB_PX = 14.0
 TOUCH_GRAB_PX = 28.0
 ORBIT_DEG_PER_PX = 0.4
@@ -43,33 +43,33 @@ ZOOM_PER_STEP = 0.88
 
 _TABS = (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 _DARK = 128
-"""Below this lightness of its windows a theme is dark."""
+"""A theme with a darker window background than this is dark."""
 
 
 class OfferedItem(Protocol):
-    """A line of the menu under the pointer; one that removes is also meant by the Delete key."""
+    """An item of the context menu; one that `removes` is also run by the Delete key."""
 
     @property
     def text(self) -> str:
-        """What it says."""
+        """Label of the item."""
         ...
 
     @property
     def run(self) -> Callable[[], None]:
-        """What it does."""
+        """What the item does."""
         ...
 
     @property
     def removes(self) -> bool:
-        """Whether it takes away what is there."""
+        """Whether the item deletes the object under the pointer."""
         ...
 
 
 class PointerSink(Protocol):
-    """Who acts on the pointer: the hand that holds a tool."""
+    """Receiver of a view's pointer events."""
 
     def press(self, event: PointerEvent) -> bool:
-        """Begin a gesture; False leaves the press to the camera."""
+        """Start a gesture; return False to leave the press to the camera."""
         ...
 
     def move(self, event: PointerEvent) -> None:
@@ -77,27 +77,43 @@ class PointerSink(Protocol):
         ...
 
     def release(self, event: PointerEvent) -> None:
-        """End the gesture."""
+        """Finish the gesture."""
         ...
 
     def cancel(self) -> bool:
-        """Give the gesture up; False when there is none."""
+        """Cancel the gesture; return False if there is none."""
         ...
 
     def double_click(self, event: PointerEvent) -> bool:
-        """Act on a double click; False leaves it to the camera."""
+        """Handle a double click; return False to leave it to the camera."""
         ...
 
     def offers(self, event: PointerEvent) -> Sequence[OfferedItem]:
-        """Give what can be done at a place."""
+        """Return the context menu items for a position."""
         ...
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
-        """Act on the wheel; False leaves it to the camera."""
+        """Handle the wheel; return False to leave it to the camera.
+
+        Parameters
+        ----------
+        event
+            Position of the pointer.
+        steps
+            Notches of the wheel, > 0 away from the user.
+        """
         ...
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
-        """Act on an arrow key; False leaves it to others."""
+        """Handle an arrow key; return False if it is not used.
+
+        Parameters
+        ----------
+        event
+            Position of the pointer, and the modifier keys.
+        right, up
+            Direction of the key: -1, 0 or 1.
+        """
         ...
 
 
@@ -111,7 +127,7 @@ class _Renderer:
 
 
 class SceneView(QWidget):
-    """Shows one subject through a camera that may be shared with other views."""
+    """3-D view of one subject; its camera may be linked with that of other views."""
 
     camera_changed = Signal(object)
     hovered = Signal(object)
@@ -126,9 +142,9 @@ class SceneView(QWidget):
         self.camera = ViewCamera()
         self.handles: tuple[Handle, ...] = ()
         self.grab_px = GRAB_PX
-        """How near the pointer must come to a handle."""
+        """Largest distance at which the pointer grabs a handle."""
         self.start: Callable[[], tuple[float, float, float] | None] | None = None
-        """Tells where the pointer of the keys begins."""
+        """Returns the start position of the keyboard cursor."""
         self.keys = KeyboardCursor(self)
         self._mesh: TriangleMesh | None = None
         self._picker: SurfacePicker | None = None
@@ -181,7 +197,15 @@ class SceneView(QWidget):
         mesh: TriangleMesh | None,
         coloring: Coloring | None = None,
     ) -> None:
-        """Show another surface; it can be touched by the pointer from now on."""
+        """Show another surface and let the pointer pick on it.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface; None removes it.
+        coloring
+            By default the mesh's own colours, or those of the material.
+        """
         self.painter.show_surface(mesh, coloring)
         self._take(mesh)
 
@@ -192,14 +216,31 @@ class SceneView(QWidget):
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool:
-        """Show the same triangles at new places; False when they are others."""
+        """Move the vertices of the shown surface, as `Painter.move_surface`.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface with its new vertex positions.
+        normals : (n, 3) float64
+            Unit normals of its vertices.
+        moved
+            Indices of the vertices that moved; by default all.
+        coloring
+            Of the same kind as the shown one.
+
+        Returns
+        -------
+        bool
+            False if triangles or kind of colouring differ; nothing is changed then.
+        """
         followed = self.painter.move_surface(mesh, normals, moved, coloring)
         if followed:
             self._take(mesh)
         return followed
 
     def show_handles(self, handles: tuple[Handle, ...]) -> None:
-        """Show what can be grabbed."""
+        """Show the draggable handles."""
         self.handles = handles
         self.painter.show_handles(handles)
         if self.keys.is_shown and not self.keys.holds:
@@ -207,14 +248,14 @@ class SceneView(QWidget):
         self.request_render()
 
     def set_camera(self, camera: ViewCamera) -> None:
-        """Look through another camera, without telling anybody."""
+        """Set the camera without emitting a signal."""
         self.camera = camera
         if self.keys.is_shown:
             self.keys.refresh()
         self.request_render()
 
     def change_camera(self, camera: ViewCamera) -> None:
-        """Look through another camera."""
+        """Set the camera and announce it."""
         self.set_camera(camera)
         self.camera_changed.emit(camera)
 
@@ -228,11 +269,11 @@ class SceneView(QWidget):
             self._canvas.request_render()
 
     def picture(self) -> QImage:
-        """Draw now and give the picture."""
+        """Draw immediately and return the image."""
         return self._canvas.picture()
 
     def close_scene(self) -> None:
-        """Free the renderer; may be called twice."""
+        """Free the renderer; may be called more than once."""
         self._is_alive = False
         if self._renderer is not None:
             self._canvas.surface.removeEventFilter(self)
@@ -246,7 +287,7 @@ class SceneView(QWidget):
             self.request_render()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the theme, whichever stage is open."""
+        """Follow changes of the theme."""
         if event.type() == QEvent.Type.PaletteChange and self._is_alive:
             self.set_dark(self.palette().window().color().lightness() < _DARK)
         super().changeEvent(event)
@@ -258,7 +299,7 @@ class SceneView(QWidget):
         QPainter(self).fillRect(self.rect(), self.palette().color(role))
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Take mouse and keys before the renderer's own interactor sees them."""
+        """Handle mouse and keys before the renderer's own interactor sees them."""
         kind = event.type()
         if isinstance(event, QMouseEvent):
             handler = {
@@ -343,7 +384,7 @@ class SceneView(QWidget):
             self._dragging = "tool" if taken else "orbit"
 
     def offer_menu(self, event: PointerEvent) -> None:
-        """Offer what can be done at a place; the menu goes with its use."""
+        """Open the context menu for a position; it is deleted once closed."""
         offers = () if self.sink is None else self.sink.offers(event)
         if not offers:
             return
@@ -387,7 +428,7 @@ class SceneView(QWidget):
         self.change_camera(self.camera.zoomed(ZOOM_PER_STEP**steps, about))
 
     def _key_event(self, event: QKeyEvent) -> bool:
-        """Take a key; one that nobody here needs goes to the window, not to the renderer."""
+        """Handle a key; an unused one goes to the window, not to the renderer."""
         if event.type() == QEvent.Type.ShortcutOverride:
             if event.key() == Qt.Key.Key_Delete and self.keys.is_shown:
                 event.accept()
@@ -417,24 +458,36 @@ class SceneView(QWidget):
 
     @property
     def start_mm(self) -> tuple[float, float, float] | None:
-        """Where the pointer of the keys begins; None for amid the picture."""
+        """Position where the keyboard cursor starts; None is the middle of the view."""
         return None if self.start is None else self.start()
 
     def event_at(
         self, phase: Phase, pixel: tuple[float, float], handle: str | None, fine: bool, coarse: bool
     ) -> PointerEvent:
-        """Give a moment of the pointer of the keys."""
+        """Return a pointer event of the keyboard cursor.
+
+        Parameters
+        ----------
+        phase
+            Press, move or release.
+        pixel
+            Position in the view (x, y).
+        handle
+            Name of the chosen handle.
+        fine, coarse
+            Whether Ctrl or Shift is held.
+        """
         hit = self._hit(QPointF(*pixel))
         return PointerEvent(
             phase, self.subject, self.look, pixel, hit, handle, fine, coarse, by_key=True
         )
 
     def begin(self, event: PointerEvent) -> bool:
-        """Begin a gesture; False when nobody takes it."""
+        """Start a gesture; return False if it is not used."""
         return self.sink is not None and self.sink.press(event)
 
     def go_on(self, event: PointerEvent) -> None:
-        """Continue a gesture, or end it with a release."""
+        """Continue a gesture, or finish it with a release."""
         if self.sink is not None and event.phase is Phase.RELEASE:
             self.sink.release(event)
             self._picker = None
@@ -442,19 +495,19 @@ class SceneView(QWidget):
             self.sink.move(event)
 
     def give_up(self) -> bool:
-        """Give the gesture up; False when there is none."""
+        """Cancel the gesture; return False if there is none."""
         return self.sink is not None and self.sink.cancel()
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
-        """Move what is selected; False when there is nothing."""
+        """Move the selected object; return False if nothing is selected."""
         return self.sink is not None and self.sink.nudge(event, right, up)
 
     def lift(self, event: PointerEvent, steps: float) -> bool:
-        """Raise what is selected; False when there is nothing."""
+        """Raise the selected object; return False if nothing is selected."""
         return self.sink is not None and self.sink.wheel(event, steps)
 
     def remove(self, event: PointerEvent) -> bool:
-        """Take away what the pointer is on; False when it cannot be."""
+        """Delete the object under the cursor; return False if that is not possible."""
         offers = () if self.sink is None else self.sink.offers(event)
         removing = next((offer for offer in offers if offer.removes), None)
         if removing is not None:
@@ -462,7 +515,7 @@ class SceneView(QWidget):
         return removing is not None
 
     def show_pointer(self, lines: tuple[FloatArray, ...], event: PointerEvent | None) -> None:
-        """Draw the pointer of the keys, and tell where it is."""
+        """Draw the keyboard cursor as lines (n, 3) and announce its position."""
         self.painter.show_lines("pointer", lines, self.painter.scheme.alarm, 2.5)
         self.request_render()
         if event is not None:

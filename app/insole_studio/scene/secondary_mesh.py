@@ -1,4 +1,4 @@
-"""What stands beside the subject of a view, and the names that tell the two apart."""
+"""The mesh beside the subject of a view, and the names that tell the two apart."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAME_PX, FRAME_PX = 15, 4
 
 
 class SecondaryMesh:
-    """Paints on the plotter of a view; what it shows cannot be touched."""
+    """A second mesh on the plotter of a view; it cannot be picked."""
 
     def __init__(self, plotter: Any, pixel_ratio: float = 1.0) -> None:
         self._plotter = plotter
@@ -24,7 +24,7 @@ class SecondaryMesh:
         self._named = 0
 
     def show(self, mesh: TriangleMesh | None) -> None:
-        """Show a surface in its own colours, or in the material; None for nothing."""
+        """Show a surface in its own or the material's colours; None removes it."""
         self._plotter.remove_actor("companion", render=False)
         if mesh is None:
             return
@@ -41,7 +41,7 @@ class SecondaryMesh:
         self.show_names(())
 
     def show_names(self, names: Sequence[NameLabel]) -> None:
-        """Write these names and no others."""
+        """Replace the shown names."""
         for number in range(self._named):
             self._plotter.remove_actor(_key(number), render=False)
         self._named = len(names)
@@ -64,17 +64,17 @@ class SecondaryMesh:
             justification_horizontal="center",
             justification_vertical="center",
         )
-        # The ground belongs to the text: the renderer's own shapes stand beside a centred one.
+        # The text draws its own background: the renderer's shapes do not follow centred text.
         style = actor.mapper.GetInputAlgorithm().GetTextProperty()
         ground = Color(name.color).float_rgb
         style.SetBackgroundColor(*ground)
         style.SetBackgroundOpacity(1.0)
-        # Wide enough for the dots of Ä and Ö, which the ground alone leaves out.
+        # Wide enough for the dots of Ä and Ö, which the background alone does not cover.
         style.SetFrame(True)
         style.SetFrameColor(*ground)
         style.SetFrameWidth(round(FRAME_PX * self._ratio))
 
 
 def _key(number: int) -> str:
-    """Name an actor unlike those of the other names on the plotter (`name_tags`)."""
+    """Return an actor name distinct from those of `name_tags` on the same plotter."""
     return f"companion-name-{number}"

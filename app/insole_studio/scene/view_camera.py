@@ -1,7 +1,7 @@
-"""Where one looks from: a camera as a value that keeps the foot upright, and its arithmetic.
+"""The camera as a value that keeps the foot upright, and its arithmetic.
 
-Both views share one `ViewCamera`. A plantar look at the foot comes from below, the same look at the
-insole from above: the sole and what it stands on are seen like two pages of an open book.
+Both views share one `ViewCamera`. Its plantar preset shows the foot from below and the insole from
+above, so that the sole and what it stands on are seen like two pages of an open book.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ MAX_ELEVATION_DEG = 85.0
 SMALLEST_VIEW_MM = 10.0
 LARGEST_VIEW_MM = 2000.0
 ROUND_MM = (45.0, 19.0, 24.0)
-"""What a fitted picture leaves free round its box for the anatomical words, in x, y and z."""
+"""Margin around a fitted box for the anatomical directions, in x, y and z."""
 
 
 class Preset(StrEnum):
-    """The named directions to look from."""
+    """The named viewing directions."""
 
     PLANTAR = "plantar"
     MEDIAL = "medial"
@@ -34,7 +34,7 @@ class Preset(StrEnum):
 
 
 class Subject(StrEnum):
-    """What is looked at."""
+    """What a view shows."""
 
     FOOT = "foot"
     INSOLE = "insole"
@@ -42,20 +42,20 @@ class Subject(StrEnum):
 
 @dataclass(frozen=True)
 class ViewCamera:
-    """A look at the scene in parallel projection, so that lengths on the screen are true.
+    """A camera in parallel projection, so that lengths on the screen are true.
 
     Parameters
     ----------
     preset
-        Direction and upright axis that the angles count from.
+        Direction and upright axis from which the angles are counted.
     azimuth_deg
-        Turn about the upright axis.
+        Rotation about the upright axis.
     elevation_deg
-        Lift above (> 0) the direction of the preset.
+        Elevation above (> 0) the direction of the preset.
     focal_mm
-        The point in the middle of the picture.
+        The point in the middle of the image.
     height_mm
-        How much the picture shows from its top to its bottom.
+        Length that the image shows from top to bottom.
     """
 
     preset: Preset = Preset.PLANTAR
@@ -65,7 +65,15 @@ class ViewCamera:
     height_mm: float = 300.0
 
     def orbited(self, azimuth_deg: float, elevation_deg: float) -> ViewCamera:
-        """Turn by the given angles; never over the top."""
+        """Return the rotated camera.
+
+        Parameters
+        ----------
+        azimuth_deg
+            Rotation about the upright axis.
+        elevation_deg
+            Change of the elevation, which stops short of the poles.
+        """
         elevation = self.elevation_deg + elevation_deg
         return replace(
             self,
@@ -74,7 +82,15 @@ class ViewCamera:
         )
 
     def zoomed(self, factor: float, about_mm: FloatArray | None = None) -> ViewCamera:
-        """Show `factor` times as much; `about_mm` stays where it is on the screen."""
+        """Return the camera scaled by `factor`; `about_mm` keeps its place on the screen.
+
+        Parameters
+        ----------
+        factor
+            Ratio of the new visible height to the old one; < 1 zooms in.
+        about_mm : (3,) float64
+            By default the focal point.
+        """
         height = float(np.clip(self.height_mm * factor, SMALLEST_VIEW_MM, LARGEST_VIEW_MM))
         focal = np.asarray(self.focal_mm)
         if about_mm is not None:
@@ -82,22 +98,24 @@ class ViewCamera:
         return replace(self, height_mm=height, focal_mm=_point(focal))
 
     def centred(self, focal_mm: FloatArray) -> ViewCamera:
-        """Put a point into the middle."""
+        """Return the camera centred on a point."""
         return replace(self, focal_mm=_point(focal_mm))
 
 
 @dataclass(frozen=True, eq=False)
 class ViewTransform:
-    """A camera made concrete for one subject and one picture.
+    """The view transform of a camera for one subject and one image size.
 
     Parameters
     ----------
     right, up, back : (3,) float64
-        Unit vectors of the picture in the insole frame; `back` points from the scene to the eye.
+        Unit vectors of the image in the insole frame; `back` points from the scene to the eye.
     focal_mm : (3,) float64
+        The point in the middle of the image, insole frame.
     height_mm
+        Length that the image shows from top to bottom.
     size_px
-        Width and height of the picture.
+        Width and height of the image.
     """
 
     right: FloatArray
@@ -109,21 +127,21 @@ class ViewTransform:
 
     @property
     def mm_per_px(self) -> float:
-        """Length that one pixel shows."""
+        """Length of one pixel."""
         return self.height_mm / max(self.size_px[1], 1)
 
     def point_at(self, x_px: float, y_px: float) -> FloatArray:
-        """Give the point under a pixel in the plane through the focal point; (3,) mm."""
+        """Return the point under a pixel in the plane through the focal point; (3,) mm."""
         dx = (x_px - self.size_px[0] / 2) * self.mm_per_px
         dy = (self.size_px[1] / 2 - y_px) * self.mm_per_px
         return np.asarray(self.focal_mm + dx * self.right + dy * self.up)
 
     def ray_at(self, x_px: float, y_px: float) -> tuple[FloatArray, FloatArray]:
-        """Give origin and direction of the ray into the scene at a pixel."""
+        """Return origin (3,) mm and unit direction (3,) of the ray into the scene at a pixel."""
         return self.point_at(x_px, y_px) + self.back * LARGEST_VIEW_MM, -self.back
 
     def pixels_of(self, points: FloatArray) -> FloatArray:
-        """Give the pixels (n, 2) at which points (n, 3) appear."""
+        """Return the pixels (n, 2) at which points (n, 3) appear."""
         offset = np.atleast_2d(points) - self.focal_mm
         x = self.size_px[0] / 2 + offset @ self.right / self.mm_per_px
         y = self.size_px[1] / 2 - offset @ self.up / self.mm_per_px
@@ -133,7 +151,19 @@ class ViewTransform:
 def look(
     camera: ViewCamera, subject: Subject, side: Side, size_px: tuple[int, int]
 ) -> ViewTransform:
-    """Make a camera concrete."""
+    """Return the view transform of a camera.
+
+    Parameters
+    ----------
+    camera
+        The shared camera.
+    subject
+        Foot or insole, on which the direction of a preset depends.
+    side
+        Side of the foot, which decides where medial is.
+    size_px
+        Width and height of the image.
+    """
     upright, front = _preset_axes(camera.preset, subject, side)
     right = np.cross(upright, front)
     lift = rotation_about(right, -camera.elevation_deg)
@@ -150,7 +180,17 @@ def look(
 
 
 def fitted(camera: ViewCamera, bounds_mm: FloatArray, size_px: tuple[int, int]) -> ViewCamera:
-    """Show a whole box (2, 3), whatever the direction."""
+    """Return the camera centred and scaled so that a whole box is visible.
+
+    Parameters
+    ----------
+    camera
+        The camera, whose direction is kept.
+    bounds_mm : (2, 3) float64
+        The box, insole frame.
+    size_px
+        Width and height of the image.
+    """
     low, high = bounds_mm
     extent = high - low + 2 * np.array(ROUND_MM)
     aspect = size_px[0] / max(size_px[1], 1)
@@ -164,7 +204,7 @@ def fitted(camera: ViewCamera, bounds_mm: FloatArray, size_px: tuple[int, int]) 
 
 
 def _preset_axes(preset: Preset, subject: Subject, side: Side) -> tuple[FloatArray, FloatArray]:
-    """Give the upright axis and the direction to the eye."""
+    """Return the upright axis (3,) and the direction (3,) to the eye."""
     x, y, z = np.eye(3)
     if preset in (Preset.PLANTAR, Preset.DORSAL):
         from_below = (preset is Preset.PLANTAR) == (subject is Subject.FOOT)

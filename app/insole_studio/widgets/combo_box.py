@@ -1,4 +1,4 @@
-"""A field for one word out of several."""
+"""A combo box whose entries have a stored value and a displayed text."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QComboBox, QWidget
 
 
 class ComboBox(QComboBox):
-    """Shows texts, gives words."""
+    """A combo box that shows texts and returns the stored values."""
 
     edited = Signal(str)
-    """The user, not the program, chose another word."""
+    """Emitted when the user, not the program, chose another value."""
 
     def __init__(self, options: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -23,12 +23,12 @@ class ComboBox(QComboBox):
         self.activated.connect(self._pass_on)
 
     def show_value(self, word: str) -> None:
-        """Show a word without `edited`."""
+        """Select a value without emitting `edited`."""
         with QSignalBlocker(self):
             self.setCurrentIndex(self.findData(word))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Change only what has the focus: a panel is scrolled over it."""
+        """Change the value only if the box has the focus, so that scrolling a panel does not."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:

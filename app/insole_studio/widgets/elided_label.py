@@ -1,4 +1,4 @@
-"""A text in one line that can be unfolded over several."""
+"""A one-line text that can be unfolded over several lines."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ LEAST_PX = 120
 
 
 class ElidedLabel(QLabel):
-    """Leaves out its end where there is no room; the whole text is its tooltip then."""
+    """A label that elides its text if too narrow, and then shows all of it as tooltip."""
 
     overflowed = Signal(bool)
-    """Whether one line at this width is too short."""
+    """Whether the text does not fit into one line at the current width."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -21,32 +21,32 @@ class ElidedLabel(QLabel):
 
     @property
     def needed_px(self) -> int:
-        """The width of the whole text in one line."""
+        """Width of the whole text in one line."""
         return self.fontMetrics().horizontalAdvance(self.text()) + 2
 
     def unfold(self, unfolded: bool) -> None:
-        """Show all of the text, or one line of it."""
+        """Show the whole text over several lines, or one elided line."""
         self.setWordWrap(unfolded)
         self.updateGeometry()
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Ask for one line."""
+        """Return the size of one line."""
         return QSize(self.needed_px, super().minimumSizeHint().height())
 
     def minimumSizeHint(self) -> QSize:
-        """Be content with the beginning."""
+        """Return a width that fits the beginning of the text."""
         return QSize(LEAST_PX, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Tell whether there is room."""
+        """Emit whether the text fits."""
         super().resizeEvent(event)
         too_long = self.width() < self.needed_px
         self.setToolTip(self.text() if too_long else "")
         self.overflowed.emit(too_long)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the line, or all of them."""
+        """Draw the elided line or the whole text."""
         if self.wordWrap():
             super().paintEvent(event)
             return

@@ -1,4 +1,4 @@
-"""What an empty place shows: what comes next, and buttons that offer it."""
+"""The page shown while there is no content: what comes next, and buttons that offer it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 
 class EmptyPage(QWidget):
-    """One sentence and a row of offers; `chosen` carries the key of an offer."""
+    """One sentence and a row of buttons; `chosen` carries the key of a button."""
 
     chosen = Signal(str)
 
@@ -27,7 +27,15 @@ class EmptyPage(QWidget):
         layout.addStretch(2)
 
     def show_offers(self, sentence: str, offers: dict[str, str]) -> None:
-        """Show what comes next; `offers` are texts by key, the first one is the usual."""
+        """Show what comes next.
+
+        Parameters
+        ----------
+        sentence
+            What to do next.
+        offers
+            Button texts by key; the first is the default.
+        """
         self._sentence.setText(sentence)
         while (item := self._offers.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:

@@ -9,7 +9,7 @@ from insole_studio.texts import tr
 
 
 class ErrorDialog(QMessageBox):
-    """Does not block the program: it opens, and everything else goes on."""
+    """A non-modal error dialog."""
 
     def __init__(self, sentence: str, details: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -24,10 +24,10 @@ class ErrorDialog(QMessageBox):
         self.setDefaultButton(close)
         self.setEscapeButton(close)
         self._copy: QPushButton = self.addButton(tr("Copy"), QMessageBox.ButtonRole.ActionRole)
-        # A message box closes on every button; copying should not end the reading.
+        # A message box closes on every button, but copying must not close it.
         self._copy.clicked.disconnect()
         self._copy.clicked.connect(self.copy_report)
 
     def copy_report(self) -> None:
-        """Put sentence and details onto the clipboard."""
+        """Copy sentence and details to the clipboard."""
         QGuiApplication.clipboard().setText(self.report)

@@ -1,4 +1,4 @@
-"""Areas that are scrolled by a finger, and go on by themselves when it lets go."""
+"""Kinetic scrolling by touch."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _NEVER = QScrollerProperties.OvershootPolicy.OvershootAlwaysOff
 
 
 def scroll_by_finger(area: QAbstractScrollArea) -> None:
-    """Let touches scroll an area; the mouse keeps what it does, so this is no mode."""
+    """Enable kinetic scrolling by touch; the mouse works as before."""
     viewport = area.viewport()
     QScroller.grabGesture(viewport, QScroller.ScrollerGestureType.TouchGesture)
     scroller = QScroller.scroller(viewport)

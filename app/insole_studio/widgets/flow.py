@@ -1,4 +1,4 @@
-"""A layout that puts widgets beside each other, and begins a line where one does not fit."""
+"""A layout that places widgets in a row and wraps to the next line."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
 
 class FlowLayout(QLayout):
-    """As a text flows: from left to right, then down; what is too wide takes a line of its own."""
+    """Lays items out like text: left to right, then down; too wide an item gets its own line."""
 
     def __init__(self, parent: QWidget, margin_px: int, gap_px: int) -> None:
         super().__init__(parent)
@@ -16,42 +16,42 @@ class FlowLayout(QLayout):
         self.setContentsMargins(QMargins(margin_px, margin_px, margin_px, margin_px))
 
     def addItem(self, item: QLayoutItem) -> None:
-        """Take a further item to the end."""
+        """Append an item."""
         self._items.append(item)
 
     def count(self) -> int:
-        """Give the number of items."""
+        """Return the number of items."""
         return len(self._items)
 
     def itemAt(self, index: int) -> QLayoutItem | None:
-        """Give an item, or None beyond the end."""
+        """Return an item; None beyond the end."""
         return self._items[index] if 0 <= index < len(self._items) else None
 
     def takeAt(self, index: int) -> QLayoutItem | None:
-        """Take an item out, or give None beyond the end."""
+        """Remove and return an item; None beyond the end."""
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def hasHeightForWidth(self) -> bool:
-        """Say that a narrow place needs more lines."""
+        """Return True: a narrower layout needs more lines."""
         return True
 
     def heightForWidth(self, width: int) -> int:
-        """Give the height of all lines."""
+        """Return the height of all lines at this width."""
         return self._flow(QRect(0, 0, width, 0), place=False)
 
     def sizeHint(self) -> QSize:
-        """Give the least size: the layout takes what there is."""
+        """Return the minimum size: the layout takes the space that there is."""
         return self.minimumSize()
 
     def minimumSize(self) -> QSize:
-        """Give room for the largest item alone."""
+        """Return the size of the largest item."""
         size = QSize()
         for item in self._items:
             size = size.expandedTo(item.minimumSize())
         return size.grownBy(self.contentsMargins())
 
     def setGeometry(self, rect: QRect) -> None:
-        """Put all items into their places."""
+        """Place all items."""
         super().setGeometry(rect)
         self._flow(rect, place=True)
 

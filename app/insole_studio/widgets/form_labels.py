@@ -1,4 +1,4 @@
-"""The labels of a form, so that the theme can put them level with fields made for fingers."""
+"""The labels of a form, marked so that the theme aligns them with fields enlarged for touch."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QFormLayout
 
 
 def mark_labels(form: QFormLayout) -> None:
-    """Let the theme know the labels of a form."""
+    """Mark the labels of a form for the theme's style sheet."""
     for row in range(form.rowCount()):
         item = form.itemAt(row, QFormLayout.ItemRole.LabelRole)
         label = None if item is None else item.widget()

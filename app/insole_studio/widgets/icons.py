@@ -1,4 +1,4 @@
-"""One family of icons, by what they mean here."""
+"""One family of icons, by their meaning in this program."""
 
 from __future__ import annotations
 
@@ -40,18 +40,18 @@ _NAMES = {
 
 
 def icon(name: str) -> QIcon:
-    """Give an icon in the colours of the palette.
+    """Return an icon in the colours of the palette.
 
     Raises
     ------
     KeyError
-        When the name is not one of ours.
+        If the name is unknown.
     """
     palette = QGuiApplication.palette()
     group, role = QPalette.ColorGroup, QPalette.ColorRole
     plain, on = palette.color(role.ButtonText), palette.color(role.HighlightedText)
     disabled = palette.color(group.Disabled, role.ButtonText)
-    # The colours are handed over each time: qtawesome keeps icons by their arguments.
+    # The colours are passed each time: qtawesome caches icons by their arguments.
     found: QIcon = qtawesome.icon(
         _NAMES[name],
         color=plain,

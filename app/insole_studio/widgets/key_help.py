@@ -1,4 +1,4 @@
-"""A list of keys under headings, with a field to search it."""
+"""A searchable list of keyboard shortcuts under headings."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from insole_studio.texts import tr
 
 _SIZE = (560, 640)
 Line = tuple[str, str]
-"""What is done, and the keys for it."""
+"""What the keys do, and the keys."""
 
 
 class KeyHelp(QDialog):
-    """A window beside the work; it goes with its use."""
+    """A non-modal window listing keyboard shortcuts; deleted when closed."""
 
     def __init__(self, sections: Iterable[tuple[str, list[Line]]], parent: QWidget) -> None:
         super().__init__(parent)
@@ -62,7 +62,7 @@ class KeyHelp(QDialog):
         self._sections.append((section, items))
 
     def _filter(self, wanted: str) -> None:
-        """Show the lines that hold what is searched for."""
+        """Show only the lines that contain the search text."""
         for section, lines in self._sections:
             for line in lines:
                 words = f"{line.text(0)} {line.text(1)}".casefold()
@@ -71,6 +71,6 @@ class KeyHelp(QDialog):
 
 
 def _native(keys: str) -> str:
-    """Say a shortcut as the platform does."""
+    """Return a shortcut in the platform's notation."""
     native = QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
     return native or keys

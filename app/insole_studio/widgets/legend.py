@@ -1,4 +1,4 @@
-"""The colours of a map with their numbers in mm."""
+"""The legend of a colour map, in the unit of its values."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from insole_studio.scene.coloring import Coloring
 BAR_PX = 140
 NUMBER_PX = 72
 WHOLE_FROM = 100.0
-"""Tenths say nothing of numbers as large as this."""
+"""From this value on numbers are shown without decimals."""
 
 
 class Legend(QWidget):
-    """A strip of colour between its least and its greatest number, and what they are of."""
+    """A colour strip between the limits of its map, with a title."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -23,7 +23,7 @@ class Legend(QWidget):
         self.setVisible(False)
 
     def show_coloring(self, coloring: Coloring | None) -> None:
-        """Show other colours and numbers; None hides the legend."""
+        """Show another colour map; None hides the legend."""
         self._coloring = coloring
         self.setVisible(coloring is not None)
         self.setToolTip("" if coloring is None else coloring.title)
@@ -31,11 +31,11 @@ class Legend(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for the name, the strip and two numbers."""
+        """Return a size for title, strip and two numbers."""
         return QSize(self.minimumSizeHint().width() + self._name_px, 22)
 
     def minimumSizeHint(self) -> QSize:
-        """Where there is little room, the name is left to the tooltip."""
+        """Return a size without the title, which is then shown as tooltip."""
         return QSize(BAR_PX + 2 * NUMBER_PX, 22)
 
     @property
@@ -45,7 +45,7 @@ class Legend(QWidget):
         return self.fontMetrics().horizontalAdvance(self._coloring.title)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw number, strip, number."""
+        """Draw the limits and the strip between them."""
         if self._coloring is None:
             return
         painter = QPainter(self)

@@ -1,4 +1,4 @@
-"""Words that lead somewhere."""
+"""A clickable text."""
 
 from __future__ import annotations
 
@@ -9,16 +9,18 @@ from PySide6.QtWidgets import QLabel
 
 
 class LinkLabel(QLabel):
-    """A link by mouse and by keys, in the colour of plain text, whatever the theme.
+    """A link for mouse and keyboard, in the theme's colour of plain text.
 
-    Rich text knows no inherited colour: it would be black on dark ground.
+    Rich text does not inherit its colour: without this it would be black on a dark background.
 
     Parameters
     ----------
     words
+        The text of the link.
     target
-        What `linkActivated` tells.
+        Argument of `linkActivated`.
     underlined
+        Whether to underline the text.
     """
 
     def __init__(self, words: str, target: str, underlined: bool = True) -> None:
@@ -31,7 +33,7 @@ class LinkLabel(QLabel):
         self._write()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the theme."""
+        """Follow changes of the theme."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self._write()

@@ -1,4 +1,4 @@
-"""What a stage says beside its controls: sentences that hide while empty, and how far work is."""
+"""Messages and progress of a stage: both widgets hide while they have nothing to show."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from insole_studio.texts import translate_core_message
 
 
 class MessageLabel(QLabel):
-    """Sentences below each other; nothing is shown while there are none.
+    """A label of sentences, one below the other; hidden while there are none.
 
     Parameters
     ----------
     style
-        How the theme draws it: "warning", "quiet" or plain.
+        Style in the theme: "warning", "quiet" or plain.
     """
 
     def __init__(self, style: str = "") -> None:
@@ -27,18 +27,18 @@ class MessageLabel(QLabel):
         self.hide()
 
     def say(self, sentence: str) -> None:
-        """Show one sentence; an empty one hides it."""
+        """Show one sentence; an empty one hides the label."""
         self.say_all([sentence] if sentence else [])
 
     def say_all(self, sentences: Sequence[str]) -> None:
-        """Show sentences in the language of the window, each from a capital on."""
+        """Show sentences, translated and capitalised."""
         said = map(translate_core_message, sentences)
         self.setText("\n".join(sentence[:1].upper() + sentence[1:] for sentence in said))
         self.setVisible(bool(sentences))
 
 
 class ProgressBar(QProgressBar):
-    """How far a long work is, and what is being done; hidden while there is none."""
+    """Progress and description of a long job; hidden while none runs."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -46,7 +46,15 @@ class ProgressBar(QProgressBar):
         self.hide()
 
     def show_work(self, fraction: float, text: str) -> None:
-        """Show the work; an empty text ends it."""
+        """Show the progress.
+
+        Parameters
+        ----------
+        fraction
+            Completed share, 0 to 1.
+        text
+            What is being done; empty hides the bar.
+        """
         self.setVisible(bool(text))
         self.setValue(round(100 * fraction))
         self.setFormat(translate_core_message(text))

@@ -33,7 +33,7 @@ from insole_studio.widgets.side_badge import SideBadge
 
 
 class ModelView(QWidget):
-    """Lays out one view and shows what its presenter says."""
+    """Panel of one 3-D view; implements `ModelPanel`."""
 
     preset_requested = Signal(object)
     offer_chosen = Signal(str)
@@ -77,14 +77,22 @@ class ModelView(QWidget):
         whole.addLayout(layout)
 
     def show_side(self, side: Side | None) -> None:
-        """Show the badge, and let medial and lateral follow it."""
+        """Show the side on the badge, and orient the medial and lateral presets by it."""
         self._badge.show_side(side)
         self._presets.setVisible(side is not None)
         if side is not None:
             self.scene.side = side
 
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None:
-        """Say what comes next instead of a scene."""
+        """Show a sentence and buttons instead of the scene.
+
+        Parameters
+        ----------
+        sentence
+            What to do next.
+        offers
+            Button texts by key; the first is the default.
+        """
         self._empty.show_offers(sentence, offers)
         self._pages.setCurrentWidget(self._empty)
         self._scale.show_scale(0)
@@ -98,7 +106,15 @@ class ModelView(QWidget):
         mesh: TriangleMesh,
         coloring: Coloring | None = None,
     ) -> None:
-        """Show a surface, and a legend where it is coloured by numbers."""
+        """Show a surface, and a legend if it is coloured by values.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface.
+        coloring
+            By default the mesh's own colours, or those of the material.
+        """
         self._pages.setCurrentWidget(self.scene)
         self._legend.show_coloring(coloring)
         self.scene.show_mesh(mesh, coloring)
@@ -111,7 +127,24 @@ class ModelView(QWidget):
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool:
-        """Move the surface that is shown; False when it is another."""
+        """Move the vertices of the shown surface, as `Painter.move_surface`.
+
+        Parameters
+        ----------
+        mesh : mm, insole frame
+            The surface with its new vertex positions.
+        normals : (n, 3) float64
+            Unit normals of its vertices.
+        moved
+            Indices of the vertices that moved; by default all.
+        coloring
+            Of the same kind as the shown one.
+
+        Returns
+        -------
+        bool
+            False if triangles or kind of colouring differ; nothing is changed then.
+        """
         followed = self.scene.move_mesh(mesh, normals, moved, coloring)
         if followed:
             self._legend.show_coloring(coloring)
@@ -119,24 +152,34 @@ class ModelView(QWidget):
         return followed
 
     def show_wireframe(self, shown: bool) -> None:
-        """Show edges alone, or the whole surface."""
+        """Show only the triangles' edges, or the whole surface."""
         self.scene.painter.show_wireframe(shown)
         self.scene.request_render()
 
     def show_ghost(self, mesh: TriangleMesh | None) -> None:
-        """Show a second surface through the first; None for none."""
+        """Show a second, translucent surface; None removes it."""
         self.scene.painter.show_ghost(mesh)
         self.scene.request_render()
 
     def show_contours(self, step_mm: float) -> None:
-        """Draw lines of equal height; 0 for none."""
+        """Draw contour lines of height; 0 removes them."""
         self.scene.painter.show_contours(step_mm)
         self.scene.request_render()
 
     def show_guide(
         self, lines: Sequence[FloatArray], text: str, beside: FloatArray | None = None
     ) -> None:
-        """Draw what a pad is measured against, and the measure at the right of its outline."""
+        """Draw guide lines for the selected pad, and its measure.
+
+        Parameters
+        ----------
+        lines : (n, 3) each, mm, insole frame
+            What the pad is measured against.
+        text
+            The measure.
+        beside : (n, 3), mm, insole frame
+            Outline at whose right the text stands.
+        """
         self.scene.painter.show_lines("guide", lines, self.scene.painter.scheme.mark, 2.0)
         place = None
         if beside is not None:
@@ -146,12 +189,12 @@ class ModelView(QWidget):
         self.scene.request_render()
 
     def show_turned(self, step: FloatArray | None) -> None:
-        """Show the surface moved by a transform (4, 4), as long as the hand turns it."""
+        """Show the surface moved by a transform (4, 4) while it is being turned; None ends that."""
         self.scene.painter.show_moved(step)
         self.scene.request_render()
 
     def show_axes(self, axes: GuideLines | None) -> None:
-        """Draw the lines seen from behind, and their angle."""
+        """Draw the rearfoot axes and their angle; None removes them."""
         lines = () if axes is None else axes.lines
         self.scene.painter.show_lines("axes", lines, self.scene.painter.scheme.accent, 2.5)
         place, text = (None, "") if axes is None or not axes.text else (axes.place, axes.text)
@@ -159,23 +202,29 @@ class ModelView(QWidget):
         self.scene.request_render()
 
     def show_outlines(self, lines: Sequence[FloatArray], selected: Sequence[FloatArray]) -> None:
-        """Draw the outlines of the corrections, the selected one stronger."""
+        """Draw the outlines of the corrections.
+
+        Parameters
+        ----------
+        lines, selected : (n, 3) each, mm, insole frame
+            Outlines; those of the selected correction are drawn stronger.
+        """
         scheme = self.scene.painter.scheme
         self.scene.painter.show_lines("outlines", lines, scheme.mark, 2.0)
         self.scene.painter.show_lines("selected", selected, scheme.accent, 3.0)
         self.scene.request_render()
 
     def show_handles(self, handles: tuple[Handle, ...]) -> None:
-        """Show what can be grabbed."""
+        """Show the draggable handles."""
         self.scene.show_handles(handles)
 
     def show_key_points(self, points: Sequence[MarkedPoint]) -> None:
-        """Show named places."""
+        """Show named points."""
         self.scene.painter.show_key_points(points)
         self.scene.request_render()
 
     def show_highlight(self, points: FloatArray) -> None:
-        """Mark places (n, 3) and the way between them; none hides what was marked."""
+        """Mark points (n, 3) and the line between them; no points remove the mark."""
         painter = self.scene.painter
         lines = [points] if len(points) > 1 else []
         painter.show_lines("highlight", lines, painter.scheme.alarm, 2.5)
@@ -183,56 +232,56 @@ class ModelView(QWidget):
         self.scene.request_render()
 
     def show_plane(self, plane: ReferencePlane | None, size_mm: float) -> None:
-        """Show the reference plane."""
+        """Show the reference plane as a translucent square of this size."""
         self.scene.painter.show_plane(plane, size_mm)
         self.scene.request_render()
 
     def show_section(self, line: FloatArray | None) -> None:
-        """Draw where the section plane cuts."""
+        """Draw the section line (n, 3); None removes it."""
         lines = [] if line is None else [line]
         self.scene.painter.show_lines("section", lines, self.scene.painter.scheme.mark, 3.0)
         self.scene.request_render()
 
     def show_sketch(self, line: FloatArray) -> None:
-        """Draw what the hand draws."""
+        """Draw the line (n, 3) that is being sketched."""
         lines = [line] if len(line) > 1 else []
         self.scene.painter.show_lines("sketch", lines, self.scene.painter.scheme.accent, 3.0)
         self.scene.request_render()
 
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None:
-        """Write the anatomical words around the box."""
+        """Write the anatomical directions around the box (2, 3)."""
         self.scene.painter.show_directions(side, bounds_mm)
         self.scene.request_render()
 
     def show_companion(self, mesh: TriangleMesh | None) -> None:
-        """Show what stands beside the subject; None for nothing."""
+        """Show the mesh beside the subject; None removes it."""
         self.scene.companion.show(mesh)
         self.scene.request_render()
 
     def show_names(self, names: Sequence[NameLabel]) -> None:
-        """Tell the subject and what stands beside it apart."""
+        """Show the names of the subject and of the mesh beside it."""
         self.scene.companion.show_names(names)
         self.scene.request_render()
 
     def show_numbers(self, text: str) -> None:
-        """Say how large the shown difference is; empty hides it."""
+        """Show the statistics of the displayed difference; an empty text hides them."""
         self.numbers.setText(text)
         self.numbers.setVisible(bool(text))
 
     def show_warning(self, text: str) -> None:
-        """Say what is wrong, above the view; empty hides it."""
+        """Show a warning above the view; an empty text hides it."""
         said = translate_core_message(text)
         self._warning.setText(said[:1].upper() + said[1:])
         self._warning.setVisible(bool(text))
 
     def look_at_whole(self, bounds_mm: FloatArray, preset: Preset = Preset.PLANTAR) -> None:
-        """Show all that lies in the box (2, 3), from a named direction."""
+        """Fit the box (2, 3) into the view, seen from a preset direction."""
         self._bounds = bounds_mm
         self.scene.set_camera(self.scene.aim_at(preset, bounds_mm))
         self.show_scale()
 
     def look_from(self, preset: Preset) -> None:
-        """Look from another direction at what was shown as a whole."""
+        """Change the viewing direction and fit the last box again."""
         if self._bounds is not None:
             self.look_at_whole(self._bounds, preset)
 
@@ -267,13 +316,13 @@ class ModelView(QWidget):
         self.preset_requested.emit(Preset(self.sender().property("preset")))
 
     def show_scale(self) -> None:
-        """Show the ruler for the camera of now."""
+        """Update the scale bar for the current camera."""
         shown = self._pages.currentWidget() is self.scene
         self._scale.show_scale(self.scene.look.mm_per_px if shown else 0)
 
 
 def _strip(title: str) -> QLabel:
-    """A title like those of the docks."""
+    """Return a title bar like those of the docks."""
     strip = QLabel(title)
     strip.setObjectName("panel-strip")
     return strip

@@ -1,4 +1,4 @@
-"""What the user should know but need not answer: lines with a button, until they are dismissed."""
+"""Notices that need no answer: lines with a button, shown until dismissed."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LEAST_PX = 640
 
 @dataclass(frozen=True)
 class Notice:
-    """One line; `offer` is the text of its button, empty for none."""
+    """One notice; `offer` is the text of its button, empty for none."""
 
     key: str
     text: str
@@ -34,7 +34,7 @@ class Notice:
 
 
 class NoticeBar(QWidget):
-    """Shows notices, short ones beside each other; takes no room while there is none."""
+    """Shows notices, short ones side by side; has no height while there are none."""
 
     taken = Signal(str)
     dismissed = Signal(str)
@@ -47,22 +47,22 @@ class NoticeBar(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
-        """Be as high as the lines are at this width, no higher."""
+        """Return the height of the lines at this width."""
         hint = super().sizeHint()
         return QSize(hint.width(), self._lines.heightForWidth(max(self.width(), LEAST_PX)))
 
     def minimumSizeHint(self) -> QSize:
-        """Leave nothing out."""
+        """Return a size that cuts nothing off."""
         return QSize(0, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Break the lines anew."""
+        """Wrap the lines again."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
     def show_notices(self, notices: Sequence[Notice]) -> None:
-        """Show these and no others."""
+        """Replace the shown notices."""
         while (item := self._lines.takeAt(0)) is not None:
             if (line := item.widget()) is not None:
                 line.hide()
@@ -76,7 +76,7 @@ class NoticeBar(QWidget):
 
 
 class _Line(QFrame):
-    """One notice: its text, unfolded where it is long, its offer, and the way to be rid of it."""
+    """One notice: its text, unfolded if long, its button, and a button to dismiss it."""
 
     taken = Signal(str)
     dismissed = Signal(str)

@@ -1,4 +1,4 @@
-"""A field for one length or angle: typed with comma or point, nudged, or scrolled."""
+"""An input field for a length or an angle, with decimal comma or point."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from insole_studio.texts import tr
 from insole_studio.widgets.validation_bubble import ValidationBubble
 
 TOUCH_HEIGHT_PX = 36
-"""A field that is higher is made for fingers."""
+"""Fields higher than this are styled for touch."""
 TOUCH_BUTTONS_PX = 84
 COARSE = 10.0
 FINE = 0.1
 _OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
-"""With Ctrl these mean undo, redo and export of the whole case, not something inside the field."""
+"""With Ctrl these undo, redo and export the whole case instead of editing the field."""
 
 _BEGUN = ("-", "-.", "-,")
-"""The begin of a number below zero."""
+"""Valid beginnings of a negative number."""
 
 
 class NumberField(QDoubleSpinBox):
     """A number with its unit. Shift makes a step ten times as large, Ctrl a tenth.
 
-    A number beyond the range can be typed, and is refused in words: 40 must never be read as 4.
+    A number out of range can be typed and is rejected with a message: 40 must never become 4.
     """
 
     edited = Signal(float)
-    """The user, not the program, gave another value."""
+    """Emitted when the user, not the program, entered another value."""
 
     def __init__(
         self,
@@ -54,33 +54,33 @@ class NumberField(QDoubleSpinBox):
 
     @property
     def is_for_fingers(self) -> bool:
-        """Whether the style makes it a target for fingers."""
+        """Whether the field is styled for touch."""
         self.ensurePolished()
         return self.sizeHint().height() > TOUCH_HEIGHT_PX
 
     def room_px(self, width_px: int) -> int:
-        """Give the width for a field of this width; fingers get their buttons beside it."""
+        """Return the width to reserve for a field of this width, with its buttons in touch mode."""
         return width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0)
 
     def show_value(self, value: float) -> None:
-        """Show a value without `edited`; what is being typed stays."""
+        """Show a value without emitting `edited`; text being typed is kept."""
         if self.value() != value:
             with QSignalBlocker(self):
                 self.setValue(value)
 
     def show_range(self, least: float, greatest: float) -> None:
-        """Take another range without `edited`; what is selected or typed stays."""
+        """Set the range without emitting `edited`; selection and text being typed are kept."""
         if (least, greatest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(least, greatest)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Take the refusal away as well: it is a window of its own."""
+        """Hide the validation bubble as well: it is a window of its own."""
         super().hideEvent(event)
         self.refusal.hide()
 
     def event(self, event: QEvent) -> bool:
-        """Leave the window's own shortcuts to the window; the typed number is taken first."""
+        """Leave the window's shortcuts to the window, after committing the typed number."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
             if control and event.key() in _OF_THE_WINDOW:
@@ -90,13 +90,13 @@ class NumberField(QDoubleSpinBox):
         return super().event(event)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
-        """Accept comma and point alike; a number beyond the range waits to be refused."""
+        """Accept comma and point; a number out of range is rejected when it is committed."""
         if self._is_beyond(text) or self._bare(text) in _BEGUN:
             return (QValidator.State.Intermediate, text, position)
         return super().validate(self._localised(text), position)
 
     def fixup(self, text: str) -> str:
-        """Say why a number cannot be taken; the one before comes back."""
+        """Explain why a number is rejected, and return the previous value."""
         if self._is_beyond(text):
             least, greatest, before = map(
                 self.textFromValue, (self.minimum(), self.maximum(), self.value())
@@ -115,13 +115,13 @@ class NumberField(QDoubleSpinBox):
         return text
 
     def valueFromText(self, text: str) -> float:
-        """Read comma and point alike."""
+        """Parse a number with comma or point."""
         return super().valueFromText(self._localised(text))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Nudge by the arrow keys; Escape leaves the value as it was."""
+        """Step with the arrow keys; Escape restores the value."""
         if event.key() == Qt.Key.Key_Escape:
-            event.setAccepted(self._forget_typed())  # the next one leads back to the view
+            event.setAccepted(self._forget_typed())  # the next Escape returns to the view
             return
         direction = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
         if direction is None:
@@ -130,13 +130,13 @@ class NumberField(QDoubleSpinBox):
             self._nudge(direction, event.modifiers())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Nudge by the wheel; Shift and Alt may turn it sideways."""
+        """Step with the wheel; Shift and Alt may make it report horizontal scrolling."""
         turn = event.angleDelta().y() or event.angleDelta().x()
         self._nudge(turn / 120, event.modifiers())
         event.accept()
 
     def _forget_typed(self) -> bool:
-        """Show the value again in the place of what is being typed; False when that is the same."""
+        """Replace what is being typed by the value; return False if both are the same."""
         shown = self.textFromValue(self.value())
         if self.cleanText() == shown:
             return False

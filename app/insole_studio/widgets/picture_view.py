@@ -1,4 +1,4 @@
-"""A picture as large as fits."""
+"""An image scaled to its widget."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _MARGIN_PX = 24
 
 
 class PictureView(QWidget):
-    """Shows a picture as large as fits, in its own shape; or a sentence while there is none."""
+    """An image scaled to the widget with its aspect ratio kept; a sentence if there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -21,20 +21,20 @@ class PictureView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB."""
+        """Show an image, (height, width, 3) uint8, RGB."""
         height, width = picture.shape[:2]
         packed = picture.tobytes()
         self._image = QImage(packed, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
         self.update()
 
     def show_sentence(self, sentence: str) -> None:
-        """Say something in the place of the picture."""
+        """Show a sentence instead of the image."""
         self._image, self._sentence = QImage(), sentence
         self.setAccessibleName(sentence)
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it in the middle."""
+        """Draw the image centred."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().alternateBase())
         if not self._image.isNull():

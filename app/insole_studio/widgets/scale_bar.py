@@ -1,4 +1,4 @@
-"""A ruler that says how long things on the screen are."""
+"""A scale bar: the length of objects on the screen."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ LONGEST_PX = 120.0
 
 
 class ScaleBar(QWidget):
-    """Draws the longest round length that fits."""
+    """The longest round length that fits, drawn to scale."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -19,21 +19,21 @@ class ScaleBar(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def show_scale(self, mm_per_px: float) -> None:
-        """Draw for another scale; 0 draws nothing."""
+        """Draw for another scale; 0 hides the bar."""
         self._mm_per_px = mm_per_px
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for bar and number."""
+        """Return a size for bar and number."""
         return QSize(int(LONGEST_PX) + 64, 22)
 
     def minimumSizeHint(self) -> QSize:
-        """The same: it does not shrink."""
+        """Return the size hint: the bar does not shrink."""
         return self.sizeHint()
 
     @property
     def length_mm(self) -> int:
-        """The length that is drawn."""
+        """The drawn length."""
         longest = LONGEST_PX * self._mm_per_px
         fitting = [length for length in ROUND_LENGTHS_MM if length <= longest]
         return fitting[-1] if fitting else ROUND_LENGTHS_MM[0]

@@ -1,4 +1,4 @@
-"""A cut through the insole, true to scale, with rulers in mm."""
+"""A section through the insole, true to scale, with rulers in mm."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ LEFT_PX, BOTTOM_PX, FREE_PX = 40.0, 22.0, 12.0
 STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 LEAST_TICK_PX = 28.0
 ABOVE_MM = 22.0
-"""How much of the foot above the insole is shown."""
+"""Height of the foot shown above the insole."""
 
 
 class SectionChart(QWidget):
-    """Draws the insole as a body, the skin as a line; the pointer measures the thickness."""
+    """The insole as a filled area and the skin as a line; the pointer measures the thickness."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -32,38 +32,40 @@ class SectionChart(QWidget):
         self.setMinimumSize(260, 112)
 
     def sizeHint(self) -> QSize:
-        """Wide and low, as a cut is."""
+        """Return a wide and low size."""
         return QSize(420, 132)
 
     def show_sentence(self, sentence: str) -> None:
-        """Show what to do instead of a cut."""
+        """Show a sentence instead of a section."""
         self._top, self._sentence = None, sentence
         self.update()
 
     def show_cut(
         self, top: FloatArray, bottom: FloatArray, skin: FloatArray, ends: tuple[str, str]
     ) -> None:
-        """Show a cut.
+        """Show a section.
 
         Parameters
         ----------
-        top, bottom : (n, 2) mm, point by point above each other
-        skin : (k, 2, 2) mm, segments
+        top, bottom : (n, 2) mm
+            Surface of the insole; each pair of points has the same abscissa.
+        skin : (k, 2, 2) mm
+            Line segments of the foot.
         ends
-            Anatomical words at the left and at the right.
+            Anatomical directions at the left and at the right.
         """
         self._top, self._bottom, self._skin, self._ends = top, bottom, skin, ends
         self.update()
 
     def thickness_mm(self, s_mm: float) -> float | None:
-        """Material at a place of the cut; None beside it."""
+        """Return the thickness of the insole at an abscissa; None outside it."""
         if self._top is None or not self._top[0, 0] <= s_mm <= self._top[-1, 0]:
             return None
         top = np.interp(s_mm, self._top[:, 0], self._top[:, 1])
         return float(top - np.interp(s_mm, self._bottom[:, 0], self._bottom[:, 1]))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw body, skin, rulers and the measured place."""
+        """Draw the insole, the skin, the rulers and the measured thickness."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._top is None:
@@ -80,12 +82,12 @@ class SectionChart(QWidget):
         painter.end()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Measure under the pointer."""
+        """Measure the thickness under the pointer."""
         self._pointer_px = event.position().x()
         self.update()
 
     def leaveEvent(self, _event: QEvent) -> None:
-        """Measure no more."""
+        """Hide the measurement."""
         self._pointer_px = None
         self.update()
 
@@ -93,7 +95,7 @@ class SectionChart(QWidget):
         return QRectF(self.rect()).adjusted(LEFT_PX, FREE_PX, -FREE_PX, -BOTTOM_PX)
 
     def _mm2px(self, frame: QRectF) -> QTransform:
-        """From mm to pixels: the same scale in both directions."""
+        """Return the transform from mm to pixels, with the same scale in both directions."""
         assert self._top is not None
         low_s, high_s = self._top[0, 0], self._top[-1, 0]
         high_z = float(self._top[:, 1].max()) + ABOVE_MM / 2

@@ -1,4 +1,4 @@
-"""Left or right, never in doubt: a coloured badge with the word."""
+"""A coloured badge that shows left or right."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ COLORS = {Side.LEFT: "#b3261e", Side.RIGHT: "#1b7a3d"}
 
 
 class SideBadge(QLabel):
-    """Shows the side of a foot, and nothing before there is one."""
+    """The side of a foot; hidden while there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -22,7 +22,7 @@ class SideBadge(QLabel):
         self.show_side(None)
 
     def show_side(self, side: Side | None) -> None:
-        """Show another side."""
+        """Show a side; None hides the badge."""
         self.setVisible(side is not None)
         if side is None:
             self.clear()
@@ -35,7 +35,7 @@ class SideBadge(QLabel):
 
 
 def side_letter(side: Side) -> QLabel:
-    """Give the badge of a list row: one letter."""
+    """Return the one-letter badge of a list row."""
     letter = QLabel(tr("L") if side is Side.LEFT else tr("R"))
     letter.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
     letter.setToolTip(tr("LEFT") if side is Side.LEFT else tr("RIGHT"))

@@ -1,4 +1,4 @@
-"""Which foot is at hand: two large coloured buttons, the other foot one click away."""
+"""Two large coloured buttons that show and choose the active foot."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _SHAPE = "border-radius: 4px; padding: 4px 4px; font-weight: 600;"
 
 
 class SideSwitch(QWidget):
-    """Left and right; a foot that is not there yet offers the ways to get it."""
+    """Buttons for left and right; a missing foot offers the ways to add it."""
 
     chosen = Signal(object)
     offer_chosen = Signal(str)
@@ -37,7 +37,7 @@ class SideSwitch(QWidget):
         self.show_feet(None, ())
 
     def show_feet(self, at_hand: Side | None, present: Collection[Side]) -> None:
-        """Show which feet there are, and which of them is at hand."""
+        """Show which feet the case has, and which of them is active."""
         self.setVisible(at_hand is not None)
         for side, button in self.buttons.items():
             there = side in present

@@ -1,4 +1,4 @@
-"""The path from patient to insole, always visible: what is done, what is next, what is open."""
+"""The workflow from patient to insole, always visible: steps done, current and open."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWi
 
 
 class StepState(StrEnum):
-    """How far a step has come."""
+    """The state of a step."""
 
     DONE = "done"
     CURRENT = "current"
@@ -20,7 +20,7 @@ class StepState(StrEnum):
 
 @dataclass(frozen=True)
 class WorkflowStep:
-    """One step: its key, its text, and how far it is."""
+    """One step: its key, its text, and its state."""
 
     key: str
     text: str
@@ -31,7 +31,7 @@ _MARKS = {StepState.DONE: "●", StepState.CURRENT: "◉", StepState.OPEN: "○"
 
 
 class StepStrip(QWidget):
-    """A row of steps that can be clicked, and whose case it is at the right."""
+    """A row of clickable steps, with the patient and the side at the right."""
 
     chosen = Signal(str)
 
@@ -49,17 +49,17 @@ class StepStrip(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_steps(self, steps: Sequence[WorkflowStep]) -> None:
-        """Show the steps as they are."""
+        """Show the steps."""
         for step in steps:
             if step.key not in self._buttons:
                 self._add(step)
             button = self._buttons[step.key]
             button.setText(f"{_MARKS[step.state]}  {step.text}")
             button.setProperty("state", step.state.value)
-            button.style().polish(button)  # the look depends on the state
+            button.style().polish(button)  # the style sheet depends on the state
 
     def show_whose(self, text: str) -> None:
-        """Say whose case is open, and which foot."""
+        """Show whose case is open, and which foot."""
         self._whose.setText(text)
 
     def _add(self, step: WorkflowStep) -> None:

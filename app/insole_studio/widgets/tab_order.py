@@ -1,7 +1,7 @@
-"""Where Tab goes: from control to control in the order of reading, whatever was made when.
+"""The tab order: from control to control in reading order.
 
-Qt follows the order in which widgets were made; rows that come later would be the last. Here the
-layouts say the order, each time anew.
+Qt follows the order of construction, which puts rows added later last. Here the order is taken
+from the layouts each time it is needed.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWi
 
 
 def tab_stops(root: QWidget) -> Iterator[QWidget]:
-    """Give what Tab stops at inside a widget, in the order of reading."""
+    """Yield the tab stops inside a widget, in reading order."""
     if not root.isVisible():
         return
     if _is_stop(root):
@@ -25,7 +25,20 @@ def tab_stops(root: QWidget) -> Iterator[QWidget]:
 
 
 def go_on(roots: Sequence[QWidget], forward: bool) -> bool:
-    """Give the focus to the next stop, or to the one before; False when there is none."""
+    """Move the focus to the next or previous tab stop.
+
+    Parameters
+    ----------
+    roots
+        Widgets in reading order.
+    forward
+        Whether to go to the next stop rather than the previous one.
+
+    Returns
+    -------
+    bool
+        False if there are no stops; the order is cyclic.
+    """
     stops = [stop for root in roots for stop in tab_stops(root)]
     if not stops:
         return False
@@ -50,14 +63,14 @@ def give_focus(
 
 
 class StageFrame(QWidget):
-    """A stage in a window of its own: Tab goes in the order of reading, Ctrl+W closes."""
+    """Window of a stage: tab order in reading order, Ctrl+W closes it."""
 
     def __init__(self) -> None:
         super().__init__()
         QShortcut(QKeySequence("Ctrl+W"), self, self.close)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        """Go on in the order of reading."""
+        """Move the focus in reading order."""
         return go_on([self], forward) if self.isWindow() else super().focusNextPrevChild(forward)
 
 
@@ -93,7 +106,7 @@ def _laid_out(layout: QLayout) -> Iterator[QWidget]:
 
 
 def _place_of(focused: QWidget | None, stops: Sequence[QWidget]) -> int | None:
-    """Number of the stop that holds the focus."""
+    """Return the index of the stop that holds the focus."""
     for number, stop in enumerate(stops):
         if focused is stop or (focused is not None and stop.isAncestorOf(focused)):
             return number

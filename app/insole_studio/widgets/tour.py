@@ -1,4 +1,4 @@
-"""A short tour: a bubble that goes from place to place and says what each is for."""
+"""A short tour: a bubble that moves from widget to widget and explains each."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ GAP_PX = 12
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """One place of the tour."""
+    """One stop of the tour."""
 
     widget: QWidget
     title: str
@@ -25,9 +25,9 @@ class Stop:
 
 
 class Tour(QFrame):
-    """Stands before the window; ends with its last stop, Escape, or its button.
+    """The bubble of the tour; closed at the last stop, by Escape, or by its button.
 
-    It is a window of its own: a native 3-D view would hide what lies over it in the same window.
+    It is a window of its own: a native 3-D view would cover any widget of the same window.
     """
 
     ended = Signal()
@@ -66,7 +66,7 @@ class Tour(QFrame):
         self._next.setFocus()
 
     def go_on(self) -> None:
-        """Go to the next stop, or end."""
+        """Show the next stop, or end after the last."""
         self._number += 1
         if self._number == len(self._stops):
             self.end()
@@ -74,13 +74,13 @@ class Tour(QFrame):
             self._show_stop()
 
     def end(self) -> None:
-        """Go away for good."""
+        """Close and delete the tour."""
         self.hide()
         self.ended.emit()
         self.deleteLater()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape ends."""
+        """End the tour on Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self.end()
         else:
@@ -97,7 +97,7 @@ class Tour(QFrame):
         self.move(self._beside(stop.widget))
 
     def _beside(self, widget: QWidget) -> QPoint:
-        """Below, above or beside a widget, wherever there is room in the window."""
+        """Return a position below, above or beside a widget, wherever the window has space."""
         window = self._window
         there = QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size())
         whole = QRect(window.mapToGlobal(QPoint(0, 0)), window.size())

@@ -1,4 +1,4 @@
-"""Says beside a field why what was typed was not taken."""
+"""A bubble beside a field that explains why its input was rejected."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ GAP_PX = 4
 
 
 class ValidationBubble(QLabel):
-    """A bubble above its field, or below where there is no room; it goes by itself.
+    """A bubble above its field, or below if there is no space; hides after a while.
 
-    It is a window of its own: a native 3-D view would hide what lies over it in the same window.
+    It is a window of its own: a native 3-D view would cover any widget of the same window.
     """
 
     def __init__(self, field: QWidget) -> None:
@@ -29,7 +29,7 @@ class ValidationBubble(QLabel):
         self._timer.timeout.connect(self.hide)
 
     def say(self, sentence: str) -> None:
-        """Show a sentence beside the field, if that is seen."""
+        """Show a sentence beside the field if the field is visible."""
         if not self._field.isVisible():
             return
         self.setText(sentence)

@@ -1,4 +1,4 @@
-"""A column that is scrolled up and down only."""
+"""A column that scrolls vertically only."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from insole_studio.widgets.finger_scroll import scroll_by_finger
 
 
 class VerticalScroll(QScrollArea):
-    """Never cuts its lines: they cannot be scrolled sideways."""
+    """Scroll area as wide as its content, which cannot be scrolled sideways."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -20,11 +20,11 @@ class VerticalScroll(QScrollArea):
 
     @property
     def needed_px(self) -> int:
-        """The width of the widest line, with the bar beside it."""
+        """Width of the content and the scroll bar."""
         content = self.widget()
         inside = 0 if content is None else content.minimumSizeHint().width()
         return inside + self.verticalScrollBar().sizeHint().width()
 
     def minimumSizeHint(self) -> QSize:
-        """Ask for the widest line."""
+        """Return a size as wide as the content."""
         return QSize(self.needed_px, super().minimumSizeHint().height())

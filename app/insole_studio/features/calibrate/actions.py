@@ -1,4 +1,4 @@
-"""Calibrate sensors."""
+"""The action that opens the calibrate stage."""
 
 from __future__ import annotations
 

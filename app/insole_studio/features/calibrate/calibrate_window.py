@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class CalibrateWindow(StageWindow["CalibrateStage"]):
-    """Opens the calibrate stage; closed, it switches the sensors off."""
+    """Opens the calibrate stage; the sensors are switched off when it closes."""
 
     def __init__(self, paths: UserPaths, source: SensorSource) -> None:
         super().__init__()
@@ -22,7 +22,7 @@ class CalibrateWindow(StageWindow["CalibrateStage"]):
         self._source = source
 
     def make_stage(self) -> CalibrateStage:
-        """Take the sensors into use."""
+        """Create the stage and connect to the sensors."""
         from insole_studio.features.calibrate.stage import CalibrateStage
 
         store = SensorStore(self._paths.sensors_folder)

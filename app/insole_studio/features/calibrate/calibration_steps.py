@@ -1,4 +1,4 @@
-"""The steps of a calibration in the order in which a technician does them."""
+"""The steps of a calibration, in the order in which a technician does them."""
 
 from __future__ import annotations
 
@@ -27,23 +27,23 @@ from insole_studio.texts import tr
 
 @dataclass(frozen=True)
 class CalibrationStep:
-    """One step.
+    """One calibration step.
 
     Parameters
     ----------
     key
-        Of the section of its report, by which it is known to be done.
+        Section of the step's report; a sensor with that section has done the step.
     title, instruction
-        In the language of the window when called.
+        Functions that return the translated texts.
     inspect, calibrate
-        On a folder, a board and the sensor as it is known so far; what was seen in pictures is
-        kept in the memo.
+        Functions of a folder, a board and the sensor as calibrated so far; detections in images are
+        cached in the memo.
     uses_board
-        Whether pictures of a board are needed.
+        Whether the step needs images of a board.
     optional
-        Whether a sensor is calibrated without it.
+        Whether a calibration is complete without the step.
     live
-        What live pictures of it show.
+        Kind of live inspection for this step.
     """
 
     key: str

@@ -1,4 +1,4 @@
-"""The live picture of the sensor that is calibrated, and taking pictures of it."""
+"""Live images of the sensor being calibrated, and capturing them."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ from insole_studio.texts import tr
 
 _LOOK_PERIOD_S = 0.4
 _STEADY_SHARE, _NEW_SHARE = 0.004, 0.06
-"""Of the picture's width: the board that moves less stands still, one that moved more is new."""
+"""In image widths: a board that moved less is steady, one that moved more is in a new pose."""
 _STEADY_MM, _NEW_MM = 4.0, 45.0
 _VIEW, _FRAMES = "calibration", 10
 _SHOWN: dict[LiveKind, Kind] = {"boards": "color", "walls": "depth", "infrared": "infrared"}
@@ -56,16 +56,16 @@ _KINDS: tuple[Kind, ...] = tuple(_SHOWN.values())
 
 @dataclass(frozen=True, eq=False)
 class LiveInspection:
-    """What the newest picture shows.
+    """The inspection of one live image.
 
     Parameters
     ----------
     picture : (height, width, 3) uint8, RGB
-        With what was found, and what is still missing, drawn over it.
+        The image with what was detected, and what is still missing, drawn over it.
     sentence
+        The finding, translated.
     place : (n,) float64
-        Where the board (its corners' pixels, of a picture 1 wide) or the wall (mm) is; None where
-        nothing was found.
+        Board corners in image widths, or wall distance in mm; None if nothing was found.
     """
 
     picture: ByteArray
@@ -74,14 +74,14 @@ class LiveInspection:
 
 
 class LivePictures:
-    """Streams one sensor from the capture service; knows no widget.
+    """Streams one sensor from the capture service; independent of widgets.
 
     Parameters
     ----------
     make_service
-        Takes the sensors into use.
+        Starts the capture service.
     system
-        For the manifest of what is captured.
+        Reference system, for the manifest of captured sessions.
     """
 
     def __init__(self, make_service: Callable[[], CaptureService], system: ReferenceSystem) -> None:
@@ -104,17 +104,17 @@ class LivePictures:
 
     @property
     def taking(self) -> bool:
-        """Whether a picture is being taken."""
+        """Whether a capture is running."""
         return self._draft is not None
 
     def start(self) -> None:
-        """Take the sensors into use."""
+        """Start the sensors."""
         if self._service is None:
             self._service = self._make_service()
             self.problem = tr("Looking for sensors…")
 
     def stop(self) -> None:
-        """Switch the sensors off."""
+        """Stop the sensors."""
         if self._service is not None:
             self._service.close()
         self._service, self.states, self.problem = None, (), ""
@@ -122,13 +122,23 @@ class LivePictures:
         self.end_taking()
 
     def forget_places(self) -> None:
-        """Begin another step: nothing was taken yet."""
+        """Forget the captured poses, because another step begins."""
         self._places, self._before = [], None
 
     def poll(self, serial: str, kind: LiveKind) -> Path | None:
-        """Take the news and the newest pictures; give the folder of a capture that has ended well.
+        """Fetch events and the newest images of a sensor.
 
-        The folder is a session that the next `keep` reads.
+        Parameters
+        ----------
+        serial
+            Serial number of the sensor.
+        kind
+            Kind of live inspection.
+
+        Returns
+        -------
+        Path or None
+            Session folder of a capture that has just completed, for `keep_task`.
         """
         if self._service is None:
             return None
@@ -156,7 +166,19 @@ class LivePictures:
     def glance_task(
         self, kind: LiveKind, sensor: Sensor, board: Board, known: Readiness | None
     ) -> Callable[[Progress], LiveInspection] | None:
-        """Give the work of looking at the newest picture, now and then."""
+        """Return a job that inspects the newest image; None if there is none or it is too early.
+
+        Parameters
+        ----------
+        kind
+            Kind of live inspection.
+        sensor
+            The sensor as calibrated so far.
+        board
+            The board in use.
+        known
+            What the images taken so far cover.
+        """
         now = time.monotonic()
         newest = self._newest.get(_SHOWN[kind])
         if newest is None or now - self._looked_s < _LOOK_PERIOD_S:
@@ -171,7 +193,7 @@ class LivePictures:
         return lambda _progress: glance_at_wall(image, sensor, known)
 
     def is_worth_taking(self, glance: LiveInspection) -> bool:
-        """Whether what is seen stands still, and stands where nothing was taken yet."""
+        """Return whether the board or wall is steady in a pose not captured yet."""
         place, before = glance.place, self._before
         self._before = place
         if place is None or before is None or self.taking:
@@ -182,7 +204,7 @@ class LivePictures:
         return all(_apart(place, taken) > new for taken in self._places)
 
     def take_infrared(self, folder: Path) -> Callable[[Progress], Path] | None:
-        """Give the work of adding the newest infrared picture to a folder."""
+        """Return a job that saves the newest infrared image to a folder; None without an image."""
         newest = self._newest.get("infrared")
         if newest is None:
             return None
@@ -197,7 +219,7 @@ class LivePictures:
         return keep
 
     def take(self, serial: str) -> None:
-        """Let the service record what the sensor sees now."""
+        """Order the service to record the current view of the sensor."""
         if self._service is None or self._draft is not None:
             return
         self._remember_place()
@@ -213,7 +235,17 @@ class LivePictures:
         self._service.send(Start(plan, folder, manifest, plan.views))
 
     def keep_task(self, taken: Path, folder: Path, kind: LiveKind) -> Callable[[Progress], Path]:
-        """Give the work of adding what was taken to a folder."""
+        """Return a job that copies a captured session into a folder.
+
+        Parameters
+        ----------
+        taken
+            Session folder from `poll`.
+        folder
+            Folder of the step's images.
+        kind
+            Kind of live inspection, which decides which images are kept.
+        """
 
         def keep(progress: Progress) -> Path:
             progress.step(0.0, tr("Keeping the picture"))
@@ -224,7 +256,7 @@ class LivePictures:
         return keep
 
     def end_taking(self) -> None:
-        """Forget the capture that was kept, or could not be."""
+        """Delete the temporary files of the last capture."""
         if self._draft is not None:
             self._draft.cleanup()
         self._draft = None
@@ -234,7 +266,7 @@ class LivePictures:
             self._places.append(self._before)
 
     def _watch_infrared(self, serial: str) -> None:
-        """Let this sensor alone send infrared pictures; none with an empty serial."""
+        """Stream infrared images from this sensor only; from none if the serial is empty."""
         if self._service is None or serial == self._in_infrared:
             return
         if self._in_infrared:
@@ -255,7 +287,17 @@ class LivePictures:
 
 
 def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> LiveInspection:
-    """Look for the board in a colour picture, and draw which parts no board has reached."""
+    """Detect the board in a colour image, and mark the areas not yet covered.
+
+    Parameters
+    ----------
+    color : (height, width, 3) uint8, RGB
+        The live image.
+    board
+        The board in use.
+    known
+        What the images taken so far cover.
+    """
     grey = np.asarray(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY))
     look, sighting = look_at_board(tr("The live picture"), grey, board, color)
     sightings = [sighting] if sighting is not None else []
@@ -265,7 +307,17 @@ def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> 
 
 
 def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> LiveInspection:
-    """Look for the wall in a raw image, and draw the distances that no wall has."""
+    """Detect the wall in a raw depth image, and mark the distances not yet covered.
+
+    Parameters
+    ----------
+    raw
+        The raw depth image.
+    sensor
+        The sensor as calibrated so far.
+    known
+        What the images taken so far cover.
+    """
     distances = known.distances_mm if known is not None else ()
     name = tr("The live picture")
     colored = small(depth_colors(sensor.disparity)[raw])

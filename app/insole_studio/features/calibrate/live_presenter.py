@@ -1,4 +1,4 @@
-"""Shows the live picture in the open step, and lets pictures be taken; knows no widget."""
+"""Presenter of the live images of the open step; independent of widgets."""
 
 from __future__ import annotations
 
@@ -20,17 +20,20 @@ _GLANCE, _KEEP = "calibrate glance", "calibrate keep"
 
 
 class LivePresenter:
-    """Follows the sensor that the calibrate presenter is about.
+    """Shows and captures live images of the sensor chosen in the calibrate presenter.
 
     Parameters
     ----------
     panel
+        The calibrate panel.
     presenter
-        Knows sensor, step and board; looks at the folder when a picture was added.
+        Provides sensor, step and board; inspects the folder after an image was added.
     live
+        The image stream.
     jobs
+        Runs the inspections.
     root
-        Where the pictures are kept: a folder for sensor, day and step.
+        Folder of all images; they are saved by sensor, day and step.
     """
 
     def __init__(
@@ -46,7 +49,7 @@ class LivePresenter:
         self._automatic = True
         self._sentence = ""
         self._goes_to: tuple[Path, LiveKind] | None = None
-        """Where what is being taken belongs, also when another step is opened meanwhile."""
+        """Destination of the running capture, kept even if another step is opened meanwhile."""
         panel.live_toggled.connect(self.toggle)
         panel.automatic_toggled.connect(self.set_automatic)
         panel.take_requested.connect(self.take)
@@ -54,7 +57,7 @@ class LivePresenter:
         self._show()
 
     def toggle(self, on: bool) -> None:
-        """Take the sensors into use, or switch them off."""
+        """Start or stop the sensors."""
         if on:
             self._live.start()
             self._begin_step()
@@ -63,11 +66,11 @@ class LivePresenter:
         self._show()
 
     def set_automatic(self, on: bool) -> None:
-        """Take a picture by itself, or not, when the board or wall stands still in a new place."""
+        """Switch automatic capture, when the board or wall is steady in a new pose, on or off."""
         self._automatic = on
 
     def take(self) -> None:
-        """Take a picture now."""
+        """Capture an image."""
         folder, kind = self._folder(), self._presenter.live_kind
         if folder is None or self._live.taking or self._jobs.is_running(_KEEP):
             return
@@ -81,7 +84,7 @@ class LivePresenter:
         self._show()
 
     def tick(self) -> None:
-        """Take what has come; called many times a second."""
+        """Process what has arrived; called many times a second."""
         if not self._live.running:
             return
         states = self._live.states
@@ -96,7 +99,7 @@ class LivePresenter:
         self._show()
 
     def close(self) -> None:
-        """Switch the sensors off."""
+        """Stop the sensors."""
         self._jobs.cancel(_GLANCE)
         self._live.stop()
         self._sentence = ""
@@ -140,7 +143,7 @@ class LivePresenter:
 
     def _kept(self, folder: Path) -> None:
         self._live.end_taking()
-        if folder == self._folder():  # else another step was opened meanwhile
+        if folder == self._folder():  # otherwise another step was opened meanwhile
             self._presenter.look_at(folder)
 
     def _fail(self, error: Exception) -> None:

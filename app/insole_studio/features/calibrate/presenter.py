@@ -1,4 +1,4 @@
-"""Leads the technician through the calibration of one sensor; knows no widget."""
+"""Presenter of the calibration of one sensor; independent of widgets."""
 
 from __future__ import annotations
 
@@ -30,19 +30,20 @@ _KEPT_PICTURES = 128
 
 
 class CalibratePresenter:
-    """One sensor, one step, one folder of images at a time.
+    """Guides through one sensor, one step and one folder of images at a time.
 
     Parameters
     ----------
     panel
+        The calibrate panel.
     store
-        Keeps the sensors.
+        Storage of calibrated sensors.
     jobs
-        Runs the long work.
+        Runs long computations.
     ask_folder
-        Lets the user choose a folder; None is "never mind".
+        Lets the user choose a folder; None if cancelled.
     ask
-        Asks whether to save a result that can hardly be right; the sentence says why.
+        Asks whether to save an implausible result; the sentence gives the reason.
     """
 
     def __init__(
@@ -78,22 +79,22 @@ class CalibratePresenter:
 
     @property
     def serial(self) -> str:
-        """Of the sensor that is calibrated; empty while none is chosen."""
+        """Serial number of the chosen sensor; empty while none is chosen."""
         return self._serial if self._sensor is not None else ""
 
     @property
     def sensor(self) -> Sensor | None:
-        """The sensor as it is known so far."""
+        """The sensor as calibrated so far."""
         return self._sensor
 
     @property
     def step_key(self) -> str:
-        """Of the open step."""
+        """Key of the open step."""
         return self._step.key
 
     @property
     def live_kind(self) -> LiveKind:
-        """What the open step needs live pictures of."""
+        """Kind of live inspection of the open step."""
         return self._step.live
 
     @property
@@ -103,13 +104,13 @@ class CalibratePresenter:
 
     @property
     def readiness(self) -> Readiness | None:
-        """What the folder of the step shows so far."""
+        """Coverage and usability of the images in the folder of the step."""
         return self._readiness
 
     def choose_serial(self, serial: str) -> None:
-        """Take up a sensor; one that was never calibrated begins with the usual numbers."""
+        """Choose a sensor; one without a calibration starts from nominal values."""
         if serial.strip() == self._serial:
-            return  # a field also tells when it is merely left
+            return  # leaving the field also emits this signal
         self._serial, self._sensor = serial.strip(), None
         try:
             if self._serial:
@@ -126,19 +127,19 @@ class CalibratePresenter:
         self._open(next(step for step in STEPS if step.key == key))
 
     def edit_board(self, board: BoardSize) -> None:
-        """Take another board; what was looked at is looked at again."""
+        """Set the board and inspect the images again."""
         self._board = board
         if self._folder is not None and self._step.uses_board:
             self.look_at(self._folder)
 
     def ask_folder(self) -> None:
-        """Let the user choose the folder of images, and look at it."""
+        """Let the user choose the folder of images, and inspect it."""
         folder = self._ask_folder()
         if folder is not None:
             self.look_at(folder)
 
     def look_at(self, folder: Path) -> None:
-        """Look at every image of a folder, beside the window."""
+        """Inspect every image of a folder in the background."""
         self._forget()
         self._folder = folder
         step, sensor = self._step, self._sensor
@@ -150,12 +151,12 @@ class CalibratePresenter:
         self._start(inspect, self._show_readiness)
 
     def show_look(self, index: int) -> None:
-        """Show one of the images that were looked at."""
+        """Show one of the inspected images."""
         if self._readiness is not None and 0 <= index < len(self._readiness.looks):
             self._panel.show_picture(self._readiness.looks[index].picture)
 
     def calibrate(self) -> None:
-        """Run the step, beside the window."""
+        """Run the step in the background."""
         folder, sensor, step = self._folder, self._sensor, self._step
         if folder is None or sensor is None:
             return
@@ -166,7 +167,7 @@ class CalibratePresenter:
         self._start(work, self._show_result)
 
     def save(self) -> None:
-        """Keep the result for this sensor, with its reports; one in doubt when the user insists."""
+        """Save the result and its reports for this sensor; ask first if implausible."""
         result = self._result
         if result is None or (result.doubt and not self._ask(result.doubt)):
             return

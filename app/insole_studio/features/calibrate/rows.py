@@ -1,4 +1,4 @@
-"""What the calibrate panel shows, as values."""
+"""Values shown by the calibrate panel."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class StepRow:
 
 @dataclass(frozen=True)
 class LookRow:
-    """One picture or wall: its name, whether it can be used, and what it shows."""
+    """One image or wall: its name, whether it is usable, and what it shows."""
 
     name: str
     usable: bool
@@ -26,7 +26,7 @@ class LookRow:
 
 @dataclass(frozen=True)
 class BoardSize:
-    """The board in use: inner corners and side of a square."""
+    """The board in use: number of inner corners and side of a square."""
 
     columns: int = 10
     rows: int = 7
@@ -35,7 +35,7 @@ class BoardSize:
 
 @dataclass(frozen=True)
 class Buttons:
-    """Which buttons can be pressed."""
+    """Which buttons are enabled."""
 
     choose: bool = False
     calibrate: bool = False
@@ -44,7 +44,7 @@ class Buttons:
 
 @dataclass(frozen=True)
 class LiveRow:
-    """The live picture: whether it runs, what it shows, whether a picture can be taken."""
+    """The live image: whether it runs, what it shows, whether it can be captured."""
 
     running: bool = False
     sentence: str = ""

@@ -1,4 +1,4 @@
-"""The calibrate stage as a window of its own: view and presenters while it is open."""
+"""The calibrate stage as a window of its own, with its view and presenters."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ _TICK_MS = 50
 
 
 class CalibrateStage(StageFrame):
-    """Leads through the calibration of a sensor with live pictures, or pictures from folders.
+    """Window that guides through the calibration of a sensor, with live or stored images.
 
     Parameters
     ----------
     store
-        Keeps the sensors.
+        Storage of calibrated sensors.
     source
-        Where the live sensors are.
+        Source of the live sensors.
     folder
-        Keeps the pictures that are taken of them.
+        Folder for captured images.
     ask_folder
         Lets the user choose a folder; by default in a dialog.
     ask
-        Asks whether to save a result that can hardly be right; by default in a dialog.
+        Asks whether to save an implausible result; by default in a dialog.
     """
 
     closed = Signal()
@@ -70,7 +70,7 @@ class CalibrateStage(StageFrame):
         self._timer.start()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Switch the sensors off and stop what runs; nothing that was not saved is kept."""
+        """Stop sensors and jobs; unsaved results are dropped."""
         self._timer.stop()
         self.live.close()
         self.jobs.close()

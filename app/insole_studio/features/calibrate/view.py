@@ -1,4 +1,4 @@
-"""Lays out the calibrate stage: the steps left, the open one in the middle, its images right."""
+"""View of the calibrate stage: steps left, the open step in the middle, its images right."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _LEFT_PX, _MIDDLE_PX = 240, 360
 
 
 class CalibrateView(QWidget):
-    """Shows, and emits intents."""
+    """The calibrate panel; emits the user's intents."""
 
     serial_edited = Signal(str)
     step_chosen = Signal(str)
@@ -89,7 +89,7 @@ class CalibrateView(QWidget):
         self._layout()
 
     def show_serials(self, serials: Sequence[str]) -> None:
-        """Offer the sensors that are known; what is typed stays."""
+        """List the known sensors; text being typed is kept."""
         typed = self.serial.currentText()
         with QSignalBlocker(self.serial):
             self.serial.clear()
@@ -97,7 +97,7 @@ class CalibrateView(QWidget):
             self.serial.setCurrentText(typed)
 
     def show_steps(self, rows: Sequence[StepRow]) -> None:
-        """Show the steps, with the day each was done."""
+        """Show the steps, with the day on which each was done."""
         with QSignalBlocker(self.steps):
             self.steps.clear()
             for row in rows:
@@ -109,7 +109,15 @@ class CalibrateView(QWidget):
                     self.steps.setCurrentItem(item)
 
     def show_step(self, title: str, instruction: str, uses_board: bool) -> None:
-        """Show what the open step is."""
+        """Show the open step.
+
+        Parameters
+        ----------
+        title, instruction
+            Translated texts.
+        uses_board
+            Whether to show the fields of the board.
+        """
         self._title.setText(title)
         self._instruction.setText(instruction)
         self._board.setVisible(uses_board)
@@ -122,7 +130,7 @@ class CalibrateView(QWidget):
         self._square.show_value(board.square_mm)
 
     def show_looks(self, rows: Sequence[LookRow]) -> None:
-        """Show what each image shows."""
+        """Show the result of inspecting each image."""
         with QSignalBlocker(self.looks):
             self.looks.clear()
             for row in rows:
@@ -133,20 +141,20 @@ class CalibrateView(QWidget):
             self.looks.setCurrentRow(0)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB."""
+        """Show an image, (height, width, 3) uint8, RGB."""
         self._picture.show_picture(picture)
 
     def show_no_picture(self, sentence: str) -> None:
-        """Say in the place of the picture why there is none."""
+        """Show a sentence instead of the image."""
         self._picture.show_sentence(sentence)
 
     def show_serial(self, serial: str) -> None:
-        """Show the sensor that is calibrated."""
+        """Show the chosen sensor."""
         with QSignalBlocker(self.serial):
             self.serial.setCurrentText(serial)
 
     def show_live(self, row: LiveRow) -> None:
-        """Show how the live picture is."""
+        """Show the state of the live image."""
         with QSignalBlocker(self.live):
             self.live.setChecked(row.running)
         self.automatic.setVisible(row.running)
@@ -155,27 +163,27 @@ class CalibrateView(QWidget):
         self.live_sentence.setText(translate_core_message(row.sentence))
 
     def show_next(self, sentences: Sequence[str]) -> None:
-        """Show what comes next, or what was found."""
+        """Show what to do next, or the result."""
         self.next_steps.setText(
             "\n".join(f"• {translate_core_message(sentence)}" for sentence in sentences)
         )
 
     def show_error(self, sentence: str) -> None:
-        """Show what went wrong; an empty sentence hides it."""
+        """Show an error; an empty sentence hides it."""
         self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
-        """Show how far the work is; nothing when there is none."""
+        """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
-        """Enable what can be pressed."""
+        """Enable and disable the buttons."""
         self.choose.setEnabled(buttons.choose)
         self.calibrate.setEnabled(buttons.calibrate)
         self.save.setEnabled(buttons.save)
 
     def board(self) -> BoardSize:
-        """Give the board as it stands in the fields."""
+        """Return the board entered in the fields."""
         return BoardSize(self._columns.value(), self._rows.value(), self._square.value())
 
     def _board_form(self) -> QWidget:

@@ -1,4 +1,4 @@
-"""Capture a foot."""
+"""The action that opens the capture stage."""
 
 from __future__ import annotations
 

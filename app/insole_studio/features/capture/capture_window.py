@@ -1,4 +1,4 @@
-"""The capture stage in a window of its own: sensors are in use only while it is open."""
+"""The capture stage in a window of its own; sensors are in use only while it is open."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ log = logging.getLogger(__name__)
 
 
 class CaptureWindow(StageWindow["CaptureStage"]):
-    """Opens the capture stage; closed, it switches the sensors off.
+    """Opens the capture stage; the sensors are switched off when it closes.
 
-    A capture that runs keeps its finished views. What was captured is handed on when the window is
-    closed: both feet of a visit, one after the other.
+    A capture interrupted by closing keeps its finished views. Captured sessions are passed on after
+    the window has closed: those of both feet of a visit, one after the other.
     """
 
     captured = Signal(object)
-    """The path of a session that is to be opened."""
+    """The path of a captured session."""
 
     def __init__(self, services: AppServices, source: SensorSource) -> None:
         super().__init__()
@@ -38,10 +38,10 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         self._waiting: list[Path] = []
 
     def make_stage(self) -> CaptureStage:
-        """Take the sensors into use, with the views they had last time."""
+        """Create the stage with the last assignment of views, and start the sensors."""
         from insole_studio.features.capture.stage import CaptureStage
 
-        # Emulated sensors have the views of their recording.
+        # Emulated sensors take the views of their recording.
         emulated = self._source.emulate is not None
         return CaptureStage(
             source=self._source,
@@ -51,17 +51,17 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         )
 
     def connect_stage(self, stage: CaptureStage) -> None:
-        """Collect what is captured, until the stage is closed."""
+        """Collect the captured sessions until the stage is closed."""
         stage.kept.connect(self._waiting.append)
         stage.closed.connect(self.hand_on)
 
     def hand_on(self) -> None:
-        """Hand on the next session that waits, if any."""
+        """Pass on the next waiting session, if any."""
         if self._waiting:
             self.captured.emit(self._waiting.pop(0))
 
     def close(self) -> None:
-        """Close the stage with the program; nothing is opened any more."""
+        """Close the stage at the end of the program; nothing is passed on."""
         self._waiting.clear()
         super().close()
 

@@ -1,4 +1,4 @@
-"""The words of hints to the person who sets a sensor up."""
+"""Texts of the hints for setting up a sensor."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from insole_studio.texts import tr
 
 
 def hint_text(hint: Hint) -> str:
-    """Say what there is to change."""
+    """Return the translated text of a hint."""
     texts = {
         HintKind.NOTHING_MEASURED: tr("Almost nothing is measured; check distance and light"),
         HintKind.TOO_NEAR: tr("Too near: {found:.0f} mm, at least {wanted:.0f} mm is good"),

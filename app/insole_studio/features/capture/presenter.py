@@ -1,4 +1,4 @@
-"""Between the capture stage and the capture service."""
+"""Presenter of the capture stage: connects its panel with the capture service."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _PUBLISHING = "publish"
 
 
 class CapturePanel(Protocol):
-    """What the stage shows, and the intents it emits."""
+    """The capture panel as its presenter sees it, with the signals it emits."""
 
     capture_requested: Any
     cancel_requested: Any
@@ -73,36 +73,39 @@ class CapturePanel(Protocol):
 
 
 class Service(Pictures, Protocol):
-    """What the presenter needs of the capture service."""
+    """The part of the capture service that the presenter uses."""
 
     def send(self, command: Command) -> None: ...  # noqa: D102
     def news(self) -> list[Event]: ...  # noqa: D102
 
 
 class CapturePresenter:
-    """Shows the sensors live, captures, and hands the session over.
+    """Shows the sensors live, captures, and passes the session on.
 
     Parameters
     ----------
     panel
+        The capture panel.
     service
+        The capture service.
     setup
+        Reference system and sensors.
     jobs
-        For guidance and for writing; apart from the window's, whose progress is shown.
+        For guidance and writing; separate from the window's jobs, whose progress is shown.
     assignment
-        View and serial number as they were last time.
+        Last assignment: pairs of view and serial number.
     folder
         For drafts and finished sessions.
     options
-        What is chosen at first.
+        Initial options.
     left
-        What an unfinished capture has left, if anything.
+        An unfinished capture of an earlier run, if any.
     remember
-        Is told a new assignment.
+        Called with each new assignment.
     kept
-        Is given the path of each session, to be opened in the end.
+        Called with the path of each finished session.
     finished
-        Is called when nothing more is to be captured.
+        Called when no further capture follows.
     """
 
     def __init__(
@@ -160,11 +163,11 @@ class CapturePresenter:
 
     @property
     def is_capturing(self) -> bool:
-        """Whether a capture runs."""
+        """Whether a capture is running."""
         return self._status is not None and not self._status.phase.is_end
 
     def tick(self) -> None:
-        """Take the news and the newest pictures; called many times a second."""
+        """Fetch events and the newest images; called many times a second."""
         news = self._service.news()
         for event in news:
             self._take(event)
@@ -180,7 +183,7 @@ class CapturePresenter:
             self._show()
 
     def capture(self) -> None:
-        """Capture all views, or those that are missing after a failure."""
+        """Capture all views, or those that a failed capture is missing."""
         plan = self._plan(self._panel.show_sentence)
         if plan is None:
             return
@@ -197,7 +200,7 @@ class CapturePresenter:
             self._start(plan.only([shot.view for shot in plan.shots if shot.place == view]))
 
     def resume(self) -> None:
-        """Go on with what an unfinished capture has left."""
+        """Continue the unfinished capture of an earlier run."""
         left, self._left = self._left, None
         if left is None or self.is_capturing:
             return
@@ -216,34 +219,34 @@ class CapturePresenter:
         )
 
     def discard(self) -> None:
-        """Throw away what an unfinished capture has left."""
+        """Delete the unfinished capture of an earlier run."""
         left, self._left = self._left, None
         if left is not None:
             left.discard()
         self._show()
 
     def use(self) -> None:
-        """Put the session where sessions are kept, and hand it over."""
+        """Keep the session and finish."""
         self._publish(self._finish)
 
     def turn_to_other_foot(self) -> None:
-        """Keep the session of this foot, and begin with the other."""
+        """Keep the session of this foot and begin with the other."""
         other = Side.RIGHT if self.options.side is Side.LEFT else Side.LEFT
         self._publish(lambda: self._turn_to(other))
 
     def name_view(self, serial: str, view: str) -> None:
-        """Give a sensor a view; the one that had it gets this one's."""
+        """Assign a view to a sensor; the sensor that had it gets this one's view."""
         self._assignment.name(serial, view)
         self._assigned()
 
     def swap_views(self, one: str, other: str) -> None:
-        """Exchange the views of two sensors."""
+        """Swap the views of two sensors."""
         if one != other and not self.is_capturing:
             self._assignment.swap(one, other)
             self._assigned()
 
     def edit_options(self, options: CaptureOptions) -> None:
-        """Take what the user chose; another side begins a capture of its own."""
+        """Apply the options; another side begins a new capture."""
         if options.side is not self.options.side:
             self._forget_draft()
         self.options = options
@@ -262,7 +265,7 @@ class CapturePresenter:
             self._panel.show_sentence(event)
 
     def _welcome(self) -> None:
-        """Give sensors that are new a view, and watch each for the one it is to give now."""
+        """Assign views to new sensors, and start following each sensor."""
         serials = [state.serial for state in self._sensors.states]
         for serial in serials:
             self._assignment.welcome(serial, serials)
@@ -271,13 +274,13 @@ class CapturePresenter:
                 self._watches[serial] = SensorWatch(self._setup, serial, view)
 
     def _view_of(self, serial: str) -> str:
-        """Give the view that a sensor is to give now; one that is moved gives several."""
+        """Return the view a sensor captures next; a sensor moved by hand captures several."""
         running = self._status.views if self._status is not None and self.is_capturing else ()
         coming = (view for view in running if view.serial == serial and not view.finished)
         return next((view.place for view in coming), self._assignment.view(serial))
 
     def _guide(self) -> None:
-        """Judge the pictures of one sensor after the other, beside the window."""
+        """Judge the images of the sensors in turn, in the background."""
         if self._jobs.is_running("guide"):
             return
         waiting = [self._watches[s.serial] for s in self._sensors.states if s.problem is None]
@@ -388,7 +391,7 @@ class CapturePresenter:
         )
 
     def _retakes(self, serial: str) -> tuple[str, ...]:
-        """Give the views of a sensor that are whole, by the place it stood at."""
+        """Return the positions of a sensor at which all its views are complete."""
         plan = self._plan() if self._finished else None
         shots = [shot for shot in plan.shots if shot.serial == serial] if plan is not None else []
         missing = {shot.place for shot in shots if shot.view not in self._finished}
@@ -431,7 +434,7 @@ class CapturePresenter:
 
 
 def _offer(left: UnfinishedCapture) -> str:
-    """Say what an unfinished capture has left."""
+    """Return the text that offers to continue an unfinished capture."""
     begun = datetime.fromisoformat(left.manifest.recorded_at).astimezone()
     return tr(
         "The capture of {time} ({side} foot) was not used; {there} of {wanted} views are there."

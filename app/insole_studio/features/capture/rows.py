@@ -1,4 +1,4 @@
-"""What the capture stage shows, as values."""
+"""Values shown by the capture stage."""
 
 from __future__ import annotations
 
@@ -18,24 +18,26 @@ USUAL_VIEWS = ("left", "right", "top")
 
 @dataclass(frozen=True)
 class CaptureOptions:
-    """What the user chooses before a capture.
+    """The options of a capture.
 
     Parameters
     ----------
     side
+        Side of the foot.
     weight_bearing
         ``none``, ``semi`` or ``full``.
     held
         Whether somebody holds the foot.
     notes
+        Free text for the session.
     mode
-        The sensors one after the other, all at once, or moved by hand from view to view.
+        Sensors in sequence, all at once, or moved by hand from view to view.
     views
-        Where sensors are moved: all views, in order.
+        All views in order, if sensors are moved by hand.
     frames
-        Depth frames a view.
+        Depth frames per view.
     bursts
-        Series a view, a degree of tilt apart.
+        Series per view, each tilted by one degree.
     """
 
     side: Side = Side.LEFT
@@ -50,21 +52,22 @@ class CaptureOptions:
 
 @dataclass(frozen=True)
 class SensorRow:
-    """One sensor's card.
+    """The card of one sensor.
 
     Parameters
     ----------
     serial, view
+        Serial number and assigned view.
     title
-        The view with the depth in the middle of the picture.
+        Name of the view and depth in the image centre.
     facts
-        Frame rate, losses, valid pixels, markers.
+        Frame rate, lost frames, valid pixels, markers.
     hints
         What to change, the most urgent first.
     problem
-        Why it sends nothing; None where it sends.
+        Why the sensor sends nothing; None if it does.
     progress
-        How far the capture of its view is.
+        Completed share of the capture of its view.
     retakes
         Its views that can be captured again.
     """
@@ -86,21 +89,23 @@ class CaptureRow:
     Parameters
     ----------
     running
+        Whether a capture is running.
     fraction
-        The share that is done.
+        Completed share.
     sentence
-        What goes on, or how it ended.
+        What is being done, or how it ended.
     button
-        What the large button says.
+        Text of the large button.
     can_capture
+        Whether a capture can be started.
     can_use
-        Whether a session is ready to be opened.
+        Whether a session can be opened.
     is_whole
-        Whether all its views are there, so that it is time to open it.
+        Whether it has all views, so that opening it is the next step.
     waits_for_hand
-        Whether somebody has to say that a sensor stands.
+        Whether the user has to confirm that a sensor is in position.
     offer
-        What an unfinished capture has left, to be gone on with; empty where there is none.
+        Text that offers to continue an unfinished capture; empty if there is none.
     """
 
     running: bool = False
@@ -115,5 +120,5 @@ class CaptureRow:
 
 
 def depth_coloring() -> Coloring:
-    """Give the colours of the depth pictures, for the legend."""
+    """Return the colour map of the depth images, for the legend."""
     return Coloring(np.empty(0), DEPTH_RANGE_MM, tr("Depth"))

@@ -1,4 +1,4 @@
-"""The card of one sensor: depth above, colour below, and what can be done with it."""
+"""The card of one sensor: depth image above, colour image below, and its controls."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ VIEWS = ("left", "right", "top", *(f"view_{number}" for number in range(4, 9)))
 
 
 class SensorCard(QFrame):
-    """Lays out one sensor; drag a card onto another one to exchange their views."""
+    """The card of one sensor; dropping it onto another card swaps their views."""
 
     view_chosen = Signal(str, str)
     dropped = Signal(str, str)
@@ -64,7 +64,7 @@ class SensorCard(QFrame):
         self._lay_out()
 
     def show_row(self, row: SensorRow) -> None:
-        """Show everything but the pictures."""
+        """Show everything except the images."""
         self._title.setText(f"{row.title}   {row.progress}".rstrip())
         self._facts.setText(row.facts)
         told = translate_core_message(row.problem or "") or " · ".join(row.hints)
@@ -78,19 +78,19 @@ class SensorCard(QFrame):
         self._retake.setEnabled(bool(row.retakes))
 
     def show_pictures(self, depth: ByteArray | None, color: ByteArray | None) -> None:
-        """Show new pictures (height, width, 3) uint8, RGB; None leaves the one before."""
+        """Show new images (height, width, 3) uint8, RGB; None keeps the current one."""
         if depth is not None:
             self._depth.show_picture(depth)
         if color is not None:
             self._color.show_picture(color)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take other cards."""
+        """Accept other cards."""
         if event.mimeData().hasFormat(MIME):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Exchange views with the card that was dropped."""
+        """Swap views with the dropped card."""
         other = bytes(event.mimeData().data(MIME).data()).decode()
         event.acceptProposedAction()
         self.dropped.emit(other, self.serial)
@@ -131,7 +131,7 @@ class SensorCard(QFrame):
         return row
 
     def _retake_view(self) -> None:
-        """Order a view anew; of a sensor that gave several, the one that is chosen."""
+        """Request a new capture of a view; if the sensor has several, offer a menu."""
         if len(self._retakes) == 1:
             self._emit_retake(self._retakes[0])
             return
@@ -161,7 +161,7 @@ class _Grip(QLabel):
         )
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Begin to drag."""
+        """Start dragging."""
         if not event.buttons() & Qt.MouseButton.LeftButton or QApplication.activeModalWidget():
             return
         data = QMimeData()

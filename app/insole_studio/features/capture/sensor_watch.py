@@ -1,4 +1,4 @@
-"""One sensor as the stage follows it: its newest pictures and what they say."""
+"""The state of one sensor in the capture stage: its newest images and their assessment."""
 
 from __future__ import annotations
 
@@ -30,22 +30,34 @@ _FULL_COLOR = (1280, 1024)
 
 
 class Pictures(Protocol):
-    """Where the newest pictures are."""
+    """Source of the newest images."""
 
     def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
-        """Give the newest picture of a sensor if it is newer than number `after`."""
+        """Return the newest image of a sensor if its number is greater than `after`.
+
+        Parameters
+        ----------
+        slot
+            Index of the sensor in the shared buffer.
+        kind
+            Depth, colour or infrared.
+        after
+            Number of the last image seen.
+        """
         ...
 
 
 class SensorWatch:
-    """Follows one sensor.
+    """The newest images of one sensor and what they show.
 
     Parameters
     ----------
     setup
+        Reference system and sensors.
     serial
+        Serial number of the sensor.
     view
-        Tells which markers it should see.
+        Its view, which decides which markers it should see.
     """
 
     def __init__(self, setup: CaptureSetup, serial: str, view: str) -> None:
@@ -67,7 +79,14 @@ class SensorWatch:
     def look(
         self, state: SensorState, pictures: Pictures
     ) -> tuple[ByteArray | None, ByteArray | None]:
-        """Give the newest depth, coloured and half the size, and colour; None where none is new."""
+        """Fetch the newest images.
+
+        Returns
+        -------
+        tuple
+            Colour-mapped depth at half size, and colour, each (height, width, 3) uint8, RGB; None
+            for an image that is not new.
+        """
         depth, color = (self._newest(state, kind, pictures) for kind in ("depth", "color"))
         if depth is not None:
             self._depth = depth.image
@@ -84,7 +103,7 @@ class SensorWatch:
         return found
 
     def guidance_task(self) -> Callable[[Progress], Guidance] | None:
-        """Give the work of judging the pictures, if there are two to compare."""
+        """Return a job that judges the images; None until there are two to compare."""
         depth, color = self._depth, self._color
         before, self._guided_depth = self._guided_depth, depth
         self.guided_at_s = time.monotonic()
@@ -95,7 +114,7 @@ class SensorWatch:
         return lambda _progress: guide(sensor, system, volume, snapshot)
 
     def take_guidance(self, guidance: Guidance) -> None:
-        """Take the judgement of the pictures."""
+        """Store the assessment of the images."""
         self._guidance = guidance
 
     @property
@@ -104,12 +123,12 @@ class SensorWatch:
         return tuple(map(hint_text, self._guidance.hints)) if self._guidance is not None else ()
 
     def title(self) -> str:
-        """Name the view with the depth in the middle of its picture."""
+        """Return the name of the view and the depth in the image centre."""
         depth = f"{self._centre_mm:.0f} mm" if self._centre_mm is not None else "– mm"
         return f"{view_text(self.view)} · {depth}"
 
     def facts(self, state: SensorState) -> str:
-        """Say frame rate and losses, valid pixels and markers."""
+        """Return frame rate and losses, valid pixels and markers as text."""
         rate = tr("{fps:.0f} frames/s, {lost} lost").format(fps=state.fps, lost=state.discarded)
         if state.phase is CapturePhase.WARMING_UP:
             minutes = tr("warm in {minutes:.0f} min").format(

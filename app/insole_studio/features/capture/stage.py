@@ -1,4 +1,4 @@
-"""The capture stage as a window of its own: service, view and presenter while it is open."""
+"""The capture stage as a window of its own, with its service, view and presenter."""
 
 from __future__ import annotations
 
@@ -26,27 +26,27 @@ _SIZE = (1200, 720)
 
 
 class CaptureStage(StageFrame):
-    """Sensors are in use, and their emitters on, from construction to closing.
+    """Window of the capture stage; sensors and their emitters are on from construction to closing.
 
     Parameters
     ----------
     source
-        Where the sensors are.
+        Source of the sensors.
     assignment
-        View and serial number as they were last time.
+        Last assignment: pairs of view and serial number.
     folder
         For drafts and finished sessions.
     remember
-        Is told a new assignment.
+        Called with each new assignment.
 
     Raises
     ------
     InputError
-        When the reference system or the emulated session cannot be read.
+        If the reference system or the emulated session cannot be read.
     """
 
     kept = Signal(object)
-    """The path of a session that is to be opened once this window is closed."""
+    """The path of a finished session, to be opened once this window is closed."""
     closed = Signal()
 
     def __init__(
@@ -87,7 +87,7 @@ class CaptureStage(StageFrame):
         self._timer.start()
 
     def end(self) -> None:
-        """Switch the sensors off; a capture that runs keeps its finished views."""
+        """Switch the sensors off; a running capture keeps its finished views."""
         self._timer.stop()
         self._jobs.close()
         self._service.close()
@@ -101,7 +101,7 @@ class CaptureStage(StageFrame):
 
 
 def first_options(source: SensorSource) -> CaptureOptions:
-    """Give what is chosen at first: emulated sensors are captured as they were recorded."""
+    """Return the initial options; emulated sensors are captured as they were recorded."""
     if source.session is None:
         return CaptureOptions()
     request = PlanRequest(source.usual_views(), bursts=source.usual_bursts())
@@ -109,7 +109,7 @@ def first_options(source: SensorSource) -> CaptureOptions:
 
 
 def _lock_drafts(folder: Path) -> QLockFile:
-    """Take the drafts for this window; another one's are in use, so they are not offered."""
+    """Lock the drafts for this window, so that no other window offers them as unfinished."""
     folder.mkdir(parents=True, exist_ok=True)
     lock = QLockFile(str(folder / "captures.lock"))
     lock.tryLock(0)

@@ -1,4 +1,4 @@
-"""The capture stage: a card for each sensor, the choices, and one large button."""
+"""View of the capture stage: a card per sensor, the options, and one large button."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _FIND = "find"
 
 
 class CaptureView(QWidget):
-    """Lays out the stage."""
+    """The capture panel; emits the user's intents."""
 
     capture_requested = Signal()
     cancel_requested = Signal()
@@ -88,7 +88,7 @@ class CaptureView(QWidget):
         layout.addLayout(self._button_row())
 
     def show_sensors(self, rows: Sequence[SensorRow]) -> None:
-        """Show a card for each sensor, in this order."""
+        """Show a card per sensor, in this order."""
         for serial in set(self._cards) - {row.serial for row in rows}:
             card = self._cards.pop(serial)
             card.hide()
@@ -101,12 +101,20 @@ class CaptureView(QWidget):
         self._legend.show()
 
     def show_pictures(self, serial: str, depth: ByteArray | None, color: ByteArray | None) -> None:
-        """Show new pictures of a sensor."""
+        """Show new images of a sensor.
+
+        Parameters
+        ----------
+        serial
+            Serial number of the sensor.
+        depth, color : (height, width, 3) uint8, RGB
+            None keeps the current image.
+        """
         if serial in self._cards:
             self._cards[serial].show_pictures(depth, color)
 
     def show_capture(self, row: CaptureRow) -> None:
-        """Show how far the capture is, and what can be done."""
+        """Show the progress of the capture and the possible actions."""
         self._capture.setText(row.button)
         self._capture.setEnabled(row.can_capture)
         self._capture.setVisible(not row.waits_for_hand)
@@ -125,7 +133,7 @@ class CaptureView(QWidget):
             field.setEnabled(not row.running)
 
     def show_options(self, options: CaptureOptions) -> None:
-        """Show other choices."""
+        """Show the options."""
         self._options = options
         self._badge.show_side(options.side)
         self._side.show_value(options.side.value)
@@ -143,14 +151,14 @@ class CaptureView(QWidget):
         self._views.setVisible(options.mode == "moved")
 
     def show_empty(self, sentence: str) -> None:
-        """Say why no sensor is there."""
+        """Explain why there is no sensor."""
         self.show_sensors([])
         self._empty.show_offers(translate_core_message(sentence), {_FIND: tr("Look again")})
         self._pages.setCurrentIndex(0)
         self._legend.hide()
 
     def show_sentence(self, sentence: str) -> None:
-        """Show a sentence that has to be read."""
+        """Show a message to the user."""
         self._warning.setText(translate_core_message(sentence))
         self._warning.setVisible(bool(sentence))
 
@@ -217,7 +225,7 @@ class CaptureView(QWidget):
 
     @property
     def _fields(self) -> tuple[QWidget, ...]:
-        """What cannot be changed while a capture runs."""
+        """The widgets that are disabled while a capture runs."""
         foot = (self._side, self._weight, self._held)
         return (*foot, self._mode, self._views, self._frames, self._bursts)
 
@@ -241,7 +249,7 @@ class CaptureView(QWidget):
         self._offer.hide()
 
     def _ask_to_discard(self, asking: bool) -> None:
-        """What is deleted does not come back: this is asked once, where it was ordered."""
+        """Ask once, in place, before anything is deleted for good."""
         for button in self._first:
             button.setVisible(not asking)
         for button in self._second:
@@ -260,7 +268,7 @@ class CaptureView(QWidget):
         self._cancel = QPushButton(tr("Cancel"))
         self._placed = QPushButton(tr("The sensor stands"))
         self._placed.setToolTip(tr("Capture the view (F5)"))
-        for large in (self._capture, self._placed):  # only one of them is seen
+        for large in (self._capture, self._placed):  # only one of them is visible
             large.setMinimumHeight(48)
             large.setShortcut(Qt.Key.Key_F5)
         self._use = QPushButton(tr("Use this scan"))
@@ -290,7 +298,7 @@ class CaptureView(QWidget):
         return column
 
     def _order(self, signal: Any) -> None:
-        """Take the last warning away; what follows may bring another one."""
+        """Hide the last message and emit a signal, which may cause another one."""
         self.show_sentence("")
         signal.emit()
 

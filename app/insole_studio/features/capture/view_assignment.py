@@ -1,4 +1,4 @@
-"""Which sensor gives which view, and what is to be captured by that."""
+"""Which sensor captures which view, and the plan request that follows."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))
 
 
 class ViewAssignment:
-    """View by serial number; sensors that are not plugged in keep theirs.
+    """Views by serial number; disconnected sensors keep theirs.
 
     Parameters
     ----------
     pairs
-        View and serial number; of a sensor that is named twice the first counts.
+        View and serial number; of a sensor that occurs twice the first pair counts.
     """
 
     def __init__(self, pairs: Iterable[tuple[str, str]]) -> None:
@@ -25,7 +25,7 @@ class ViewAssignment:
         self.take(pairs)
 
     def take(self, pairs: Iterable[tuple[str, str]]) -> None:
-        """Assign anew, for the sensors that are named."""
+        """Assign views to the sensors named in the pairs."""
         first: dict[str, str] = {}
         for view, serial in pairs:
             first.setdefault(serial, view)
@@ -33,35 +33,50 @@ class ViewAssignment:
 
     @property
     def pairs(self) -> list[tuple[str, str]]:
-        """View and serial number."""
+        """Pairs of view and serial number."""
         return [(view, serial) for serial, view in self._views.items()]
 
     def view(self, serial: str) -> str:
-        """Give the view of a sensor."""
+        """Return the view of a sensor."""
         return self._views[serial]
 
     def welcome(self, serial: str, present: Collection[str]) -> None:
-        """Give a sensor that is new a view that no other has."""
+        """Assign an unused view to a new sensor.
+
+        Parameters
+        ----------
+        serial
+            Serial number of the new sensor.
+        present
+            Serial numbers of the connected sensors.
+        """
         if serial not in self._views:
             taken = {view for other, view in self._views.items() if other in present}
             names = (*USUAL_VIEWS, *_FURTHER_VIEWS)
             self._views[serial] = next(name for name in names if name not in taken)
 
     def name(self, serial: str, view: str) -> None:
-        """Give a sensor a view; the one that had it gets this one's."""
+        """Assign a view to a sensor; the sensor that had it gets this one's view."""
         for other, taken in self._views.items():
             if taken == view and other != serial:
                 self._views[other] = self._views[serial]
         self._views[serial] = view
 
     def swap(self, one: str, other: str) -> None:
-        """Exchange the views of two sensors."""
+        """Swap the views of two sensors."""
         self._views[one], self._views[other] = self._views[other], self._views[one]
 
     def request(self, ready: Iterable[str], options: CaptureOptions) -> PlanRequest:
-        """Say what is to be captured by the sensors that are ready.
+        """Return the request for a capture by the ready sensors.
 
-        Where sensors are moved by hand, a view that has none is taken by the first one.
+        If sensors are moved by hand, the first one captures the views without a sensor.
+
+        Parameters
+        ----------
+        ready
+            Serial numbers of the ready sensors.
+        options
+            Options of the capture.
         """
         own = sorted((self._views[serial], serial) for serial in ready)
         if options.mode == "moved" and own:
@@ -76,7 +91,15 @@ class ViewAssignment:
 
 
 def options_of(request: PlanRequest, options: CaptureOptions) -> CaptureOptions:
-    """Give the choices that lead to a request, as far as it tells."""
+    """Return the options with those that a request determines replaced.
+
+    Parameters
+    ----------
+    request
+        Request of an earlier capture.
+    options
+        The options to complete it with.
+    """
     serials = [serial for _, serial in request.assignment]
     moved = len(set(serials)) < len(serials)
     return replace(

@@ -1,4 +1,4 @@
-"""Open, save and begin a case."""
+"""Actions that open, save and create cases."""
 
 from __future__ import annotations
 

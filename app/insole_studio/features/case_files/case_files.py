@@ -1,4 +1,4 @@
-"""The files of cases, sessions and scans: opened, saved, and watched for changes."""
+"""Files of cases, sessions and scans: opened, saved, and monitored for changes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class CaseFiles:
-    """What opens and what saves."""
+    """The actions for opening and saving, and the monitor of scans."""
 
     opener: OpenActions
     saver: SaveActions
@@ -29,9 +29,11 @@ def make_case_files(
     Parameters
     ----------
     services
+        Services shared by all features.
     autosave
+        Autosave of the open case.
     reconstruct
-        Called with the path of a session that is to become a foot.
+        Called with the path of a session to be reconstructed.
     """
     ScanMonitor(services, services.window)
     saver = SaveActions(services)

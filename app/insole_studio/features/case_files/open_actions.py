@@ -1,4 +1,4 @@
-"""What the bench is filled with: cases, sessions, meshes, and what a crash has left."""
+"""Open cases, sessions and meshes, and recover unsaved work after a crash."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ from insole_studio.texts import tr, translate_core_message
 CHANNEL = "open"
 NOTICE = "scan"
 LINE_LETTERS = 160
-"""What the status line holds of a small window."""
+"""Number of characters that the status bar of a small window shows."""
 EXAMPLE = "example/example.insole"
 
 
 class OpenActions:
-    """Reads beside the window, then puts what was read onto the bench."""
+    """Reads files in the background, then shows their content in the window."""
 
     def __init__(
         self,
@@ -52,7 +52,15 @@ class OpenActions:
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
-        """Open a case, a session or a mesh, whatever the path is."""
+        """Open a case, a session or a mesh, depending on the path.
+
+        Parameters
+        ----------
+        path
+            Case file, session or mesh.
+        side
+            Side of a mesh; the user is asked if it is None.
+        """
         try:
             kind = kind_of(path)
         except InsoleError as error:
@@ -66,27 +74,27 @@ class OpenActions:
             self._open_session(path.parent if kind == "manifest" else path)
 
     def ask_open_case(self) -> None:
-        """Let the user choose a case."""
+        """Let the user choose a case and open it."""
         self._open_chosen(self._messages.questions.file_to_open(case_kinds()))
 
     def ask_open_session(self) -> None:
-        """Let the user choose the folder of a session."""
+        """Let the user choose the folder of a session and open it."""
         self._open_chosen(self._messages.questions.folder_to_open())
 
     def ask_open_mesh(self) -> None:
-        """Let the user choose an archive or a mesh."""
+        """Let the user choose an archive or a mesh and open it."""
         self._open_chosen(self._messages.questions.file_to_open(scan_kinds()))
 
     def new_case(self) -> None:
-        """Begin with an empty case."""
+        """Start an empty case."""
         self._saver.after_unsaved(lambda: self._case.open(CaseRecord(), None))
 
     def open_example(self) -> None:
-        """Open the case that comes with the product."""
+        """Open the example case that ships with the product."""
         self.open_path(resource_path(EXAMPLE))
 
     def offer_recovered(self, recovered: Recovered) -> None:
-        """Open what a crash has left; it stays unsaved, under a copy of this window's own."""
+        """Open the work recovered after a crash, unsaved, with an autosave copy of its own."""
         self._case.open(recovered.record, recovered.path, unsaved=True)
         self._messages.say(
             tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
@@ -95,9 +103,9 @@ class OpenActions:
         recovered.discard()
 
     def take_scan(self, scanned: ScannedFoot) -> None:
-        """Put a foot onto the bench; one that was made anew of the same scan keeps its design."""
+        """Add a foot to the case; one reconstructed from the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
-        # What was found last is about the foot, what was found first about the file.
+        # The latest findings concern the foot, the first ones the file.
         self._tell(" ".join(map(translate_core_message, reversed(scanned.foot.notes))))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
@@ -107,7 +115,7 @@ class OpenActions:
             self._put_on_bench(scanned)
 
     def _tell(self, notes: str) -> None:
-        """Say how the scan was read; more than the status line holds stays until dismissed."""
+        """Show how the scan was read; texts too long for the status bar become a notice."""
         self._notices.drop(NOTICE)
         if len(notes) > LINE_LETTERS:
             self._notices.put(NOTICE, notes)
@@ -164,7 +172,7 @@ class OpenActions:
         self._services.jobs.start(CHANNEL, task_of, opened, failed)
 
     def _put_on_bench(self, scanned: ScannedFoot) -> None:
-        """Add a foot to the case; one that is there already is replaced, or begins a new case."""
+        """Add a foot to the case; one of the same side is replaced, or kept in the old case."""
         foot = FootRecord.begun(scanned.foot, scanned.source)
         record = self._case.record
         before = record.of_side(foot.side)
@@ -187,7 +195,7 @@ class OpenActions:
 
 
 def _is_untouched(foot: FootRecord) -> bool:
-    """Whether nothing was done on a foot yet."""
+    """Return whether a foot has not been edited yet."""
     begun = FootRecord.begun(foot.foot, foot.source)
     return (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
 

@@ -1,4 +1,4 @@
-"""Saving the case; nothing that is not saved is left without a question."""
+"""Save the case, and ask before unsaved work is lost."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _nothing() -> None:
 
 
 class SaveActions:
-    """Writes the case beside the window."""
+    """Writes the case in the background."""
 
     def __init__(self, services: AppServices) -> None:
         self._services = services
@@ -33,21 +33,21 @@ class SaveActions:
         self._recent = services.recent
 
     def save(self) -> None:
-        """Save to the file of the case; ask for one where there is none."""
+        """Save to the file of the case; let the user choose one if there is none."""
         if self._case.path is None:
             self.ask_save()
         else:
             self.save_to(self._case.path)
 
     def ask_save(self, then: Then = _nothing) -> None:
-        """Let the user choose where to save."""
+        """Let the user choose a file, save, and then call `then`."""
         suggestion = f"{file_stem(self._case)}{CASE_SUFFIX}"
         path = self._messages.questions.file_to_write(suggestion, case_kinds())
         if path is not None:
             self.save_to(path.with_suffix(CASE_SUFFIX), then)
 
     def save_to(self, path: Path, then: Then = _nothing) -> None:
-        """Save beside the window; then do something more."""
+        """Save in the background, then call `then`."""
         record = self._case.record
 
         def write(progress: Progress) -> None:
@@ -62,7 +62,7 @@ class SaveActions:
         self._services.run(CHANNEL, write, saved)
 
     def after_unsaved(self, then: Then) -> None:
-        """Go on, once nothing can be lost by it."""
+        """Call `then` once no unsaved work can be lost."""
         if not self._case.has_unsaved_changes or self._case.is_empty:
             then()
             return

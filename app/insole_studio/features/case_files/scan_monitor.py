@@ -1,4 +1,4 @@
-"""Says, without asking, what is odd about the scans of a case."""
+"""Warn about scans of a case that have changed or look suspicious."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SOURCES, SIZES = "sources", "sizes"
 
 
 class ScanMonitor(QObject):
-    """Looks at the scans when a case is opened, and at the sizes of its feet; by itself."""
+    """Checks the scans of each opened case, and the sizes of its feet."""
 
     def __init__(self, services: AppServices, parent: QObject) -> None:
         super().__init__(parent)
@@ -58,6 +58,6 @@ class ScanMonitor(QObject):
 
 
 def changes_of(record: CaseRecord) -> str:
-    """Say in a sentence a foot what has become of its scan; empty where nothing has."""
+    """Return one sentence per foot whose scan has changed; empty if none has."""
     sentences = (change_of_source(foot.source) for foot in record.feet)
     return joined(filter(None, sentences), " ")

@@ -1,4 +1,4 @@
-"""Compare surfaces."""
+"""The action that opens the compare stage."""
 
 from __future__ import annotations
 

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
 
 
 class CompareWindow(StageWindow["CompareStage"]):
-    """Opens the compare stage on the open case."""
+    """Opens the compare stage for the open case."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__()
         self._services = services
 
     def make_stage(self) -> CompareStage:
-        """Construct the stage in the theme of now."""
+        """Create the stage in the current theme."""
         from insole_studio.features.compare.stage import CompareStage
 
         return CompareStage(self._services.case, self._services.dark)

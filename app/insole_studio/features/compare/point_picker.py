@@ -1,4 +1,4 @@
-"""Picks places on a surface: a click on it is a place, a drag beside it turns the view."""
+"""Pick points on a surface: a click picks, a drag rotates the view."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _STILL_PX = 4.0
 
 
 class PointPicker:
-    """Acts on the pointer of a view.
+    """Picks points with the pointer of a view.
 
     Parameters
     ----------
     picked
-        Told the place (3,), mm, in the frame of what is shown.
+        Called with the point (3,), mm, in the frame of the surface.
     """
 
     def __init__(self, picked: Callable[[FloatArray], None]) -> None:
@@ -28,17 +28,17 @@ class PointPicker:
         self._pressed: PointerEvent | None = None
 
     def press(self, event: PointerEvent) -> bool:
-        """Take a press on the surface."""
+        """Accept a press on the surface."""
         if not self.is_on or event.surface_mm is None:
             return False
         self._pressed = event
         return True
 
     def move(self, event: PointerEvent) -> None:
-        """Wait for the release."""
+        """Ignore the move: only the release counts."""
 
     def release(self, event: PointerEvent) -> None:
-        """Take the place, if the pointer has stayed there."""
+        """Pick the point if the pointer has not moved since the press."""
         pressed, self._pressed = self._pressed, None
         if pressed is None or pressed.surface_mm is None:
             return
@@ -51,11 +51,11 @@ class PointPicker:
         return held
 
     def double_click(self, event: PointerEvent) -> bool:
-        """Leave it to the camera."""
+        """Leave the double click to the camera."""
         return False
 
     def offers(self, event: PointerEvent) -> Sequence[OfferedItem]:
-        """Offer nothing."""
+        """Return no context menu items."""
         return ()
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:

@@ -1,4 +1,4 @@
-"""Compares any two surfaces: reads them, lays one on the other, shows how far they differ."""
+"""Presenter of the compare stage: reads two surfaces, aligns them and shows their difference."""
 
 from __future__ import annotations
 
@@ -38,19 +38,20 @@ LEAST_POINTS = 3
 
 
 class ComparePresenter:
-    """Two surfaces, a and b, and what they differ by.
+    """Compares the surfaces a and b.
 
     Parameters
     ----------
     panel
+        The compare panel.
     case
         Offers its feet and insoles.
     jobs
-        Runs the long work.
+        Runs long computations.
     ask_source
-        Lets the user choose a path: "file" or "folder" in; None is "never mind".
+        Lets the user choose a path, given "file" or "folder"; None if cancelled.
     ask_report
-        Lets the user choose where the report goes.
+        Lets the user choose where to write the report.
     """
 
     def __init__(
@@ -91,7 +92,15 @@ class ComparePresenter:
         self._begin_with_the_case()
 
     def choose(self, which: str, word: str) -> None:
-        """Compare something else; for a file or a session the user is asked where it is."""
+        """Choose a surface; for a file or a session the user is asked for the path.
+
+        Parameters
+        ----------
+        which
+            "a" or "b".
+        word
+            Key of the choice.
+        """
         if word in (FILE, FOLDER):
             path = self._ask_source(word)
             if path is None:
@@ -103,7 +112,7 @@ class ComparePresenter:
             self._read(which)
 
     def choose_path(self, which: str, path: Path) -> None:
-        """Compare what a path holds."""
+        """Choose the surface in a file or session folder."""
         if path not in self._paths:
             self._paths.append(path)
         self._words[which] = str(path)
@@ -111,7 +120,7 @@ class ComparePresenter:
         self._read(which)
 
     def align_by(self, word: str) -> None:
-        """Lay b on a in another way."""
+        """Choose the method that aligns b with a."""
         self._alignment = word
         if word == "picked":
             self._panel.show_tab(0)
@@ -119,18 +128,18 @@ class ComparePresenter:
         self._compare()
 
     def filter_by(self, pixels: float) -> None:
-        """Smooth both by another median filter."""
+        """Set the size of the median filter applied to both surfaces."""
         self._median = int(pixels)
         self._compare()
 
     def pick(self, which: str, place_mm: FloatArray) -> None:
-        """Take a place of a surface; the first of one belongs to the first of the other."""
+        """Add a picked point (3,), mm; the n-th point of a corresponds to the n-th of b."""
         self._points[which].append(place_mm)
         self._show_picking()
         self._compare()
 
     def take_back(self) -> None:
-        """Forget the last place, of the surface that has more of them."""
+        """Remove the last point of the surface with more points."""
         a, b = self._points["a"], self._points["b"]
         longer = a if len(a) > len(b) else b
         if longer:
@@ -139,13 +148,13 @@ class ComparePresenter:
         self._compare()
 
     def ask_save(self) -> None:
-        """Let the user choose where the report goes, and write it."""
+        """Let the user choose where to write the report, and write it."""
         path = self._ask_report()
         if path is not None:
             self.save_to(path)
 
     def save_to(self, path: Path) -> None:
-        """Write the report, beside the window."""
+        """Write the report in the background."""
         compared, names = self._compared, (self._sources["a"].name, self._sources["b"].name)
         if compared is None:
             return
@@ -164,7 +173,7 @@ class ComparePresenter:
         self._show_buttons()
 
     def cancel(self) -> None:
-        """Stop what runs."""
+        """Cancel the running job."""
         for channel in (READING + "a", READING + "b", COMPARING, WRITING):
             self._jobs.cancel(channel)
 

@@ -1,4 +1,4 @@
-"""What the compare panel shows, as values."""
+"""Values shown by the compare panel."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FILE, FOLDER = "file", "folder"
 
 @dataclass(frozen=True)
 class FigureRow:
-    """A line of the table: what, the first and the second number; a heading has no numbers."""
+    """A row of the table: label, first and second number; a heading has no numbers."""
 
     text: str
     first: str = ""
@@ -23,7 +23,7 @@ class FigureRow:
 
 @dataclass(frozen=True)
 class Buttons:
-    """What can be pressed."""
+    """Which controls are enabled."""
 
     save: bool = False
     cancel: bool = False
@@ -47,13 +47,21 @@ MEASURES: dict[str, Callable[[], str]] = {
 def figure_rows(
     difference: Difference, measures: dict[str, dict[str, float]]
 ) -> tuple[FigureRow, ...]:
-    """Give the figures of the difference, and table 3 of both surfaces."""
+    """Return the rows of the table: statistics of the difference, then measures of both surfaces.
+
+    Parameters
+    ----------
+    difference
+        The computed difference.
+    measures
+        Measures of table 3 of the thesis, by surface ("a", "b") and name.
+    """
     statistics = difference.statistics
     fit = difference.fit.residual_mm
     rows = [FigureRow(tr("Difference"))]
     rows += [FigureRow(text(), f"{statistics[key]:.2f} mm") for key, text in STATISTICS.items()]
     rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
-    if fit == fit:  # noqa: PLR0124 - not NaN: something was fitted
+    if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
         rows.append(FigureRow(tr("Residual of the fit"), f"{fit:.2f} mm"))
     rows.append(FigureRow(tr("Measures"), "A", "B"))
     rows += [

@@ -23,13 +23,14 @@ _REPORTS = "PDF (*.pdf);;JSON (*.json);;PNG (*.png);;PLY (*.ply)"
 
 
 class CompareStage(StageFrame):
-    """Measures how far two surfaces differ.
+    """Window that measures how far two surfaces differ.
 
     Parameters
     ----------
     case
+        Offers its feet and insoles.
     dark
-        Whether the theme is dark.
+        Whether to use the dark theme.
     ask_source, ask_report
         Let the user choose a path; by default in a dialog.
     """
@@ -61,7 +62,7 @@ class CompareStage(StageFrame):
         )
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what runs and free the renderers."""
+        """Cancel the running job and free the renderers."""
         self.jobs.close()
         self.view.close_scenes()
         event.accept()

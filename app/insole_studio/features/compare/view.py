@@ -1,4 +1,4 @@
-"""Lays out the compare stage: what is compared left, the surfaces in the middle, figures right."""
+"""View of the compare stage: sources left, surfaces in the middle, statistics right."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _LEFT_PX, _RIGHT_PX = 300, 300
 
 
 class CompareView(QWidget):
-    """Shows, and emits intents; the two surfaces are "a" and "b"."""
+    """The compare panel; emits the user's intents. The two surfaces are "a" and "b"."""
 
     source_chosen = Signal(str, str)
     alignment_chosen = Signal(str)
@@ -88,7 +88,15 @@ class CompareView(QWidget):
         self._lay_out()
 
     def show_sources(self, options: Sequence[tuple[str, str]], chosen: dict[str, str]) -> None:
-        """Offer what can be compared, as words and texts; the chosen words by surface."""
+        """List the surfaces that can be compared.
+
+        Parameters
+        ----------
+        options
+            Pairs of key and text.
+        chosen
+            The chosen key, by surface.
+        """
         for which, field in self.sources.items():
             field.clear()
             for word, text in options:
@@ -96,7 +104,17 @@ class CompareView(QWidget):
             field.show_value(chosen.get(which, ""))
 
     def show_source(self, which: str, mesh: TriangleMesh | None, from_above: bool) -> None:
-        """Show a surface from the side that is compared."""
+        """Show a surface.
+
+        Parameters
+        ----------
+        which
+            "a" or "b".
+        mesh
+            The surface; None shows a hint instead.
+        from_above
+            Whether the compared side faces up (+z).
+        """
         model = self.models[which]
         if mesh is None:
             model.show_empty(tr("Choose what is compared, at the left."), {})
@@ -106,26 +124,36 @@ class CompareView(QWidget):
         model.look_at_whole(mesh.bounds_mm)
 
     def show_points(self, which: str, points: Sequence[MarkedPoint]) -> None:
-        """Show the places that were picked."""
+        """Show the picked points of a surface."""
         self.models[which].show_key_points(points)
 
     def show_result(self, mesh: TriangleMesh, coloring: Coloring, from_above: bool) -> None:
-        """Show the difference in colours on the first surface."""
+        """Show the difference as colours on the first surface.
+
+        Parameters
+        ----------
+        mesh
+            The first surface.
+        coloring
+            The difference, per vertex.
+        from_above
+            Whether the compared side faces up (+z).
+        """
         self.result.scene.subject = Subject.INSOLE if from_above else Subject.FOOT
         self.result.show_mesh(mesh, coloring)
         self.result.look_at_whole(mesh.bounds_mm)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show the maps, (height, width, 3) uint8, RGB."""
+        """Show the difference maps, (height, width, 3) uint8, RGB."""
         self.map_picture.show_picture(picture)
 
     def show_figures(self, rows: Sequence[FigureRow]) -> None:
-        """Show the figures; rows without numbers are headings."""
+        """Show the statistics; rows without numbers are headings."""
         while self.figures.count():
             item = self.figures.takeAt(0)
             widget = None if item is None else item.widget()
             if widget is not None:
-                widget.hide()  # it goes only when the event loop comes round
+                widget.hide()  # deleted only when the event loop runs again
                 widget.deleteLater()
         for number, row in enumerate(rows):
             heading = not row.first or row.first == "A"
@@ -137,35 +165,35 @@ class CompareView(QWidget):
                 self.figures.addWidget(label, number, column)
 
     def show_picking(self, on: bool, hint: str) -> None:
-        """Let places be picked or not, and say how far it is."""
+        """Enable or disable picking points, and show a hint."""
         for picker in self.pickers.values():
             picker.is_on = on
         self.hint.setText(hint)
         self.take_back.setVisible(on)
 
     def show_tab(self, number: int) -> None:
-        """Bring the surfaces, the difference in 3-D, or the maps to the front."""
+        """Show the tab of the surfaces, the difference in 3-D, or the maps."""
         self.tabs.setCurrentIndex(number)
 
     def show_has_result(self, there: bool) -> None:
-        """Let the difference be looked at."""
+        """Enable or disable the tabs of the result."""
         for number in (1, 2):
             self.tabs.setTabEnabled(number, there)
 
     def show_notes(self, sentences: Sequence[str]) -> None:
-        """Say what was assumed."""
+        """Show the assumptions of the comparison."""
         self._notes.say_all(sentences)
 
     def show_error(self, sentence: str) -> None:
-        """Say what went wrong; an empty sentence hides it."""
+        """Show an error; an empty sentence hides it."""
         self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
-        """Show how far the work is; nothing when there is none."""
+        """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
-        """Enable what can be pressed."""
+        """Enable and disable the buttons."""
         self.save.setEnabled(buttons.save)
         self.cancel.setVisible(buttons.cancel)
         self.take_back.setEnabled(buttons.take_back)

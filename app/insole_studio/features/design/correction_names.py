@@ -1,4 +1,4 @@
-"""What corrections are called, in the language of the window."""
+"""Translated names of corrections."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ WORDS: dict[str, Callable[[], str]] = {
     "full": lambda: tr("Full length"),
     "three_quarter": lambda: tr("Three-quarter"),
 }
-"""The words that a prescription may hold where it offers a choice."""
+"""Translated names of the values of choices in a prescription."""
 
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
@@ -64,20 +64,20 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
 
 
 def pad_text(pad: LibraryPad) -> str:
-    """Name a pad of the library with its size."""
+    """Return the name of a library pad with its size."""
     name = KIND_NAMES[pad.kind]() if pad.kind in KIND_NAMES else pad.kind
     return f"{name} {pad.size}   {_size(pad.template)}"
 
 
 def name_of(correction: Correction) -> str:
-    """Name the kind of a correction."""
+    """Return the name of a correction's kind."""
     if isinstance(correction, Pelott):
         return PAD_NAMES[correction.shape]()
     return _NAMES[type(correction)]()
 
 
 def describe(correction: Correction) -> str:
-    """Name a correction with its most telling numbers."""
+    """Return the name of a correction with its main values."""
     return f"{name_of(correction)} {_numbers(correction)}"
 
 

@@ -1,4 +1,4 @@
-"""The design of an insole: its stage, and what the menus do to it."""
+"""The design feature: its stage and its actions."""
 
 from __future__ import annotations
 
@@ -43,7 +43,17 @@ class Design:
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
-    """Construct the panels with what they show, before there is a window to hold them."""
+    """Construct the panels and their presenters, before there is a window to hold them.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    jobs
+        Runs long computations.
+    dark
+        Whether to use the dark theme.
+    """
     section, preview = SectionModel(), InsolePreview(case, jobs)
     return DesignStage(
         case=case,

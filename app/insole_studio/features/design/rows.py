@@ -1,4 +1,4 @@
-"""What the panels list, as plain values between presenter and view."""
+"""Values passed from presenters to views."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from insole_core.geometry.side import Side
 
 @dataclass(frozen=True)
 class Measure:
-    """One measure, ready to be read; `tip` is its definition.
+    """One measure with its display texts; `tip` is its definition.
 
-    `values` holds one number, or those of left and right, their difference and per cent; `key` is
-    its name where a click leads to its place.
+    `values` holds one number, or left, right, their difference and the difference in per cent;
+    `key` identifies the measure if its place can be shown.
     """
 
     name: str
@@ -24,7 +24,7 @@ class Measure:
 
 @dataclass(frozen=True)
 class WarningRow:
-    """One warning: its sentence, and whether a click leads anywhere."""
+    """One warning: its sentence, and whether a click leads to its cause."""
 
     text: str
     leads: bool
@@ -32,7 +32,7 @@ class WarningRow:
 
 @dataclass(frozen=True)
 class CorrectionRow:
-    """One correction in the list; `ordered` where its place among the others has a meaning."""
+    """One correction in the list; `ordered` if its position among the others matters."""
 
     id: str
     side: Side
@@ -44,7 +44,7 @@ class CorrectionRow:
 
 @dataclass(frozen=True)
 class FieldSpec:
-    """One number that can be edited."""
+    """One editable number."""
 
     key: str
     label: str
@@ -58,7 +58,7 @@ class FieldSpec:
 
 @dataclass(frozen=True)
 class ChoiceSpec:
-    """One word out of several; `options` are pairs of the word and its text."""
+    """One choice among options, which are pairs of value and text."""
 
     key: str
     label: str
@@ -68,7 +68,7 @@ class ChoiceSpec:
 
 @dataclass(frozen=True)
 class Proposal:
-    """A button: what it does by key, its text, and what it says when the pointer rests on it."""
+    """A button: key of its action, text and tooltip."""
 
     key: str
     text: str
@@ -77,9 +77,9 @@ class Proposal:
 
 @dataclass(frozen=True)
 class FieldGroup:
-    """Numbers that belong together, under a title, with what can be done to them.
+    """A titled group of fields, with buttons.
 
-    `caption` says what the offers are, where their texts alone do not.
+    `caption` describes the buttons if their texts are not enough.
     """
 
     title: str
@@ -90,6 +90,6 @@ class FieldGroup:
 
     @property
     def shape(self) -> tuple[object, ...]:
-        """Everything but the values: equal shapes need no other fields."""
+        """Everything except the values; groups of equal shape can share fields."""
         fields = tuple((f.key, getattr(f, "options", ())) for f in self.fields)
         return (self.title, fields, self.offers, self.note)

@@ -1,4 +1,4 @@
-"""The design stage: four panels of thesis 6.3.3, their presenters, and the link of the cameras."""
+"""The design stage: the four panels of thesis 6.3.3, their presenters, and the linked cameras."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ from insole_studio.widgets.step_strip import StepStrip
 
 
 class DesignStage(QObject):
-    """Owns the panels; the window only gives them their places."""
+    """The panels of the design stage; the window only arranges them."""
 
     offer_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
-    """Whether there is a section to look at, or the hand holds the tool that cuts one."""
+    """Whether to show the section panel: a section exists, or its tool is chosen."""
 
     def __init__(
         self,
@@ -113,7 +113,7 @@ class DesignStage(QObject):
             self._connect(view, presenter)
         self._fit_when_shown = False
         self._fitted: ViewCamera | None = None
-        """What `look` has chosen, until the hand moves it: it follows the size of the views."""
+        """The camera set by `look` until the user moves it: it adapts to the size of the views."""
         self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
@@ -134,7 +134,7 @@ class DesignStage(QObject):
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
-        """The panels in the order of reading."""
+        """The panels in reading order."""
         return (
             self.steps,
             self.notices,
@@ -152,7 +152,7 @@ class DesignStage(QObject):
             shown.scene.take_focus()
 
     def look(self, preset: Preset) -> None:
-        """Look at both subjects from a named direction, whole."""
+        """Show both subjects completely, from a preset direction."""
         for view, presenter in self._presenters.values():
             if presenter.whole_bounds_mm is not None:
                 view.scene.set_camera(view.scene.aim_at(preset, presenter.whole_bounds_mm))
@@ -162,14 +162,14 @@ class DesignStage(QObject):
         self._announce_cameras()
 
     def look_at(self, place_mm: tuple[float, float]) -> None:
-        """Put a place into the middle of both views."""
+        """Centre both views on a place (x, y), mm."""
         for view, presenter in self._presenters.values():
             self._fitted = None
             there = np.array(presenter.place(*place_mm))
             view.scene.set_camera(view.scene.camera.centred(there))
 
     def look_at_measure(self, key: str) -> None:
-        """Turn to where a measure is taken, and mark it on the foot until something changes."""
+        """Show where a measure is taken, and mark it on the foot until something changes."""
         found = place_of(key, self._case.record)
         if found is None:
             return
@@ -184,27 +184,27 @@ class DesignStage(QObject):
         self.foot.show_highlight(np.empty((0, 3)))
 
     def fit(self) -> None:
-        """Show everything from where one looks now."""
+        """Fit everything into the views, from the current direction."""
         self.look(self.foot.scene.camera.preset)
 
     def end_keys(self) -> None:
-        """Let what the arrow keys have begun be done."""
+        """Finish the running keyboard gesture."""
         for view, _ in self._presenters.values():
             view.scene.keys.let_go()
 
     def set_linked(self, linked: bool) -> None:
-        """Let the cameras move together, or each for itself."""
+        """Link the cameras of both views, or unlink them."""
         self.linked = linked
         if linked:
             self.insole.scene.set_camera(self.foot.scene.camera)
 
     def set_touch(self, touch: bool) -> None:
-        """Let handles be met by a finger, or by a mouse."""
+        """Set the size at which handles are grabbed, for touch or for a mouse."""
         for view, _ in self._presenters.values():
             view.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
 
     def set_dark(self, dark: bool) -> None:
-        """Change the scheme of the scenes."""
+        """Change the colour scheme of the scenes."""
         for view, presenter in self._presenters.values():
             view.scene.set_dark(dark)
             presenter.show_all()
@@ -228,7 +228,7 @@ class DesignStage(QObject):
         presenter.show_all()
 
     def _follow(self, camera: ViewCamera) -> None:
-        if camera == self._fitted:  # the view has another size, nobody has turned it
+        if camera == self._fitted:  # the view was resized, the camera was not moved by the user
             self.fit()
             return
         self._fitted = None
@@ -239,7 +239,7 @@ class DesignStage(QObject):
                 view.scene.set_camera(camera)
 
     def _link_to_larger(self) -> None:
-        """One camera for both that shows the larger of the two whole."""
+        """Set one camera for both views that shows the larger subject completely."""
         cameras = [
             view.scene.camera for view, p in self._presenters.values() if p.bounds_mm is not None
         ]
@@ -260,7 +260,7 @@ class DesignStage(QObject):
             self.look(Preset.PLANTAR)
 
     def _fit_counterpart(self) -> None:
-        """Make room when something else comes to stand beside; not when it only changes."""
+        """Fit the views when another kind of counterpart is shown, not when it only changes."""
         kind = self._counterpart.kind
         is_there = kind is Beside.NOTHING or self._counterpart.built is not None
         if is_there and kind is not self._shown_beside:

@@ -1,4 +1,4 @@
-"""Hand the insole to the shop."""
+"""The actions of the export feature."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The checks: each with its number, how strictly it is taken, and a way to its place."""
+"""The list of checks: each with its limit, its policy, and a link to its location."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _SIGNS = {
 
 
 class CheckList(QWidget):
-    """Shows rows; a click on a sentence leads to its place."""
+    """Rows of checks; a click on a sentence goes to the location of the finding."""
 
     check_chosen = Signal(str)
     rule_edited = Signal(str, str, float)
@@ -38,7 +38,7 @@ class CheckList(QWidget):
         self.rows: dict[str, _Row] = {}
 
     def show_rows(self, rows: Sequence[CheckRow]) -> None:
-        """Show the checks; fields that are being typed in stay."""
+        """Show the checks; fields being edited are kept."""
         for row in rows:
             if row.name not in self.rows:
                 self.rows[row.name] = made = _Row(row)

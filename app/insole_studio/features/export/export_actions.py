@@ -1,4 +1,4 @@
-"""What leaves for the shop: the solid of the insole with its papers, and its outline on paper."""
+"""Export of the insole with its documents, and printing of its outline."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ CHANNEL = "export"
 
 
 class ExportActions(StageWindow["ExportStage"]):
-    """Opens the export stage, and writes the outline on paper."""
+    """Opens the export stage, and prints the outline."""
 
     changed = Signal()
-    """Something was exported."""
+    """Emitted after an export."""
 
     def __init__(self, services: AppServices) -> None:
         super().__init__(services.window)
@@ -42,7 +42,7 @@ class ExportActions(StageWindow["ExportStage"]):
         self._case.opened.connect(self._forget_exported)
 
     def make_stage(self) -> ExportStage:
-        """Begin with the clinic's rules and the last order."""
+        """Create the stage with the clinic's rules and the last order."""
         from insole_studio.features.export.stage import ExportStage
 
         shop, folder = read_shop(), self._services.paths.settings_folder
@@ -57,7 +57,7 @@ class ExportActions(StageWindow["ExportStage"]):
         )
 
     def connect_stage(self, stage: ExportStage) -> None:
-        """Note what is exported."""
+        """Record what the stage exports."""
         stage.exported.connect(self._note)
 
     def _ask_path(self, word: str, suffix: str) -> Path | None:
@@ -77,7 +77,7 @@ class ExportActions(StageWindow["ExportStage"]):
         self._messages.say(tr("Exported {name}").format(name=names))
 
     def ask_print_outline(self) -> None:
-        """Let the user choose where the PDF goes."""
+        """Let the user choose a PDF file and print the outline into it."""
         path = self._messages.questions.file_to_write(
             f"{file_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
         )
@@ -85,7 +85,7 @@ class ExportActions(StageWindow["ExportStage"]):
             self.print_outline_to(path.with_suffix(".pdf"))
 
     def print_outline_to(self, path: Path) -> None:
-        """Write the outline in true size."""
+        """Write the outline at 1:1 as PDF."""
         record = self._case.record
         foot, design = record.foot, record.design
         if foot is None or design is None:

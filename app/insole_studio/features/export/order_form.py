@@ -1,4 +1,4 @@
-"""The fields of an order: what is made, how, what is written on it, and which papers go along."""
+"""The form of an order: piece, manufacturing, engraving and documents."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ _LINES_PX = 52
 
 @dataclass(frozen=True)
 class Stock:
-    """What can be chosen."""
+    """The options the form offers."""
 
     blocks: Sequence[Block]
     materials: Sequence[str]
 
 
 class OrderForm(QWidget):
-    """Shows an `OrderChoice`, and emits another one when a field is edited."""
+    """Shows an `OrderChoice`, and emits a new one when a field is edited."""
 
     edited = Signal(object)
 
@@ -90,7 +90,7 @@ class OrderForm(QWidget):
         self._connect()
 
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
-        """Show what is ordered."""
+        """Show an order; `has_pair` tells whether both feet can be made."""
         self._choice = choice
         with QSignalBlocker(self):
             self.kind.show_value(choice.kind)
@@ -116,11 +116,11 @@ class OrderForm(QWidget):
         self._form.setRowVisible(self.chamfer, choice.kind == "insole")
 
     def show_cutter(self, diameter_mm: float) -> None:
-        """Show the diameter of the cutter that hollows are held against."""
+        """Show the diameter of the cutter whose reach into hollows is checked."""
         self.cutter.show_value(diameter_mm)
 
     def choice(self) -> OrderChoice:
-        """Give the order as it stands in the fields."""
+        """Return the order entered in the fields."""
         form = self.format.currentData()
         return OrderChoice(
             kind=cast(Kind, self.kind.currentData()),

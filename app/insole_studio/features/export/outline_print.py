@@ -1,4 +1,4 @@
-"""The outline of the insole on paper, in true size."""
+"""Print the outline of the insole at 1:1."""
 
 from __future__ import annotations
 
@@ -29,14 +29,16 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     Parameters
     ----------
     insole
+        The insole whose outline is printed.
     whose
-        Printed beside the outline: patient, side, date.
+        Text beside the outline: patient, side, date.
     path
+        The PDF file.
 
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        If the file cannot be written.
     """
     outline = outline_of(insole)
     page_mm = _page_for(outline)
@@ -87,7 +89,7 @@ def _draw(
 
 
 def _draw_ruler(painter: QPainter, page_mm: tuple[float, float]) -> None:
-    """A length to be checked with a rule: printers like to shrink pages."""
+    """Draw a ruler to verify the scale with: printers tend to shrink pages."""
     y = page_mm[1] - 10.0
     painter.drawLine(QPointF(10, y), QPointF(10 + RULER_MM, y))
     for x in np.arange(0.0, RULER_MM + 1, 10.0):

@@ -1,4 +1,4 @@
-"""Between the open case and the export panel: orders, checks and delivers; knows no widget."""
+"""Presenter of the export stage: makes, checks and exports the order; independent of widgets."""
 
 from __future__ import annotations
 
@@ -52,26 +52,28 @@ _NEST = "nest"
 
 
 class ExportPresenter:
-    """Makes what is ordered whenever the order, the rules or the case change, and delivers it.
+    """Makes the order again whenever order, rules or case change, and exports it.
 
     Parameters
     ----------
     panel
+        The export panel.
     case
+        The open case.
     jobs
-        Runs the long work.
+        Runs long computations.
     rules
-        Keeps the clinic's rules.
+        Storage of the clinic's rules.
     shop
+        The workshop that receives the order.
     ask_path
-        Lets the user choose where the file goes: the word for the side and the suffix in, path
-        out; None is "never mind".
+        Lets the user choose a file, given the word for the side and the suffix; None if cancelled.
     may_replace
-        Asks whether files that are there may be replaced.
+        Asks whether existing files may be overwritten.
     memory
-        Keeps the last order.
+        Storage of the last order.
     exported
-        Told which record was delivered, and where to.
+        Called with the exported record and the paths of the files.
     """
 
     def __init__(
@@ -95,15 +97,15 @@ class ExportPresenter:
         self._rules = read_rules()
         self._record = CaseRecord()
         self.pieces: tuple[Part, ...] = ()
-        """What was made last."""
+        """The parts made last."""
         self._shown = ""
         self._framed = ("", "")
-        """What the camera was set up for."""
+        """What the camera was last fitted to."""
         self._chosen: CheckName | None = None
         self._reason = ""
         self._problem = ""
         self._complaint = ""
-        """What is wrong with the clinic's rules."""
+        """Why the clinic's rules could not be read."""
         panel.choice_edited.connect(self.edit_choice)
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
@@ -123,12 +125,12 @@ class ExportPresenter:
         self.remake()
 
     def close(self) -> None:
-        """Stop listening to the case."""
+        """Stop observing the case."""
         self._case.changed.disconnect(self.remake)
         self._case.foot_changed.disconnect(self.remake)
 
     def edit_choice(self, choice: OrderChoice) -> None:
-        """Order something else; what only concerns files and papers makes nothing anew."""
+        """Set the order; changes that concern only files and documents do not make it again."""
         alike = choice.makes_alike(self._choice)
         self._choice = choice
         if alike and not self._problem:
@@ -137,21 +139,31 @@ class ExportPresenter:
             self.remake()
 
     def edit_cutter(self, diameter_mm: float) -> None:
-        """Take another cutter."""
+        """Set the diameter of the cutter."""
         self._keep_rules(self._rules.with_cutter(diameter_mm))
 
     def edit_rule(self, name: CheckName, policy: Policy, limit: float) -> None:
-        """Take a check more or less strictly."""
+        """Set policy and limit of a check.
+
+        Parameters
+        ----------
+        name
+            The check.
+        policy
+            How strictly it is applied.
+        limit
+            In the unit of the check; ignored by checks without a limit.
+        """
         has_limit = name in self._rules.limits
         self._keep_rules(self._rules.with_rule(name, policy, limit if has_limit else None))
 
     def edit_reason(self, reason: str) -> None:
-        """Answer for what a rule would stop."""
+        """Set the reason for exporting despite a blocking check."""
         self._reason = reason.strip()
         self._show_buttons()
 
     def remake(self) -> None:
-        """Make and check what is ordered, beside the window."""
+        """Make and check the order in the background."""
         self._record, self._problem = self._case.record, ""
         self._panel.show_patient(patient_text(self._record.patient))
         self._panel.show_choice(self._choice, self._has_pair)
@@ -170,7 +182,7 @@ class ExportPresenter:
         self._show_buttons()
 
     def show_piece(self, key: str) -> None:
-        """Look at the left piece, the right one, or both in their block."""
+        """Show the left part, the right part, or both in their block."""
         again, self._shown = (key, self._choice.kind) == self._framed, key
         self._framed = (key, self._choice.kind) if self.pieces else ("", "")
         block = self._choice.block
@@ -188,7 +200,7 @@ class ExportPresenter:
         self._panel.show_summary("" if self._piece is None else summary_of(self._piece))
 
     def lead_to(self, name: CheckName) -> None:
-        """Look where a check was broken most."""
+        """Show the location where a check is violated most."""
         finding = self._findings.get(name)
         if finding is not None and finding.place_mm is not None:
             self._chosen = name
@@ -196,18 +208,18 @@ class ExportPresenter:
             self._panel.look_at(np.array(finding.place_mm), sentence_of(finding))
 
     def ask_export(self) -> None:
-        """Let the user choose where the file goes, and write it."""
+        """Let the user choose a file, and export."""
         path = self._ask_path(word_of(self.pieces, self._choice), self._choice.suffix)
         if path is None:
             return
         files = files_of(self.pieces, self._choice, path, self._override() is not None)
-        # The dialog has asked about the path itself.
+        # The file dialog has already asked whether to overwrite.
         there = [file for file in files if file != path and file.exists()]
         if not there or self._may_replace(there):
             self.export_to(path)
 
     def export_to(self, path: Path) -> None:
-        """Write the file and its papers, beside the window."""
+        """Write the file and its documents in the background."""
         record, pieces, choice = self._record, self.pieces, self._choice
         override = self._override()
 
@@ -234,7 +246,7 @@ class ExportPresenter:
             self._panel.show_error(str(error))
 
     def cancel(self) -> None:
-        """Stop what runs; nothing is written."""
+        """Cancel the running job; nothing is written."""
         if self._jobs.is_running(MAKING):
             self._problem = tr("Stopped. Change the order to make it again.")
             self._panel.show_error(self._problem)
@@ -247,7 +259,7 @@ class ExportPresenter:
 
     @property
     def _piece(self) -> Part | None:
-        """The piece that is looked at; in the block, the first."""
+        """The part being shown; for the block, the first."""
         named = (piece for piece in self.pieces if str(piece.side) == self._shown)
         return next(named, self.pieces[0] if self.pieces else None)
 
@@ -330,7 +342,7 @@ class ExportPresenter:
         return any(finding.blocks for piece in self.pieces for finding in piece.findings)
 
     def _show_nothing(self, error: Exception) -> None:
-        """What is ordered cannot be made."""
+        """Show why the order cannot be made."""
         self._problem = str(error)
         self._take(())
         self._show_failure(error)

@@ -1,4 +1,4 @@
-"""What the export panel shows, as values."""
+"""Values shown by the export panel."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from insole_studio.texts import tr
 
 
 class CheckState(StrEnum):
-    """How a check came out."""
+    """The outcome of a check."""
 
     PASSED = "passed"
     WARNING = "warning"
@@ -28,14 +28,14 @@ class CheckState(StrEnum):
 
 @dataclass(frozen=True)
 class CheckRow:
-    """One check: what it is, how it came out, how strictly it is taken.
+    """One check: its title, outcome and policy.
 
     Parameters
     ----------
     limit, unit
-        None and "" where there is nothing to set.
+        None and "" for a check without a limit.
     leads
-        Whether a place can be looked at.
+        Whether its location can be shown.
     """
 
     name: CheckName
@@ -50,7 +50,7 @@ class CheckRow:
 
 @dataclass(frozen=True)
 class Buttons:
-    """What can be pressed, and whether a reason is asked for."""
+    """Which buttons are enabled, and whether a reason is required."""
 
     export: bool = False
     cancel: bool = False
@@ -79,14 +79,14 @@ _SENTENCES: dict[CheckName, Callable[[], str]] = {
 
 
 def state_of(finding: Finding) -> CheckState:
-    """Say how a check came out."""
+    """Return the outcome of a check."""
     if finding.passed:
         return CheckState.PASSED
     return CheckState.BLOCKING if finding.blocks else CheckState.WARNING
 
 
 def sentence_of(finding: Finding) -> str:
-    """Say in the language of the window what was measured."""
+    """Return the measured value as a translated sentence."""
     if finding.name == "watertight":
         return tr("closed") if finding.passed else tr("open or inside out")
     if finding.name == "block":
@@ -104,17 +104,22 @@ def check_row(
     waiting: bool,
     leads: bool,
 ) -> CheckRow:
-    """Show one check of a piece.
+    """Return the row of one check.
 
     Parameters
     ----------
-    name, rules, kind
+    name
+        The check.
+    rules
+        The clinic's policies and limits.
+    kind
+        Kind of part; not all checks apply to all kinds.
     finding
-        None before it is made.
+        Result of the check; None before it has run.
     waiting
-        Whether it is being made.
+        Whether it is running.
     leads
-        Whether places can be looked at now.
+        Whether locations can be shown now.
     """
     policy = rules.policies.get(name, "off")
     state, sentence = CheckState.OPEN, tr("is being checked") if waiting else tr("not checked")
@@ -130,7 +135,7 @@ def check_row(
 
 
 def summary_of(piece: Part) -> str:
-    """Say how large a piece is, and how its triangles deviate."""
+    """Return size, volume and number of triangles of a part, and how far the triangles deviate."""
     width, length, height = piece.solid.bounds_mm[1] - piece.solid.bounds_mm[0]
     said = tr(
         "{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} triangles"
@@ -145,14 +150,14 @@ def summary_of(piece: Part) -> str:
 
 
 def notes_of(piece: Part) -> list[str]:
-    """Say which letters its identification lacks."""
+    """Return a note if the font lacks letters of the part's identification."""
     missing = missing_letters("".join(piece.order.mark))
     text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
     return [text.format(letters=missing)] if missing else []
 
 
 def side_text(piece: Part) -> str:
-    """Name a side, with a sign where a check was not passed."""
+    """Return the name of the part's side, with a symbol if a check did not pass."""
     text = tr("Left") if piece.side is Side.LEFT else tr("Right")
     if any(finding.blocks for finding in piece.findings):
         return f"{text}  ✗"
@@ -160,7 +165,7 @@ def side_text(piece: Part) -> str:
 
 
 def patient_text(patient: Patient) -> str:
-    """Say whose insoles these are; only here in the window, never in what the shop gets."""
+    """Return the text that identifies the patient; shown in the window only, never exported."""
     words = (
         patient.name or tr("Patient without a name"),
         tr("born {date}").format(date=patient.born) if patient.born else "",

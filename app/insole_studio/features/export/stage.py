@@ -1,4 +1,4 @@
-"""The export stage as a window of its own: checks what is made, and hands it to the shop."""
+"""The export stage as a window of its own: checks the parts and exports them."""
 
 from __future__ import annotations
 
@@ -24,27 +24,29 @@ _SIZE = (1280, 700)
 
 
 class ExportStage(StageFrame):
-    """Check & export.
+    """Window "Check & export".
 
     Parameters
     ----------
     case
+        The open case.
     rules
-        Keeps the clinic's rules.
+        Storage of the clinic's rules.
     shop
+        The workshop that receives the order.
     ask_path
-        Lets the user choose a place to write to, by the word for the side and the suffix.
+        Lets the user choose a file, given the word for the side and the suffix.
     may_replace
-        Asks whether files that are there may be replaced.
+        Asks whether existing files may be overwritten.
     memory
-        Keeps the last order.
+        Storage of the last order.
     dark
-        Whether the theme is dark.
+        Whether to use the dark theme.
     """
 
     closed = Signal()
     exported = Signal(object, object)
-    """A record was delivered to paths."""
+    """Emitted with the exported record and the paths of the files."""
 
     def __init__(
         self,
@@ -78,7 +80,7 @@ class ExportStage(StageFrame):
         )
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what runs and free the renderer."""
+        """Cancel the running job and free the renderer."""
         self.presenter.close()
         self.jobs.close()
         self.view.model.scene.close_scene()

@@ -1,4 +1,4 @@
-"""Lays out the export stage: the order left, the piece in the middle, its checks right."""
+"""View of the export stage: the order left, the part in the middle, its checks right."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _FORM_PX, _CHECKS_PX = 320, 376
 
 
 class ExportView(QWidget):
-    """Shows, and emits intents."""
+    """The export panel; emits the user's intents."""
 
     choice_edited = Signal(object)
     cutter_edited = Signal(float)
@@ -84,11 +84,11 @@ class ExportView(QWidget):
         self._lay_out()
 
     def show_patient(self, text: str) -> None:
-        """Say whose insoles these are."""
+        """Show whose insoles these are."""
         self.patient.setText(text)
 
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
-        """Show what is ordered."""
+        """Show an order; `has_pair` tells whether both feet can be made."""
         self.form.show_choice(choice, has_pair)
 
     def show_cutter(self, diameter_mm: float) -> None:
@@ -101,7 +101,15 @@ class ExportView(QWidget):
         self._fit_sides()
 
     def show_pieces(self, names: dict[str, str], chosen: str) -> None:
-        """Offer what can be looked at: key and text of each; one alone is not offered."""
+        """Show a choice of parts, unless there is only one.
+
+        Parameters
+        ----------
+        names
+            Text by key.
+        chosen
+            Key of the part being shown.
+        """
         for button in self._pieces.buttons():
             self._pieces.removeButton(button)
             button.deleteLater()
@@ -123,12 +131,13 @@ class ExportView(QWidget):
         Parameters
         ----------
         mesh
+            The solid; None shows nothing.
         side
-            For the badge.
+            Side on the badge.
         words
-            The side by which medial and lateral are written; None for a pair.
+            Side that orients medial and lateral; None for a pair.
         again
-            Whether the same thing is shown anew, so that the camera stays.
+            Whether the same part is shown again, so that the camera stays.
         """
         if mesh is None:
             self.model.show_side(None)
@@ -142,12 +151,20 @@ class ExportView(QWidget):
         self._place_words()
 
     def show_spots(self, spots_mm: FloatArray, chosen_mm: FloatArray) -> None:
-        """Mark places that break a limit, those of the chosen check stronger."""
+        """Mark the places (n, 3), mm, that violate a limit, those of the chosen check stronger."""
         self.model.scene.painter.show_spots(spots_mm, chosen_mm)
         self.model.scene.request_render()
 
     def show_block(self, edges: Sequence[FloatArray], again: bool) -> None:
-        """Draw the edges of a block, and show it as a whole, unless it is shown anew."""
+        """Draw the edges of a block.
+
+        Parameters
+        ----------
+        edges : (2, 3) each, mm
+            An empty sequence removes the block.
+        again
+            Whether it is shown again, so that the camera stays.
+        """
         if edges and not again:
             corners = np.concatenate(edges)
             self.model.look_at_whole(np.stack([corners.min(axis=0), corners.max(axis=0)]))
@@ -156,40 +173,40 @@ class ExportView(QWidget):
         self.model.scene.request_render()
 
     def look_at(self, place_mm: FloatArray, text: str) -> None:
-        """Bring a place into the middle, and write its number there."""
+        """Centre the view on a place (3,), mm, and write a text there."""
         scene = self.model.scene
         scene.painter.show_label(place_mm, text)
         scene.set_camera(scene.camera.centred(place_mm))
 
     def forget_label(self) -> None:
-        """Take the number away again."""
+        """Remove the text written by `look_at`."""
         self.model.scene.painter.show_label(None, "")
 
     def show_summary(self, text: str) -> None:
-        """Say what the piece is."""
+        """Show a summary of the part."""
         self.summary.say(text)
 
     def show_notes(self, sentences: Sequence[str]) -> None:
-        """Say what should be known; nothing hides it."""
+        """Show notes; none hides the label."""
         self.notes.say_all(sentences)
 
     def show_error(self, sentence: str) -> None:
-        """Say what went wrong; an empty sentence hides it."""
+        """Show an error; an empty sentence hides it."""
         self.error.say(sentence)
 
     def show_progress(self, fraction: float, text: str) -> None:
-        """Show how far the work is; nothing when there is none."""
+        """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: Buttons) -> None:
-        """Enable what can be pressed."""
+        """Enable and disable the buttons."""
         self.export.setEnabled(buttons.export)
         self.cancel.setVisible(buttons.cancel)
         self.reason.setVisible(buttons.reason)
         self._reason_label.setVisible(buttons.reason)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Give the columns the width that their style needs."""
+        """Set the widths of the columns, which depend on the style."""
         super().showEvent(event)
         self._fit_sides()
 

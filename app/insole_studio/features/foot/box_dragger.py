@@ -1,4 +1,4 @@
-"""The volume of interest in the hand: each face of the box is dragged along its own axis."""
+"""Dragging the volume of interest: each face of the box moves along its own axis."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from insole_studio.texts import tr
 
 STEP_MM = 1.0
 LEAST_MM = 20.0
-"""No side of the box gets shorter."""
+"""Smallest length of a side of the box."""
 _SHORTEST = 0.3
-"""Share of an axis that must lie in the picture for a drag along it to make sense."""
+"""Smallest share of an axis that must lie in the image plane for a drag along it."""
 
 
 def box_handles(box: Box) -> tuple[Handle, ...]:
-    """Give a spot to grab in the middle of every face."""
+    """Return a handle in the middle of every face."""
     low, high = np.array(box.min_mm), np.array(box.max_mm)
     handles = []
     for axis, name in enumerate("xyz"):
@@ -35,7 +35,7 @@ def box_handles(box: Box) -> tuple[Handle, ...]:
 
 
 def box_edges(box: Box) -> list[FloatArray]:
-    """Give the twelve edges of a box as lines (2, 3), mm."""
+    """Return the twelve edges of a box as lines (2, 3), mm."""
     corners = np.array([box.min_mm, box.max_mm])
     edges = []
     for axis in range(3):
@@ -49,16 +49,16 @@ def box_edges(box: Box) -> list[FloatArray]:
 
 
 class BoxDragger:
-    """Takes the pointer of a view and drags the faces of a box.
+    """Drags the faces of a box with the pointer of a view.
 
     Parameters
     ----------
     box
-        Gives the box of now; None where there is none.
+        Returns the current box; None if there is none.
     preview
-        Shows a box while the hand moves.
+        Called with the box during the drag.
     apply
-        Takes the box on release.
+        Called with the box on release.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class BoxDragger:
         self._gesture = RunningGesture()
 
     def press(self, event: PointerEvent) -> bool:
-        """Grab a face; False leaves the press to the camera."""
+        """Grab a face; return False to leave the press to the camera."""
         box = self._box()
         if box is None or not (event.handle or "").startswith("box-"):
             return False
@@ -89,11 +89,11 @@ class BoxDragger:
         self._gesture.send(event)
 
     def release(self, event: PointerEvent) -> None:
-        """End the drag."""
+        """Finish the drag."""
         self.move(event)
 
     def cancel(self) -> bool:
-        """Give the drag up; False when there is none."""
+        """Cancel the drag; return False if there is none."""
         box = self._box()
         if box is None or not self._gesture.close():
             return False
@@ -106,7 +106,7 @@ class BoxDragger:
         return False
 
     def offers(self, event: PointerEvent) -> tuple[OfferedItem, ...]:
-        """Offer nothing."""
+        """Return no context menu items."""
         del event
         return ()
 
@@ -133,7 +133,7 @@ class BoxDragger:
 
 
 def _on_screen(event: PointerEvent, axis: int) -> FloatArray:
-    """Direction (2,) of an axis in the picture, right and up."""
+    """Return the direction (2,) of an axis in the image, right and up."""
     return np.array([event.look.right[axis], event.look.up[axis]])
 
 

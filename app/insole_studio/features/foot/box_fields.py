@@ -1,4 +1,4 @@
-"""The volume of interest as numbers: where it begins and ends along each axis."""
+"""The volume of interest as numbers: its limits along each axis."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _FIELD_PX = 88
 
 
 class BoxFields(QWidget):
-    """Six numbers, mm, reference frame."""
+    """Fields for the six limits of the box, mm, reference frame."""
 
     edited = Signal(object)
     reset_requested = Signal()
@@ -43,13 +43,13 @@ class BoxFields(QWidget):
         grid.setColumnStretch(2, 1)
 
     def show_box(self, box: Box) -> None:
-        """Show another box."""
+        """Show a box."""
         for (low, high), least, greatest in zip(self._fields, box.min_mm, box.max_mm, strict=True):
             low.show_value(least)
             high.show_value(greatest)
 
     def box(self) -> Box:
-        """Give the box as it stands in the fields; never thinner than what can be dragged."""
+        """Return the box entered in the fields, at least as large as dragging allows."""
         lows = [low.value() for low, _ in self._fields]
         highs = [max(high.value(), low.value() + LEAST_MM) for low, high in self._fields]
         return Box((lows[0], lows[1], lows[2]), (highs[0], highs[1], highs[2]))

@@ -1,4 +1,4 @@
-"""The colour maps of the foot stage: which view, the skin, how certain, how often seen."""
+"""The colour maps of the foot stage: view, skin colour, uncertainty, number of observations."""
 
 from __future__ import annotations
 
@@ -16,7 +16,20 @@ _LEAST_SPAN_MM = 0.5
 
 
 def color_foot(kind: FootMap, made: MadeFoot) -> Coloring | None:
-    """Give the colours of a foot; None for those of the skin, and where nothing is known."""
+    """Return the colours of a foot.
+
+    Parameters
+    ----------
+    kind
+        The colour map.
+    made
+        The foot, with the data its reconstruction kept.
+
+    Returns
+    -------
+    Coloring or None
+        None for skin colour, and for maps without data.
+    """
     maker = _MAKERS.get(kind)
     return None if maker is None else maker(made)
 

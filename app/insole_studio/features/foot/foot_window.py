@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class FootWindow(StageWindow["FootStage"]):
-    """Opens the foot stage on a session."""
+    """Opens the foot stage for a session."""
 
     foot_made = Signal(object)
-    """A `ScannedFoot` that is to be designed on."""
+    """Emitted with a `ScannedFoot` for the design stage."""
     unreadable = Signal(object)
     closed = Signal()
 
@@ -28,7 +28,15 @@ class FootWindow(StageWindow["FootStage"]):
         self._services = services
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
-        """Show the stage with a session; one that it shows already stays as it is."""
+        """Show the stage with a session; one that is already open is kept.
+
+        Parameters
+        ----------
+        path
+            Folder of the session.
+        hand_over
+            Whether to pass the foot on to the design stage when it is made.
+        """
         if self.stage is not None and self.stage.path == path and not hand_over:
             self.open()
             return
@@ -37,7 +45,7 @@ class FootWindow(StageWindow["FootStage"]):
         self.stage.open_session(path, hand_over)
 
     def make_stage(self) -> FootStage:
-        """Begin with the limits of last time."""
+        """Create the stage with the limits used last."""
         from insole_studio.features.foot.stage import FootStage
 
         settings = self._services.settings
@@ -55,7 +63,7 @@ class FootWindow(StageWindow["FootStage"]):
         )
 
     def connect_stage(self, stage: FootStage) -> None:
-        """Hand on what is made."""
+        """Pass on the feet that the stage makes."""
         stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)

@@ -1,4 +1,4 @@
-"""What is drawn on a view's colour image: its markers, and the blue spots that are none."""
+"""Marks on the colour image of a view: its markers, and blue spots that are none."""
 
 from __future__ import annotations
 
@@ -13,9 +13,18 @@ _SAME_PX = 1.0
 
 
 def marks_of(measured: MeasuredView, result: ViewResult, edits: ViewEdits) -> tuple[Mark, ...]:
-    """Give the marks of a view, the markers first.
+    """Return the marks of a view, markers first.
 
-    Where no pose was found, what the hand has pointed at is all that is known.
+    Without a pose only manually placed markers are known.
+
+    Parameters
+    ----------
+    measured
+        The detections in the view.
+    result
+        The estimated pose, if any, and its residuals.
+    edits
+        The manual corrections of the view.
     """
     marks = [
         Mark(

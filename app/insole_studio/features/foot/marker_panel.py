@@ -1,4 +1,4 @@
-"""The colour image of one view, with the tools that correct its markers."""
+"""The colour image of one view, with tools to correct its markers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from insole_studio.texts import tr
 
 
 class MarkerPanel(QWidget):
-    """Shows the markers of a view; a click on one offers what can be done with it."""
+    """Shows the markers of a view; a click on one opens a menu of corrections."""
 
     marker_toggled = Signal(str)
     marker_named = Signal(str, object, bool)
@@ -51,18 +51,36 @@ class MarkerPanel(QWidget):
         layout.addWidget(self.picture, 1)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show another view's image."""
+        """Show the image of another view."""
         self.picture.show_picture(picture)
 
     def show_markers(self, marks: Sequence[Mark], ids: Sequence[str], edits: ViewEdits) -> None:
-        """Show the marks, and what can be said of them."""
+        """Show the marks, and enable the corrections that apply.
+
+        Parameters
+        ----------
+        marks
+            The marks on the image.
+        ids
+            Ids of all markers, for the menu.
+        edits
+            The manual corrections of the view.
+        """
         self._marks, self._ids = tuple(marks), tuple(ids)
         self.picture.show_marks(marks)
         self.picture.show_regions(edits.ignored, edits.searched)
         self.clear.setEnabled(bool(edits.ignored) or edits.searched is not None)
 
     def fill_menu(self, marker: str, pixel: Pixel) -> None:
-        """Offer what can be done with a marker, a blue spot, or a place."""
+        """Fill the menu of corrections for a place in the image.
+
+        Parameters
+        ----------
+        marker
+            Id of the marker there; empty if there is none.
+        pixel
+            Position in the image.
+        """
         self.menu.clear()
         mark = next((mark for mark in self._marks if mark.pixel == pixel), None)
         if marker:

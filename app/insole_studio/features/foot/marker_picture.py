@@ -1,4 +1,4 @@
-"""A view's colour image with its markers: where they were seen, and where the pose puts them."""
+"""A view's colour image with its markers: detected, and projected by the pose."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from insole_studio.features.foot.rows import Mark
 from insole_studio.texts import tr
 
 ENLARGED = 100
-"""Residuals are drawn so many times as long as they are."""
+"""Factor by which residuals are enlarged."""
 LONGEST_PX = 60.0
 GRAB_PX = 12.0
 _DRAG_PX = 4.0
@@ -35,7 +35,7 @@ _ZOOM_PER_STEP = 1.2
 _GREATEST_ZOOM = 24.0
 _LEAST_CORNERS = 3
 _MARGIN = 0.12
-"""Round the markers, as a share of what they span."""
+"""Margin around the markers, as a share of their extent."""
 _SPOT_PX, _MARK_PX = 5.0, 9.0
 _COLORS = {
     "used": QColor("#4ade80"),
@@ -47,14 +47,14 @@ _SELECTED, _RESIDUAL, _REGION = QColor("#ffffff"), QColor("#ff5a4f"), QColor("#5
 
 
 class MarkerPicture(QWidget):
-    """Shows marks on an image, lets them be chosen and dragged, and regions be drawn.
+    """Shows marks on an image; marks can be chosen and dragged, and regions drawn.
 
-    The wheel zooms at the pointer, the middle button pans, a double click shows the whole. Arrow
-    keys go from mark to mark, Space and Return act on the chosen one.
+    The wheel zooms at the pointer, the middle button pans, a double click shows the whole image.
+    Arrow keys go from mark to mark, Space and Return act on the chosen one.
     """
 
     mark_chosen = Signal(str, object)
-    """Id and pixel, for the menu; the id is empty for a spot that is no marker and for a place."""
+    """Id and pixel, for the menu; the id is empty where there is no marker."""
     mark_toggled = Signal(str)
     mark_moved = Signal(str, object)
     mark_dropped = Signal(str, object)
@@ -81,7 +81,7 @@ class MarkerPicture(QWidget):
         self.setMouseTracking(True)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB; the markers that are shown next fill the widget."""
+        """Show an image (height, width, 3) uint8, RGB; the next marks are zoomed to fit."""
         height, width = picture.shape[:2]
         packed = np.ascontiguousarray(picture).tobytes()
         self._image = QImage(packed, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
@@ -95,7 +95,7 @@ class MarkerPicture(QWidget):
         self.update()
 
     def show_marked(self) -> None:
-        """Show the part of the image in which the markers are."""
+        """Zoom to the markers."""
         places = np.array([mark.pixel for mark in self._marks if mark.id]).reshape(-1, 2)
         if len(places) < _LEAST_CORNERS:
             self.show_whole()
@@ -110,7 +110,7 @@ class MarkerPicture(QWidget):
         self.update()
 
     def show_marks(self, marks: Sequence[Mark]) -> None:
-        """Show other marks."""
+        """Replace the marks."""
         self._marks = tuple(marks)
         if self._fits_marks:
             self._fits_marks = False
@@ -118,23 +118,31 @@ class MarkerPicture(QWidget):
         self.update()
 
     def show_regions(self, ignored: Sequence[Region], searched: Region | None) -> None:
-        """Show where nothing is searched for, and where alone."""
+        """Show the regions that limit the search for markers.
+
+        Parameters
+        ----------
+        ignored
+            Regions without markers.
+        searched
+            The only region that is searched; None for the whole image.
+        """
         self._ignored, self._searched = tuple(ignored), searched
         self.update()
 
     def draw_region(self, drawing: bool) -> None:
-        """Let the next drag draw a region, or not."""
+        """Start or stop drawing a region with the next drag."""
         self._drawing = drawing
         self._sketch = []
         self.setCursor(Qt.CursorShape.CrossCursor if drawing else Qt.CursorShape.ArrowCursor)
         self.update()
 
     def to_widget(self, pixel: Pixel) -> QPointF:
-        """Give the place on the widget where a pixel of the image is shown."""
+        """Return the widget position of a pixel of the image."""
         return self._shown().map(QPointF(*pixel) + QPointF(0.5, 0.5))
 
     def to_pixel(self, place: QPointF) -> Pixel:
-        """Give the pixel of the image that is shown at a place of the widget."""
+        """Return the pixel of the image at a widget position."""
         inverted, _ = self._shown().inverted()
         found = inverted.map(place) - QPointF(0.5, 0.5)
         width, height = self._image.width() - 1, self._image.height() - 1
@@ -157,7 +165,7 @@ class MarkerPicture(QWidget):
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Grab a mark, begin a region, or begin to pan."""
+        """Grab a mark, start a region, or start panning."""
         self._pressed = event.position()
         if event.button() == Qt.MouseButton.MiddleButton:
             self._panning = True
@@ -168,7 +176,7 @@ class MarkerPicture(QWidget):
             self._select(self._dragged)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move what was grabbed."""
+        """Move the grabbed object."""
         place = event.position()
         if self._pressed is None:
             if not self._drawing:
@@ -188,7 +196,7 @@ class MarkerPicture(QWidget):
             self.mark_moved.emit(self._dragged.id, self.to_pixel(place))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Drop a mark, end a region, or choose what was clicked on."""
+        """Drop a mark, finish a region, or choose the clicked object."""
         place, dragged, was_panning = event.position(), self._dragged, self._panning
         was_drag, was_drawing = self._is_drag(place), bool(self._sketch)
         sketch, self._sketch = self._sketch, []
@@ -205,7 +213,7 @@ class MarkerPicture(QWidget):
             self.mark_chosen.emit("" if found is None else found.id, pixel)
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
-        """Show the whole image, or where the markers are."""
+        """Toggle between the whole image and the markers."""
         if self._zoom > 1.0:
             self.show_whole()
         else:
@@ -264,7 +272,7 @@ class MarkerPicture(QWidget):
         return self._zoom * min(self.width() / width, self.height() / height)
 
     def _shown(self) -> QTransform:
-        """Pixels of the image, counted from their corners, to places on the widget."""
+        """Return the transform from image pixels, counted from their corners, to the widget."""
         scale = self._scale()
         shown = QTransform.fromTranslate(self.width() / 2, self.height() / 2)
         shown.scale(scale, scale)
@@ -308,7 +316,7 @@ class MarkerPicture(QWidget):
         if mark.projected is not None:
             self._draw_residual(painter, place, self.to_widget(mark.projected), mark)
         if mark.id:
-            # Of what is chosen, and of what does not count, the numbers are always there.
+            # The numbers of chosen and of excluded marks are always shown.
             detailed = mark.id == self._selected or mark.state == "unused"
             text = _numbers(mark) if detailed else mark.id
             self._draw_text(painter, place + QPointF(radius + 4, -radius + 2), text, color)
@@ -335,7 +343,7 @@ class MarkerPicture(QWidget):
 
 
 def _numbers(mark: Mark) -> str:
-    """Give the marker with how far it lies from where it should."""
+    """Return the marker's name with its residual."""
     parts = [mark.id or tr("Blue spot")]
     if mark.residual_px is not None:
         parts.append(f"{mark.residual_px:.1f} px")

@@ -1,4 +1,4 @@
-"""Between the colour image of a view and the corrections of its markers."""
+"""Presenter of the colour image of a view and its marker corrections."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from insole_studio.features.foot.rows import Mark
 from insole_studio.texts import tr
 
 _SPOT_SHARE = 14 / 1280
-"""Half the width of what is ignored round a blue spot that is no marker."""
+"""Half the width of the region ignored around a blue spot, as a share of the image width."""
 
 
 class ImagePanel(Protocol):
-    """What shows a view's image, and its intents."""
+    """The image panel as its presenter sees it, with the signals it emits."""
 
     marker_toggled: Any
     marker_named: Any
@@ -43,7 +43,7 @@ class MarkerPresenter:
         self._panel = panel
         self._work: SessionEditor | None = None
         self.selected = ""
-        """The view that is shown."""
+        """Name of the view being shown."""
         panel.marker_toggled.connect(self.toggle_marker)
         panel.marker_named.connect(self.name_marker)
         panel.marker_released.connect(self.release_marker)
@@ -55,14 +55,14 @@ class MarkerPresenter:
         panel.regions_cleared.connect(self.clear_regions)
 
     def take(self, work: SessionEditor | None) -> None:
-        """Correct another session; the first view that needs it is shown."""
+        """Start on another session; show the first view that needs correction."""
         self._work, self.selected = work, ""
         if work is not None:
             troubled = (name for name in work.names if not work.results[name].used)
             self.choose_view(next(troubled, work.names[0]))
 
     def choose_view(self, name: str) -> None:
-        """Show another view's image."""
+        """Show the image of another view."""
         work = self._work
         if work is not None and name != self.selected and name in work.results:
             self.selected = name
@@ -78,27 +78,37 @@ class MarkerPresenter:
             self._apply(self._edits.with_excluded(marker), tr("Exclude {id}").format(id=marker))
 
     def name_marker(self, marker: str, pixel: Pixel, exact: bool) -> None:
-        """Say which marker a spot is, or that a marker is at a place."""
+        """Assign a marker to a detected spot, or place it.
+
+        Parameters
+        ----------
+        marker
+            Id of the marker.
+        pixel
+            Position in the image.
+        exact
+            Whether this is the marker's centre; otherwise the centre of the blue spot there is.
+        """
         edits = self._edits.with_named(NamedSpot(marker, pixel, exact))
         self._apply(edits, tr("Point at {id}").format(id=marker))
 
     def release_marker(self, marker: str) -> None:
-        """Leave a marker to the automatic search."""
+        """Undo the manual placement of a marker, so that it is detected again."""
         edits = self._edits.without_name(marker).with_included(marker)
         self._apply(edits, tr("Search for {id}").format(id=marker))
 
     def move_marker(self, marker: str, pixel: Pixel) -> None:
-        """Show where a marker would be, while the hand moves it."""
+        """Show the residual of a marker while it is dragged."""
         if self._work is not None:
             edits = self._edits.with_named(NamedSpot(marker, pixel, exact=True))
             self._work.preview(self.selected, edits)
 
     def drop_marker(self, marker: str, pixel: Pixel) -> None:
-        """Say that a marker is where the hand has let it go."""
+        """Place a marker where it was dropped."""
         self.name_marker(marker, pixel, exact=True)
 
     def ignore_spot(self, pixel: Pixel) -> None:
-        """Say that a blue spot is no marker."""
+        """Mark a blue spot as no marker."""
         if self._work is not None:
             half = _SPOT_SHARE * self._work.opened.measured[self.selected].color.shape[1]
             u, v = pixel
@@ -107,11 +117,11 @@ class MarkerPresenter:
             self._apply(self._edits.with_ignored(region), tr("Ignore a blue spot"))
 
     def ignore_region(self, region: Region) -> None:
-        """Say that a region shows no marker."""
+        """Ignore all spots in a region."""
         self._apply(self._edits.with_ignored(region), tr("Ignore a region"))
 
     def search_region(self, region: Region) -> None:
-        """Search in a region only."""
+        """Search for markers in a region only."""
         self._apply(replace(self._edits, searched=region), tr("Search in a region"))
 
     def clear_regions(self) -> None:
@@ -120,7 +130,7 @@ class MarkerPresenter:
         self._apply(edits, tr("Search the whole image"))
 
     def show(self) -> None:
-        """Show the markers of the view as they are now."""
+        """Show the current markers of the view."""
         work = self._work
         if work is None or self.selected not in work.opened.measured:
             return

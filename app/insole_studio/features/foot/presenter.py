@@ -1,4 +1,4 @@
-"""Between the foot stage and the session that is reconstructed."""
+"""Presenter of the foot stage and of the reconstruction of its session."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 
 READING, MAKING = "read-session", "reconstruct"
-"""The channels of the jobs."""
+"""Channels of the jobs."""
 
 
 class FootStagePanel(ImagePanel, Protocol):
-    """What the stage shows, and the intents it emits."""
+    """The panel of the foot stage as its presenter sees it, with the signals it emits."""
 
     view_chosen: Any
     view_switched: Any
@@ -72,26 +72,28 @@ class FootStagePanel(ImagePanel, Protocol):
 
 
 class FootStagePresenter:
-    """Places the views anew at every correction, and makes the foot when asked.
+    """Registers the views again after every correction, and makes the foot on request.
 
     Parameters
     ----------
     panel
+        The panel of the foot stage.
     jobs
+        Runs long computations.
     limits
-        When the pose of a view is refused.
+        Limits beyond which the pose of a view is rejected.
     remember
-        Is told other limits.
+        Called with changed limits.
     hand_over
-        Is given a foot that is to be designed on.
+        Called with a foot for the design stage.
     ask
-        Whether to go on although a sentence speaks against it.
+        Asks whether to continue despite a warning.
     finished
-        Is told that the stage has done its work; with True when nothing runs any more.
+        Called when the stage has done its work; with True if no job is running.
     needed_again
-        Is told that what the stage was left for cannot be had: there is something to put right.
+        Called when a job fails after the stage was left: the user has to correct something.
     unreadable
-        Is given the error when the session cannot be read at all.
+        Called with the error if the session cannot be read.
     """
 
     def __init__(
@@ -125,16 +127,24 @@ class FootStagePresenter:
         self._handed: MadeFoot | None = None
         self._trouble = ""
         self._hands_over = False
-        """Whether the foot is to be handed over as soon as it is made."""
+        """Whether to hand over the foot as soon as it is made."""
         self._leaves = False
-        """Whether the stage is left with that."""
+        """Whether to leave the stage then."""
         self._connect(panel)
         panel.show_limits(_shown(limits))
         self._show_buttons()
 
     def open(self, path: Path, hand_over: bool) -> None:
-        """Read a session and make its foot; hand it over then, or leave that to the user."""
-        self._jobs.cancel(MAKING)  # another session's foot must not answer for this one
+        """Read a session and make its foot.
+
+        Parameters
+        ----------
+        path
+            Folder of the session.
+        hand_over
+            Whether to hand the foot over when it is made, or wait for the user.
+        """
+        self._jobs.cancel(MAKING)  # a late foot of another session must not appear as this one's
         self._work = self._made = self._handed = None
         self._markers.take(None)
         self._hands_over, self._leaves = hand_over, False
@@ -150,35 +160,35 @@ class FootStagePresenter:
 
     @property
     def box(self) -> Box | None:
-        """The volume of interest; None before there is a session."""
+        """The volume of interest; None before a session is open."""
         return None if self._work is None else self._work.box
 
     @property
     def edits(self) -> HandEdits:
-        """What was corrected by hand."""
+        """The manual corrections."""
         return NO_EDITS if self._work is None else self._work.edits
 
     def choose_view(self, name: str) -> None:
-        """Show another view's image."""
+        """Show the image of another view."""
         self._markers.choose_view(name)
 
     def switch_view(self, name: str, on: bool) -> None:
-        """Use a view, or leave it out."""
+        """Use a view, or exclude it."""
         edits = replace(self.edits.of(name), off=not on)
         text = tr("Use the view {name}") if on else tr("Leave out the view {name}")
         self._apply(self.edits.with_view(name, edits), text.format(name=view_text(name)))
 
     def edit_box(self, box: Box) -> None:
-        """Take another volume of interest."""
+        """Set the volume of interest."""
         edits = replace(self.edits, volume_of_interest=box)
         self._apply(edits, tr("Change the volume"), merge_key="box")
 
     def reset_box(self) -> None:
-        """Take the volume that was recorded."""
+        """Restore the recorded volume of interest."""
         self._apply(replace(self.edits, volume_of_interest=None), tr("Reset the volume"))
 
     def edit_limits(self, limits: Limits) -> None:
-        """Refuse poses from other limits on."""
+        """Set the limits beyond which poses are rejected."""
         self._limits = replace(
             self._limits,
             residual_mm=limits.residual_mm,
@@ -190,22 +200,22 @@ class FootStagePresenter:
             self._work.set_limits(self._limits)
 
     def choose_map(self, kind: FootMap) -> None:
-        """Colour the foot otherwise."""
+        """Choose the colour map of the foot."""
         self._map = kind
         self._show_foot()
 
     def undo(self) -> None:
-        """Take the last correction back."""
+        """Undo the last correction."""
         if self._work is not None:
             self._work.undo()
 
     def redo(self) -> None:
-        """Do the last undone correction again."""
+        """Redo the last undone correction."""
         if self._work is not None:
             self._work.redo()
 
     def make(self, force: bool = False) -> None:
-        """Make the foot with the corrections of now."""
+        """Make the foot with the current corrections; `force` makes it despite a warning."""
         if self._work is None:
             return
         work, opened, limits = self._work, self._work.opened, self._limits
@@ -225,7 +235,7 @@ class FootStagePresenter:
         self._show_buttons()
 
     def cancel(self) -> None:
-        """Stop what runs."""
+        """Cancel the running jobs."""
         for channel in (READING, MAKING):
             self._jobs.cancel(channel)
         self._hands_over = self._leaves = False
@@ -233,7 +243,7 @@ class FootStagePresenter:
         self._show_buttons()
 
     def go_on(self) -> None:
-        """Hand the foot over and leave; what is computed still follows when it is ready."""
+        """Hand the foot over and leave; a foot still being made is handed over when it is ready."""
         self._leaves = True
         running = self._jobs.is_running(MAKING)
         if self._is_stale and not running:
@@ -246,7 +256,7 @@ class FootStagePresenter:
         self._finished(not running)
 
     def progressed(self, news: JobProgress) -> None:
-        """Show how far the work is."""
+        """Show the progress of a job."""
         if news.channel in (READING, MAKING):
             self._panel.show_progress(news.fraction, news.text)
 
@@ -278,7 +288,7 @@ class FootStagePresenter:
         self.make()
 
     def _take_change(self, moved: frozenset[str]) -> None:
-        """Show the views, some of which may stand elsewhere now."""
+        """Show the views after a correction that moved some of them."""
         if self._work is None:
             return
         if self._work.box != self._mesh_box:
@@ -362,7 +372,7 @@ class FootStagePresenter:
         return list(FootMap)
 
     def _show_view_meshes(self) -> None:
-        """Show every placed view in its own colour."""
+        """Show every registered view in its own colour."""
         if self._work is None:
             return
         results, measured = self._work.results, self._work.opened.measured
@@ -384,7 +394,7 @@ class FootStagePresenter:
         self._panel.show_sentences(sentences)
 
     def _troubles_of_views(self) -> list[str]:
-        """Say why views cannot be used as they are now, unless the foot's own warnings do."""
+        """Return why views cannot be used, unless the foot's own warnings say so."""
         if self._work is None or not self._is_stale:
             return []
         return [
@@ -416,7 +426,7 @@ def _shown(limits: RegistrationLimits) -> Limits:
 
 
 def _together(meshes: Sequence[TriangleMesh]) -> TriangleMesh:
-    """Several coloured meshes as one."""
+    """Return several coloured meshes as one."""
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
     return TriangleMesh(
         np.concatenate([mesh.vertices for mesh in meshes]),

@@ -1,4 +1,4 @@
-"""What the foot stage shows, as values."""
+"""Values shown by the foot stage."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ VIEW_COLORS = (
     (230, 159, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233),
     (213, 94, 0), (240, 228, 66), (0, 114, 178), (148, 120, 200),
 )  # fmt: skip
-"""One a view, told apart by colour-blind eyes as well (Okabe & Ito)."""
+"""One colour per view, distinguishable by colour-blind users (Okabe & Ito)."""
 
 MarkState = Literal["used", "unused", "excluded", "spot"]
 
 
 class FootMap(StrEnum):
-    """What the colours of the foot tell."""
+    """What the colours of the foot show."""
 
     VIEWS = "views"
     SKIN = "skin"
@@ -30,22 +30,27 @@ class FootMap(StrEnum):
 
 @dataclass(frozen=True)
 class ViewRow:
-    """One line of the table.
+    """One row of the table of views.
 
     Parameters
     ----------
     name, color
+        Name of the view, and its colour in the scene.
     on
-        Whether the hand has not switched it off.
+        Whether the user has not excluded the view.
     found, used
-        Markers.
+        Numbers of markers.
     residual_mm
-        Mean, root mean square and greatest distance of the markers; None where there is no pose.
+        Mean, root mean square and maximum distance of the markers; None without a pose.
     reprojection_px, displacement_mm
+        Root mean square of the markers in the colour image, and standard deviation of the middle of
+        the foot due to the pose's uncertainty; None where unknown.
     frames, left_out
+        Numbers of depth frames, and of those rejected because something had moved.
     trouble
-        Why it is not used, or what is to be known of it; mostly empty.
+        Why the view is not used, or a warning; usually empty.
     is_used
+        Whether the view contributes to the foot.
     """
 
     name: str
@@ -69,14 +74,17 @@ class Mark:
     Parameters
     ----------
     id
-        Of its marker; empty for a blue spot that is none.
+        Id of its marker; empty for a blue spot that is none.
     pixel
+        Position in the image.
     projected
-        Where the pose puts the marker.
+        Position of the marker as projected by the pose.
     state
+        How the spot is used.
     by_hand
+        Whether the user placed it.
     residual_px, residual_mm
-        How far it lies from where it should, in the image and in space.
+        Residual in the image and in space.
     """
 
     id: str
@@ -90,7 +98,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class Limits:
-    """When a pose is refused, as far as the window lets it be set."""
+    """Limits beyond which a pose is rejected, as far as the user can set them."""
 
     residual_mm: float
     reprojection_px: float
@@ -99,7 +107,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class Buttons:
-    """What can be pressed."""
+    """Which buttons are enabled."""
 
     make: bool = False
     cancel: bool = False
@@ -107,12 +115,22 @@ class Buttons:
     undo: str = ""
     redo: str = ""
     is_stale: bool = False
-    """Whether there are corrections that the foot does not have yet."""
+    """Whether there are corrections that are not in the foot yet."""
     has_session: bool = False
 
 
 def view_row(number: int, result: ViewResult, edits: ViewEdits) -> ViewRow:
-    """Give the line of a view."""
+    """Return the row of a view.
+
+    Parameters
+    ----------
+    number
+        Index of the view, which decides its colour.
+    result
+        Result of the registration.
+    edits
+        The manual corrections of the view.
+    """
     residuals = result.residuals
     return ViewRow(
         name=result.name,

@@ -1,4 +1,4 @@
-"""The foot stage as a window of its own: view and presenter while it is open."""
+"""The foot stage as a window of its own, with its view and presenter."""
 
 from __future__ import annotations
 
@@ -21,25 +21,26 @@ _SIZE = (1280, 720)
 
 
 class FootStage(StageFrame):
-    """Shows how a foot comes about, and lets the hand correct it.
+    """Window that shows how a foot is made from a session, and lets the user correct it.
 
     Parameters
     ----------
     jobs
-        Those of the window: the work is shown there as well.
+        The window's jobs, whose progress is shown there as well.
     limits
-        When the pose of a view is refused.
+        Limits beyond which the pose of a view is rejected.
     remember
-        Is told other limits.
+        Called with changed limits.
     ask
-        Whether to go on although a sentence speaks against it.
+        Asks whether to continue despite a warning.
     dark, touch
+        Whether to use the dark theme and controls for touch.
     """
 
     foot_made = Signal(object)
-    """A `ScannedFoot` that is to be designed on."""
+    """Emitted with a `ScannedFoot` for the design stage."""
     unreadable = Signal(object)
-    """The error, when the session cannot be read at all; the stage closes."""
+    """Emitted with the error if the session cannot be read; the stage closes."""
     closed = Signal()
 
     def __init__(
@@ -80,18 +81,26 @@ class FootStage(StageFrame):
         self._is_open = True
 
     def open_session(self, path: Path, hand_over: bool) -> None:
-        """Reconstruct a session; hand its foot over then, or when the user says so."""
+        """Reconstruct a session.
+
+        Parameters
+        ----------
+        path
+            Folder of the session.
+        hand_over
+            Whether to hand the foot over when it is made, or wait for the user.
+        """
         self.path = path
         self.presenter.open(path, hand_over)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Let the icons follow the theme."""
+        """Redraw the icons in the theme's colours."""
         if event.type() == QEvent.Type.PaletteChange and self._is_open:
             self.view.renew_icons()
         super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what runs."""
+        """Cancel the running jobs."""
         event.accept()
         if self._is_open:
             self._is_open = False
@@ -101,7 +110,7 @@ class FootStage(StageFrame):
             self.closed.emit()
 
     def _leave(self, all_done: bool) -> None:
-        """Close, or wait out of sight for what is still computed."""
+        """Close, or hide until the running jobs are done."""
         if all_done:
             self.close()
         else:

@@ -1,4 +1,4 @@
-"""Lays out the foot stage: image left, foot right, the views and what can be done below."""
+"""View of the foot stage: image left, foot right, table of views and controls below."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _BAR_PX = 12
 
 
 class FootStageView(QWidget):
-    """Shows, and emits intents."""
+    """The panel of the foot stage; emits the user's intents."""
 
     view_chosen = Signal(str)
     view_switched = Signal(str, bool)
@@ -99,7 +99,7 @@ class FootStageView(QWidget):
         self._connect()
 
     def show_session(self, name: str, side: Side) -> None:
-        """Show which session is open."""
+        """Show the name of the open session and the side of its foot."""
         self._name.setText(name)
         self.foot.show_side(side)
         self._fitted = False
@@ -109,26 +109,36 @@ class FootStageView(QWidget):
         self.table.show_rows(rows, selected)
 
     def show_picture(self, picture: ByteArray) -> None:
-        """Show (height, width, 3) uint8, RGB."""
+        """Show an image, (height, width, 3) uint8, RGB."""
         self.markers.show_picture(picture)
 
     def show_markers(self, marks: Sequence[Mark], ids: Sequence[str], edits: ViewEdits) -> None:
-        """Show the markers of the chosen view."""
+        """Show the markers of the chosen view.
+
+        Parameters
+        ----------
+        marks
+            The marks on the image.
+        ids
+            Ids of all markers, for the menu.
+        edits
+            The manual corrections of the view.
+        """
         self.markers.show_markers(marks, ids, edits)
 
     def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None:
-        """Show the foot, or the views alone; the first time from below and whole."""
+        """Show the foot, or only the views; the first time complete and from below."""
         self.foot.show_mesh(mesh, coloring)
         if not self._fitted:
             self._fitted = True
             self._look(Preset.PLANTAR)
 
     def show_nothing(self, sentence: str) -> None:
-        """Say why there is no foot to be seen."""
+        """Show why there is no foot."""
         self.foot.show_empty(sentence, {})
 
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None:
-        """Show which map is on, and which there are."""
+        """Show which colour map is chosen, and which are possible."""
         texts = _map_texts()
         offered = [self.maps.itemData(i) for i in range(self.maps.count())]
         self.maps.blockSignals(True)
@@ -140,7 +150,7 @@ class FootStageView(QWidget):
         self.maps.blockSignals(False)
 
     def show_box(self, box: Box) -> None:
-        """Show the volume of interest, in numbers and in space."""
+        """Show the volume of interest, as numbers and in the scene."""
         self.box.show_box(box)
         painter = self.foot.scene.painter
         painter.show_lines("box", box_edges(box), painter.scheme.accent, 1.5)
@@ -148,23 +158,23 @@ class FootStageView(QWidget):
         self._bounds = np.array([box.min_mm, box.max_mm])
 
     def show_limits(self, limits: Limits) -> None:
-        """Show when a pose is refused."""
+        """Show the limits beyond which a pose is rejected."""
         values = (limits.residual_mm, limits.reprojection_px, limits.displacement_mm)
         for field, value in zip(self.limits, values, strict=True):
             field.show_value(value)
 
     def show_sentences(self, sentences: Sequence[str]) -> None:
-        """Say what is to be known, a line each."""
+        """Show messages, one per line."""
         self._sentences.say_all(sentences)
 
     def show_progress(self, fraction: float, text: str) -> None:
-        """Show how far the work is; nothing when there is none."""
+        """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
         self._work.setVisible(bool(text))
         self._work.setText(f"{translate_core_message(text)}…")
 
     def show_buttons(self, buttons: Buttons) -> None:
-        """Enable what can be pressed."""
+        """Enable and disable the buttons."""
         for part in (self.markers, self.box, *self.limits):
             part.setEnabled(buttons.has_session)
         self.make.setEnabled(buttons.make)
@@ -181,12 +191,12 @@ class FootStageView(QWidget):
             button.setToolTip(f"{verb}: {sentence}" if sentence else verb)
 
     def renew_icons(self) -> None:
-        """Draw the icons in the colours of the palette."""
+        """Redraw the icons in the colours of the palette."""
         for button, name in ((self.undo, "undo"), (self.redo, "redo")):
             button.setIcon(icon(name))
 
     def set_touch(self, touch: bool) -> None:
-        """Let handles be met by a finger, or by a mouse."""
+        """Set the size at which handles are grabbed, for touch or for a mouse."""
         self.foot.scene.grab_px = TOUCH_GRAB_PX if touch else GRAB_PX
 
     def close_scene(self) -> None:
@@ -302,7 +312,7 @@ class FootStageView(QWidget):
         names = (tr("Markers in space"), tr("Markers in the image"), tr("Uncertain at the foot"))
         for text, field in zip(names, self.limits, strict=True):
             label = QLabel(text)
-            label.setMinimumWidth(label.sizeHint().width())  # never squeezed by its field
+            label.setMinimumWidth(label.sizeHint().width())  # never narrower than its text
             label.setBuddy(field)
             form.addRow(label, field)
         mark_labels(form)
@@ -332,7 +342,7 @@ def _tool_button(name: str, shortcut: str) -> QToolButton:
 
 def _limit_field(unit: str) -> NumberField:
     field = NumberField(unit, least=0.1, greatest=20.0, step=0.1)
-    if field.is_for_fingers:  # else it is as wide as the buttons below
+    if field.is_for_fingers:  # otherwise it is as wide as the buttons below
         field.setMaximumWidth(field.room_px(_LIMIT_PX))
     return field
 

@@ -1,4 +1,4 @@
-"""The views and how well each of them is placed, a line each."""
+"""The table of views and of how well each is registered."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MOST_LINES = 5
 
 
 class ViewTable(QTableWidget):
-    """Shows the views; the tick of a line says whether its view is used."""
+    """One row per view; its tick decides whether the view is used."""
 
     view_chosen = Signal(str)
     view_switched = Signal(str, bool)
@@ -46,7 +46,7 @@ class ViewTable(QTableWidget):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
         self.setShowGrid(False)
-        # In the dark theme an empty box would not be seen.
+        # An empty box would be invisible in the dark theme.
         self.setStyleSheet("QTableView::indicator:unchecked { border: 1px solid palette(text); }")
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
@@ -56,7 +56,7 @@ class ViewTable(QTableWidget):
         self.itemChanged.connect(self._switch)
 
     def show_rows(self, rows: Sequence[ViewRow], selected: str) -> None:
-        """Show other lines."""
+        """Replace the rows."""
         with QSignalBlocker(self):
             self.setRowCount(len(rows))
             for number, row in enumerate(rows):
@@ -93,7 +93,7 @@ class ViewTable(QTableWidget):
 
 
 def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
-    """Heading, explanation and text of every column."""
+    """Return heading, explanation and cell text of every column."""
     return (
         (tr("View"), tr("Tick: the view is used"), lambda row: view_text(row.name)),
         (
@@ -152,5 +152,5 @@ def _chip(color: tuple[int, int, int]) -> QIcon:
     painter.fillRect(1, 1, _CHIP_PX - 2, _CHIP_PX - 2, QColor(*color))
     painter.end()
     icon = QIcon(chip)
-    icon.addPixmap(chip, QIcon.Mode.Selected)  # or else it is tinted with the selection
+    icon.addPixmap(chip, QIcon.Mode.Selected)  # otherwise it is tinted with the selection
     return icon

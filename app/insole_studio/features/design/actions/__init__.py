@@ -1,4 +1,4 @@
-"""What the menus do to a design, and the table of these actions."""
+"""Actions of the design feature, and their tables."""
 
 from insole_studio.features.design.actions.edit_records import EDIT_ACTIONS
 from insole_studio.features.design.actions.feet_records import FEET_ACTIONS

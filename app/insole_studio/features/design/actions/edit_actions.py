@@ -1,4 +1,4 @@
-"""Undo, redo, the tool in the hand, and what is selected."""
+"""Undo, redo, the choice of the tool, and the selection."""
 
 from __future__ import annotations
 
@@ -9,30 +9,30 @@ from insole_studio.texts import tr
 
 
 class EditActions:
-    """What the Edit and Tools menus do."""
+    """The actions of the Edit and Tools menus."""
 
     def __init__(self, case: Case, tool_controller: ToolController) -> None:
         self._case = case
         self._tool_controller = tool_controller
 
     def undo(self) -> None:
-        """Take the gesture or the last step back."""
+        """Cancel the running gesture, or undo the last step."""
         if not self._tool_controller.cancel():
             self._case.undo()
 
     def redo(self) -> None:
-        """Do the last undone step again."""
+        """Redo the last undone step."""
         self._tool_controller.cancel()
         self._case.redo()
 
     def remove_selected(self) -> None:
-        """Take the selected correction out."""
+        """Remove the selected correction."""
         design, selected = self._case.record.design, self._case.selection
         if design is not None and selected is not None:
             self._case.apply(design.with_removed(selected), tr("Remove a correction"))
 
     def take_tool(self, key: str) -> None:
-        """Take a tool into the hand; pronation shows its own values, not those of the last pad."""
+        """Choose a tool; the posting tool also selects the design's posting, if any."""
         design = self._case.record.design
         if key == "posting" and design is not None:
             posting = posting_of(design)

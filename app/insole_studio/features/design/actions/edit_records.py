@@ -1,4 +1,4 @@
-"""Undo, redo, and the tools."""
+"""Action table of undo, redo, and the tools."""
 
 from __future__ import annotations
 

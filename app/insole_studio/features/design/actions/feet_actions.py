@@ -1,4 +1,4 @@
-"""The two feet of a case: which is at hand, and what goes from one to the other."""
+"""The two feet of a case: choosing the active one, and copying between them."""
 
 from __future__ import annotations
 
@@ -15,41 +15,44 @@ from insole_studio.texts import tr
 
 
 class FeetActions:
-    """What the Feet menu does."""
+    """The actions of the Feet menu."""
 
     def __init__(self, case: Case) -> None:
         self._case = case
 
     def take(self, side: Side) -> None:
-        """Take the foot of a side to hand.
+        """Make the foot of a side the active one.
 
         Raises
         ------
         UsageError
-            When it is not in the case.
+            If the case has no such foot.
         """
         if self._case.record.of_side(side) is None:
             raise UsageError(_missing(side))
         self._case.take_foot(side)
 
     def take_other(self) -> None:
-        """Take the other foot to hand.
+        """Make the other foot the active one.
 
         Raises
         ------
         UsageError
-            When it is not in the case.
+            If the case has no other foot.
         """
         side = self._case.side
         if side is not None:
             self.take(side.other)
 
     def copy_prescription(self) -> None:
-        """Prescribe for the other foot what is prescribed for this one, mirrored.
+        """Copy the prescription to the other foot, mirrored.
 
         Raises
         ------
-        UsageError, DesignError
+        UsageError
+            If the case has no other foot.
+        DesignError
+            If landmarks lie in an impossible order.
         """
         foot, other = self._both()
         design = fitted(template_of(foot), other, self._case.stamped)
@@ -60,11 +63,14 @@ class FeetActions:
         self._case.apply(other.with_design(design), sentence[other.side])
 
     def copy_selected(self) -> None:
-        """Prescribe the selected correction for the other foot as well, mirrored.
+        """Copy the selected correction to the other foot, mirrored.
 
         Raises
         ------
-        UsageError, DesignError
+        UsageError
+            If the case has no other foot, or no correction is selected.
+        DesignError
+            If landmarks lie in an impossible order.
         """
         foot, other = self._both()
         selected = self._selected(foot)

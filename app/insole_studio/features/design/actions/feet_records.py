@@ -1,4 +1,4 @@
-"""The two feet of a case, and variants."""
+"""Action table of the two feet and the variants."""
 
 from __future__ import annotations
 

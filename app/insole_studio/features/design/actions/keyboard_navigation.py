@@ -1,4 +1,4 @@
-"""Getting about without a mouse: from panel to panel, to the values, to the next correction."""
+"""Navigation by keyboard: to panels, to the parameters, to the next correction."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from insole_studio.widgets.tab_order import give_focus, tab_stops
 
 
 class KeyboardNavigation:
-    """Gives the focus to what the user asks for."""
+    """Moves the focus and the selection."""
 
     def __init__(self, case: Case, stage: DesignStage) -> None:
         self._case = case
@@ -19,7 +19,7 @@ class KeyboardNavigation:
         self._tool_controller = stage.tool_controller
 
     def go_to_panel(self, step: int) -> None:
-        """Go to the next panel, or to the one before."""
+        """Move the focus to the next panel, or to the previous one (`step` -1)."""
         panels = [p for p in self._stage.panels if next(tab_stops(p), None) is not None]
         focused = QApplication.focusWidget()
         at = next((n for n, p in enumerate(panels) if _holds(p, focused)), -1 if step > 0 else 0)
@@ -27,7 +27,7 @@ class KeyboardNavigation:
             give_focus(next(tab_stops(panels[(at + step) % len(panels)])))
 
     def edit_values(self) -> None:
-        """Go to the first number of the parameters, ready to be typed over."""
+        """Move the focus to the first number of the parameters, selected to be overwritten."""
         stops = tab_stops(self._stage.parameters)
         field = next((stop for stop in stops if isinstance(stop, NumberField)), None)
         if field is not None:
@@ -35,7 +35,7 @@ class KeyboardNavigation:
             field.selectAll()
 
     def select_next(self, step: int) -> None:
-        """Select the next correction of the list, or the one before."""
+        """Select the next correction of the list, or the previous one (`step` -1)."""
         design = self._case.record.design
         ids = [c.id for c in design.corrections] if design is not None else []
         if not ids:
@@ -45,7 +45,7 @@ class KeyboardNavigation:
         self._case.select(ids[(start + step) % len(ids)])
 
     def go_back(self) -> None:
-        """Escape: to the view, then to nothing selected, then to the tool that only looks."""
+        """On Escape, focus the view; then clear the selection; then choose the orbit tool."""
         views = (self._stage.foot.scene.surface, self._stage.insole.scene.surface)
         if QApplication.focusWidget() not in views:
             self._stage.focus_view()

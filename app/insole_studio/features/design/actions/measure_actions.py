@@ -1,4 +1,4 @@
-"""The table of measures for others: on the clipboard, and as a file."""
+"""Export the table of measures to the clipboard or to a file."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from insole_studio.texts import tr
 
 
 class MeasureActions:
-    """Hands over the measures of all feet of the case."""
+    """Exports the measures of all feet of the case."""
 
     def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
         self._messages = messages
 
     def copy(self) -> None:
-        """Put the table onto the clipboard."""
+        """Copy the table to the clipboard."""
         QGuiApplication.clipboard().setText(table_csv(table_of(self._case.record)))
 
     def ask_save(self) -> None:
-        """Let the user choose where the table goes."""
+        """Let the user choose a file, and write the table."""
         path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)")
         if path is not None:
             with replacing_file(path.with_suffix(".csv")) as beside:

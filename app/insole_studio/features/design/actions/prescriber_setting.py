@@ -1,4 +1,4 @@
-"""Who prescribes: stamped into every correction, and remembered."""
+"""The prescriber: stored in every correction and in the settings."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from insole_studio.texts import tr
 
 
 class PrescriberSetting:
-    """Knows the one who sits before the window."""
+    """The name of the prescriber."""
 
     def __init__(self, services: AppServices) -> None:
         self._services = services
@@ -15,7 +15,7 @@ class PrescriberSetting:
         self._case.author = services.settings.author
 
     def ask(self) -> None:
-        """Let the user type who prescribes from now on."""
+        """Let the user enter the prescriber."""
         name = self._services.messages.questions.text(
             tr("Who prescribes?"), tr("Stands in every correction from now on."), self._case.author
         )

@@ -1,4 +1,4 @@
-"""What the Prescribe menu does beyond single corrections: templates, repetition, landmarks."""
+"""Actions of the Prescribe menu beyond single corrections: templates, repetition, landmarks."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class PrescriptionActions:
         self._case.select(new.id)
 
     def take_pad(self, number: int) -> None:
-        """Put a pad of the library where it usually lies, and take the tool that moves it."""
+        """Add a pad of the library at its usual place, and choose the pad tool."""
         tool, pad = self._tool_controller.tools["pelott"], self._pads[number]
         design, side = self._case.record.design, self._case.side
         assert isinstance(tool, PelottTool)
@@ -73,7 +73,7 @@ class PrescriptionActions:
         self._case.select(new.id)
 
     def ask_save_template(self) -> None:
-        """Let the user choose where the template goes."""
+        """Let the user choose a file, and save the template."""
         path = self._messages.questions.file_to_write(
             f"template{TEMPLATE_SUFFIX}", template_kinds()
         )
@@ -82,7 +82,7 @@ class PrescriptionActions:
             self._messages.say(tr("Written: {name}").format(name=path.name))
 
     def ask_apply_template(self) -> None:
-        """Let the user choose a template."""
+        """Let the user choose a template, and apply it."""
         path = self._messages.questions.file_to_open(template_kinds())
         if path is not None and self._case.record.design is not None:
             template, foot = read_template(path), _foot_of(self._case)
@@ -91,28 +91,31 @@ class PrescriptionActions:
                 self._messages.say(_mirrored_sentence(foot.side), LONG_MS)
 
     def ask_repeat_design(self) -> None:
-        """Let the user choose an earlier case."""
+        """Let the user choose an earlier case, and repeat its design."""
         path = self._messages.questions.file_to_open(case_kinds())
         if path is not None and self._case.record.design is not None:
             design = design_of_case(self._case, path)
             self._case.apply(design, tr("Repeat the design of an earlier case"))
 
     def confirm_landmarks(self) -> None:
-        """Take all landmarks as they are shown."""
+        """Confirm all landmarks at their current positions."""
         self._case.apply(confirmed(self._case.record), tr("Confirm the landmarks"))
 
     def find_landmarks(self) -> None:
-        """Forget the landmarks that were set by hand."""
+        """Discard manually placed landmarks, so that they are detected again."""
         anew = found_anew(self._case.record.annotations)
         self._case.apply(anew, tr("Find the landmarks anew"))
 
 
 def save_template(case: Case, path: Path) -> None:
-    """Write the prescription with the places of the landmarks that it fits.
+    """Write the prescription as a template, with the landmarks it refers to.
 
     Raises
     ------
-    DesignError, OutputError
+    DesignError
+        If the landmarks lie in an impossible order.
+    OutputError
+        If the file cannot be written.
     """
     design = case.record.design
     assert design is not None
@@ -130,12 +133,21 @@ def _mirrored_sentence(side: Side) -> str:
 
 
 def design_of_case(case: Case, path: Path) -> InsoleDesign:
-    """Read the prescription of another case for the foot at hand; of its other foot, mirrored.
+    """Read another case's prescription for the active foot; one for its other foot is mirrored.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    path
+        File of the other case.
 
     Raises
     ------
-    InputError, DesignError
-        When the file is no case, or holds no prescription.
+    InputError
+        If the file is not a case.
+    DesignError
+        If it contains no prescription.
     """
     earlier, foot = read_case(path), _foot_of(case)
     source = earlier.of_side(foot.side) or earlier.current

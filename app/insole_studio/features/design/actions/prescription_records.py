@@ -1,4 +1,4 @@
-"""What can be prescribed with one click; landmarks, measures and templates."""
+"""Action table of corrections, landmarks, measures and templates."""
 
 from __future__ import annotations
 

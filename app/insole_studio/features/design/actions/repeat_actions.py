@@ -1,4 +1,4 @@
-"""Offers, in one click, what was prescribed before: on the last scan, or for the other foot."""
+"""Offer to repeat an earlier prescription: that of the last scan, or that of the other foot."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ NOTICE, MIRROR = "repeat", "mirror"
 
 
 class RepeatActions(QObject):
-    """Looks for the last design of the foot at hand as long as nothing is prescribed on it."""
+    """Finds the last design of the active foot while nothing is prescribed for it."""
 
     def __init__(self, services: AppServices, feet: FeetActions) -> None:
         super().__init__(services.window)
@@ -43,14 +43,14 @@ class RepeatActions(QObject):
 
     @property
     def last_design(self) -> Template | None:
-        """What was prescribed last for the foot at hand, before its present design."""
+        """The last prescription of the active foot before its present design."""
         foot = self._case.record.current
         if foot is None:
             return None
         return foot.earlier or self._found.get((identity(self._case.record.patient), foot.side))
 
     def offer(self) -> None:
-        """Offer the last design on a foot that has none yet."""
+        """Offer the last design for a foot without one."""
         foot = self._case.record.current
         if foot is None or foot.design.corrections:
             self._withdraw()
@@ -67,7 +67,7 @@ class RepeatActions(QObject):
             )
 
     def repeat(self) -> None:
-        """Prescribe on this scan what was prescribed on the last one."""
+        """Apply the prescription of the last scan to this one."""
         foot, template = self._case.record.current, self.last_design
         if foot is None or template is None:
             self._messages.show_sentence(
@@ -82,7 +82,7 @@ class RepeatActions(QObject):
         self._case.apply(design, tr("Repeat the last design"))
 
     def _offer_mirror(self, foot: FootRecord) -> None:
-        """Offer the prescription of the other foot, once a foot that has none."""
+        """Offer the mirrored prescription of the other foot, once per foot without one."""
         other = self._case.record.other
         if other is None or not other.design.corrections or foot.foot is self._mirror_offered:
             return

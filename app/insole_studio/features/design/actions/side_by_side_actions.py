@@ -1,4 +1,4 @@
-"""What stands beside the foot at hand, and the colour maps."""
+"""Actions of the side-by-side view and the colour maps."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from insole_studio.texts import tr
 
 
 class SideBySideActions:
-    """Shows two feet or two variants beside each other, and how they differ."""
+    """Shows two feet or two variants side by side, and their difference."""
 
     def __init__(self, case: Case, stage: DesignStage) -> None:
         self._case = case
@@ -20,16 +20,16 @@ class SideBySideActions:
 
     @property
     def map_kind(self) -> MapKind:
-        """What the insole is coloured by."""
+        """The colour map of the insole."""
         return self._stage.insole_presenter.map_kind
 
     def show_beside(self, kind: Beside) -> None:
-        """Let something stand beside the foot at hand.
+        """Choose what to show beside the active foot.
 
         Raises
         ------
         UsageError
-            When the case has nothing of that kind.
+            If the case has nothing of that kind.
         """
         if kind is Beside.FOOT and self._case.record.other is None:
             raise UsageError(
@@ -42,12 +42,12 @@ class SideBySideActions:
             self._show(MapKind.NONE)
 
     def show_map(self, kind: MapKind) -> None:
-        """Colour the insole, and for a difference the foot too.
+        """Choose the colour map of the insole; a difference colours the foot as well.
 
         Raises
         ------
         UsageError
-            When there is nothing to differ from.
+            If there is nothing to compare with.
         """
         if kind is MapKind.DIFFERENCE and self.counterpart.kind is Beside.NOTHING:
             two_feet = self._case.record.other is not None

@@ -1,4 +1,4 @@
-"""Several prescriptions for the same foot: duplicate, name, choose, delete."""
+"""Actions on the variants of a prescription: duplicate, name, choose, delete."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ from insole_studio.texts import tr
 
 
 class VariantActions:
-    """Every step is one of undo; the chosen variant is the one that is shown, checked and made."""
+    """The actions on variants; each is one undo step.
+
+    The chosen variant is the one that is shown, checked and exported.
+    """
 
     def __init__(self, case: Case, messages: UserMessages) -> None:
         self._case = case
         self._messages = messages
 
     def duplicate(self) -> None:
-        """Go on with a copy of the chosen variant, under the next free letter."""
+        """Copy the chosen variant under the next free letter, and choose the copy."""
         foot = self._foot
         copy = Variant(next_name(foot), foot.design)
         sentence = tr("Duplicate as variant {name}").format(name=copy.name)
@@ -31,12 +34,12 @@ class VariantActions:
         choose_variant(self._case, names[after])
 
     def ask_name(self) -> None:
-        """Let the user name the chosen variant.
+        """Let the user rename the chosen variant.
 
         Raises
         ------
         DesignError
-            When another has the name.
+            If another variant has the name.
         """
         foot = self._foot
         question = tr("What is variant {name} to be called?").format(name=foot.chosen)
@@ -46,12 +49,12 @@ class VariantActions:
             self._case.apply(foot.with_name(foot.chosen, name), sentence)
 
     def delete(self) -> None:
-        """Leave the chosen variant out.
+        """Delete the chosen variant.
 
         Raises
         ------
         DesignError
-            When it is the only one.
+            If it is the only one.
         """
         foot = self._foot
         sentence = tr("Delete variant {name}").format(name=foot.chosen)

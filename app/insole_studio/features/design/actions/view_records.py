@@ -1,4 +1,4 @@
-"""Where one looks from, and what the views show."""
+"""Action table of viewing directions and display options."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The colour maps of the insole: what each of them shows, computed from the surface of now."""
+"""The colour maps of the insole, computed from its current surface."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LEAST_SPAN_MM = 1.0
 
 
 class MapKind(StrEnum):
-    """What the insole's colours tell."""
+    """What the colours of the insole show."""
 
     NONE = "none"
     HEIGHT = "height"
@@ -28,7 +28,22 @@ class MapKind(StrEnum):
 
 
 def color_by(kind: MapKind, surface: InsolePreview, counterpart: SideBySide) -> Coloring | None:
-    """Give the colours of the shown insole; None where there is nothing to tell."""
+    """Return the colours of the insole.
+
+    Parameters
+    ----------
+    kind
+        The colour map.
+    surface
+        The current preview of the insole.
+    counterpart
+        What a difference compares with.
+
+    Returns
+    -------
+    Coloring or None
+        None if there is nothing to show.
+    """
     if surface.mesh is None or surface.contact is None or surface.base is None:
         return None
     if kind is MapKind.DIFFERENCE:
@@ -54,7 +69,7 @@ def _thickness(surface: InsolePreview) -> Coloring:
 
 
 def _fit(surface: InsolePreview) -> Coloring:
-    """How far the insole stands over the sole of the foot as it was scanned, before pads."""
+    """Colour by the height of the insole above the sole as scanned, before pads."""
     assert surface.mesh is not None
     assert surface.base is not None
     bottom = surface.bottom_heights_mm
@@ -74,7 +89,7 @@ def _difference(surface: InsolePreview, counterpart: SideBySide) -> Coloring | N
 
 
 def color_foot(foot: Foot, counterpart: SideBySide) -> Coloring | None:
-    """Colour the sole by its difference to the other foot; None where there is none."""
+    """Colour the sole by its difference to the other foot; None without one."""
     over = foot_difference(foot, counterpart)
     if over is None or not np.isfinite(over).any():
         return None
@@ -82,7 +97,7 @@ def color_foot(foot: Foot, counterpart: SideBySide) -> Coloring | None:
 
 
 def difference_limits(over: FloatArray) -> tuple[float, float]:
-    """Give limits that nearly all numbers lie between, in halves of a millimetre."""
+    """Return symmetric limits that enclose 99 % of the values, in steps of 0.5 mm."""
     known = np.abs(over[np.isfinite(over)])
     span = float(np.quantile(known, 0.99)) if len(known) else 0.0
     span = max(np.ceil(2 * span) / 2, LEAST_SPAN_MM)
@@ -90,7 +105,7 @@ def difference_limits(over: FloatArray) -> tuple[float, float]:
 
 
 def numbers_text(over: FloatArray) -> str:
-    """Say how large a difference is: signed mean, and 95 % and maximum of its size."""
+    """Return the mean of a difference, and 95 % quantile and maximum of its magnitude, as text."""
     known = over[np.isfinite(over)]
     if len(known) == 0:
         return tr("Nothing lies over each other")

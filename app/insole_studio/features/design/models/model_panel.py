@@ -1,4 +1,4 @@
-"""What a 3-D panel can show: the view of foot or insole as its presenter knows it."""
+"""The interface of a 3-D panel, as the presenters of foot and insole see it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from insole_studio.scene.pointer import Handle, MarkedPoint
 
 
 class ModelPanel(Protocol):
-    """What a 3-D panel can show."""
+    """A panel that shows the foot or the insole in 3-D."""
 
     def show_side(self, side: Side | None) -> None: ...  # noqa: D102
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102

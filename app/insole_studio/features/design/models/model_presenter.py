@@ -1,4 +1,4 @@
-"""What the two 3-D panels show of the case: the foot in colour, and the preview of the insole."""
+"""Presenters of the two 3-D panels: the foot in colour, and the preview of the insole."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ _NOTHING = (object(),) * 7
 
 
 class ModelPresenter:
-    """Keeps one panel in step with case, surface and tool; passes its pointer to the hand."""
+    """Keeps one panel in step with case, preview and tool; passes pointer events to the tool."""
 
     subject: Subject
 
@@ -75,7 +75,7 @@ class ModelPresenter:
         self._section = section
         self._tool_controller = tool_controller
         self._marked: tuple[object, ...] = _NOTHING
-        """What the marks were drawn for: several facts may change at once."""
+        """State for which the marks were last drawn; several signals may report one change."""
         case.foot_changed.connect(self.show_all)
         case.changed.connect(self.show_marks)
         case.preview_changed.connect(self.show_marks)
@@ -88,12 +88,12 @@ class ModelPresenter:
 
     @property
     def side(self) -> Side:
-        """The side of the open foot."""
+        """The side of the active foot."""
         return self._case.side or Side.LEFT
 
     @property
     def mesh(self) -> TriangleMesh | None:
-        """What is shown."""
+        """The mesh of the subject."""
         raise NotImplementedError
 
     @property
@@ -103,7 +103,7 @@ class ModelPresenter:
 
     @property
     def whole_bounds_mm(self) -> FloatArray | None:
-        """The box (2, 3) of the subject and of what stands beside it."""
+        """The box (2, 3) of the subject and the mesh beside it."""
         bounds, companion = self.bounds_mm, self.companion
         if bounds is None or companion is None:
             return bounds
@@ -113,14 +113,14 @@ class ModelPresenter:
 
     @property
     def companion(self) -> TriangleMesh | None:
-        """What stands beside the subject, in its place; None for nothing."""
+        """The mesh beside the subject, placed there; None if there is none."""
         foot, mesh = self._case.record.current, self._beside()
         if self.mesh is None or mesh is None or foot is None:
             return None
         return placed_beside(self.mesh, mesh, is_right(foot, self._counterpart))
 
     def show_counterpart(self) -> None:
-        """Show what stands beside the subject, and the names of both."""
+        """Show the mesh beside the subject, and the names of both."""
         foot, companion = self._case.record.current, self.companion
         self.panel.show_companion(companion)
         if foot is None or self.mesh is None or companion is None:
@@ -136,15 +136,15 @@ class ModelPresenter:
             self._case.take_foot(side.other)
 
     def _beside(self) -> TriangleMesh | None:
-        """What is to stand beside the subject, in its own place."""
+        """Return the mesh to show beside the subject, in its own frame."""
         raise NotImplementedError
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
-        """Put a place of the insole frame onto what is shown."""
+        """Return the point of the shown surface at a position of the insole frame, mm."""
         raise NotImplementedError
 
     def start(self) -> tuple[float, float, float] | None:
-        """Begin the pointer of the keys where the tool asks, or at what is selected."""
+        """Return where the keyboard cursor starts: where the tool asks, or at the selection."""
         pad = selected_pelott(self._case)
         place = self._tool_controller.tool.start(self._case) or (
             None if pad is None else pad.centre_mm
@@ -152,11 +152,11 @@ class ModelPresenter:
         return None if place is None else self.place(*place)
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
-        """Whether the insole lies under a place."""
+        """Return whether the insole covers a position of the insole frame."""
         return self._surface.covers(x_mm, y_mm)
 
     def show_all(self) -> None:
-        """Show another case."""
+        """Show the case after another foot was opened."""
         self._marked = _NOTHING
         if self._case.foot is None:
             self.panel.clear()
@@ -164,7 +164,7 @@ class ModelPresenter:
         self.show_surface()
 
     def rest(self) -> None:
-        """Do what has waited for the hand to be done."""
+        """Update what is not updated during a gesture."""
         raise NotImplementedError
 
     def show_surface(self) -> None:
@@ -202,23 +202,23 @@ class ModelPresenter:
         self.panel.show_sketch(self._on_surface(np.array(tool.sketch).reshape(-1, 2)))
 
     def press(self, event: PointerEvent) -> bool:
-        """Begin a gesture of the tool."""
+        """Start a gesture of the tool."""
         return self._tool_controller.press(event, self)
 
     def move(self, event: PointerEvent) -> None:
-        """Continue it."""
+        """Continue the gesture."""
         self._tool_controller.drag(event)
 
     def release(self, event: PointerEvent) -> None:
-        """End it."""
+        """Finish the gesture."""
         self._tool_controller.drag(event)
 
     def cancel(self) -> bool:
-        """Give it up."""
+        """Cancel the gesture."""
         return self._tool_controller.cancel()
 
     def double_click(self, event: PointerEvent) -> bool:
-        """Let the tool act on a double click; on what stands beside, take that to hand."""
+        """Pass a double click to the tool; on the mesh beside the subject, make that one active."""
         if self._tool_controller.double_click(event, self):
             return True
         companion = self.companion
@@ -230,15 +230,15 @@ class ModelPresenter:
         return True
 
     def offers(self, event: PointerEvent) -> Sequence[ContextMenuItem]:
-        """Give what can be done where the pointer is."""
+        """Return the context menu items for the pointer's position."""
         return self._tool_controller.offers(event, self)
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
-        """Let the tool act on the wheel."""
+        """Pass the wheel to the tool."""
         return self._tool_controller.wheel(event, steps)
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
-        """Let the tool act on an arrow key."""
+        """Pass an arrow key to the tool."""
         return self._tool_controller.nudge(event, right, up)
 
     def _show_plane(self, plane: ReferencePlane | None) -> None:
@@ -248,7 +248,7 @@ class ModelPresenter:
         self.panel.show_plane(plane, size)
 
     def _points(self) -> list[MarkedPoint]:
-        """Further points always, landmarks while they are at hand."""
+        """Return the custom points, and the landmarks while their tool is chosen."""
         wanted = shown_points(self._case)
         if self._tool_controller.tool.key != "key_point":
             wanted = {name: place for name, place in wanted.items() if name not in NAMES}
@@ -275,7 +275,7 @@ class ModelPresenter:
 
     @property
     def _lift_mm(self) -> float:
-        """Of what is drawn here over the contact surface."""
+        """Height above the contact surface at which marks are drawn."""
         return self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
 
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
@@ -302,20 +302,20 @@ class ModelPresenter:
 
 
 class FootPresenter(ModelPresenter):
-    """The coloured foot."""
+    """Presenter of the coloured foot."""
 
     subject = Subject.FOOT
     _is_compared = False
     _ghost = False
-    """Whether the insole is seen through the foot."""
+    """Whether the insole is shown translucently below the foot."""
 
     @property
     def mesh(self) -> TriangleMesh | None:
-        """The foot's surface."""
+        """The mesh of the foot."""
         return None if self._case.foot is None else self._case.foot.mesh
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
-        """Put a place onto the sole: the insole without its thickness lies there."""
+        """Return the point of the sole at a position: the contact surface without thickness."""
         design = self._case.shown.design
         thickness = design.thickness_mm if design is not None else 0.0
         return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm) - thickness
@@ -340,13 +340,13 @@ class FootPresenter(ModelPresenter):
         self.show_marks()
 
     def show_difference(self, shown: bool) -> None:
-        """Colour the sole by its difference to the other foot, or show it as it is."""
+        """Colour the sole by its difference to the other foot, or in its own colours."""
         self._is_compared = shown
         if self._case.foot is not None:
             self._show_foot(self._case.foot)
 
     def show_counterpart(self) -> None:
-        """Show the other foot, and how this one differs from it."""
+        """Show the other foot, and the difference to it."""
         super().show_counterpart()
         if self._is_compared and self._case.foot is not None:
             self._show_foot(self._case.foot)
@@ -367,7 +367,7 @@ class FootPresenter(ModelPresenter):
         return built.foot.mesh
 
     def rest(self) -> None:
-        """Let the ghost follow what the hand has done."""
+        """Update the translucent insole after a gesture."""
         self._show_ghost()
 
     def show_surface(self) -> None:
@@ -378,12 +378,12 @@ class FootPresenter(ModelPresenter):
         self._show_ghost()
 
     def show_ghost(self, shown: bool) -> None:
-        """Let the insole be seen through the foot, or not."""
+        """Show or hide the translucent insole."""
         self._ghost = shown
         self._show_ghost()
 
     def _show_ghost(self) -> None:
-        """Put the insole below the foot; while the hand moves it, it waits."""
+        """Show the insole below the foot; not during a gesture."""
         insole = self._surface.mesh
         if not self._ghost or insole is None:
             self.panel.show_ghost(None)
@@ -393,7 +393,7 @@ class FootPresenter(ModelPresenter):
 
 
 class InsolePresenter(ModelPresenter):
-    """The preview of the insole, shaded or as a map of its height."""
+    """Presenter of the insole's preview, shaded or with a colour map."""
 
     subject = Subject.INSOLE
 
@@ -422,11 +422,11 @@ class InsolePresenter(ModelPresenter):
 
     @property
     def mesh(self) -> TriangleMesh | None:
-        """The insole's surface."""
+        """The mesh of the insole."""
         return self._surface.mesh
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
-        """Put a place onto the contact surface."""
+        """Return the point of the contact surface at a position."""
         return x_mm, y_mm, self._surface.height_mm(x_mm, y_mm)
 
     def show_map(self, kind: MapKind) -> None:
@@ -435,14 +435,14 @@ class InsolePresenter(ModelPresenter):
         self._show_mesh_anew()
 
     def show_counterpart(self) -> None:
-        """Show the other insole, and how this one differs from it."""
+        """Show the other insole, and the difference to it."""
         super().show_counterpart()
         if self._map is MapKind.DIFFERENCE:
             self._show_mesh_anew()
 
     @property
     def map_kind(self) -> MapKind:
-        """What the insole is coloured by."""
+        """The colour map of the insole."""
         return self._map
 
     def _beside(self) -> TriangleMesh | None:
@@ -450,20 +450,20 @@ class InsolePresenter(ModelPresenter):
         return None if built is None else built.solid
 
     def rest(self) -> None:
-        """Draw the lines of equal height again."""
+        """Redraw the contour lines."""
         self._show_contours()
 
     def show_contours(self, shown: bool) -> None:
-        """Draw lines of equal height, a millimetre apart, or not."""
+        """Show or hide contour lines of height, one per millimetre."""
         self._contours = shown
         self._show_contours()
 
     def show_wireframe(self, shown: bool) -> None:
-        """Show edges alone, or the whole surface."""
+        """Show only edges, or the whole surface."""
         self.panel.show_wireframe(shown)
 
     def show_surface(self) -> None:
-        """Follow the surface."""
+        """Show the current preview."""
         mesh, normals = self._surface.mesh, self._surface.normals
         if mesh is None or normals is None:
             self._contoured = None, False
@@ -494,10 +494,10 @@ class InsolePresenter(ModelPresenter):
         return coloring
 
     def _show_contours(self) -> None:
-        """Draw the lines, unless the hand is moving the surface."""
+        """Draw the contour lines, except during a gesture."""
         wanted = self._contours and not self._tool_controller.is_busy
         if self._contoured == (self._surface.mesh, wanted):
-            return  # they take longer than all else, and several facts change at once
+            return  # they are slow to draw, and one change emits several signals
         self._contoured = self._surface.mesh, wanted
         self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
 

@@ -1,4 +1,4 @@
-"""The lines a tool works with: axes of the rearfoot and the sole's level, or rings to turn by."""
+"""Guide lines of the tools: axes of the rearfoot and the sole's level, or rotation rings."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from insole_studio.texts import tr
 
 LEVEL_HALF_MM = 60.0
 BELOW_MM = np.array([0.0, -9.0, -9.0])
-"""Of the angle from its line, seen from below and from behind."""
+"""Offset of the angle's text from its line, seen from below and from behind."""
 BEYOND = 0.25
-"""Share of its length that an axis is drawn farther at both ends."""
+"""Share of its length by which an axis is extended at both ends."""
 
 
 def axes_of(case: Case, tool: Tool) -> GuideLines | None:
-    """Give the lines that a tool works with: those seen from behind, or the rings of turning."""
+    """Return the guide lines of a tool: the rearfoot axes, or the rings of the turn tool."""
     if isinstance(tool, TurnTool):
         return _rings(case, tool)
     if tool.key not in ("posting", "key_point"):
@@ -31,7 +31,7 @@ def axes_of(case: Case, tool: Tool) -> GuideLines | None:
 
 
 def _rings(case: Case, tool: TurnTool) -> GuideLines | None:
-    """What turns the foot, and the angle of now beyond the toes."""
+    """Return the rotation rings, with the current angle in front of the toes."""
     rings, foot = tool.rings(case), case.foot
     if foot is None or not rings:
         return None
@@ -40,7 +40,7 @@ def _rings(case: Case, tool: TurnTool) -> GuideLines | None:
 
 
 def rear_lines(record: CaseRecord) -> GuideLines | None:
-    """Give the lines of the foot at hand; None where the leg was not scanned."""
+    """Return the rearfoot axes and the sole's level; None if the leg was not scanned."""
     landmarks = landmarks_of(record)
     if record.foot is None or "achilles_lower" not in landmarks:
         return None
@@ -55,7 +55,7 @@ def rear_lines(record: CaseRecord) -> GuideLines | None:
     lean = float(np.degrees(np.arctan2(record.foot.side.medial_sign * way[0], way[2])))
     kind = tr("valgus") if lean > 0 else tr("varus")
     text = tr("{angle}° {kind}").format(angle=f"{abs(lean):.1f}", kind=kind)
-    # Below the lateral end, where neither line nor handle is: those stand at the medial edge.
+    # Below the lateral end, clear of lines and handles, which are at the medial edge.
     end = level[0] if record.foot.side.medial_sign > 0 else level[1]
     return GuideLines((*lines, level), end + BELOW_MM, text)
 

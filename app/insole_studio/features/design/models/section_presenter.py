@@ -1,4 +1,4 @@
-"""Between the section plane and the panel that draws what it cuts."""
+"""Presenter of the section through the insole."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from insole_studio.texts import tr
 
 
 class SectionPanel(Protocol):
-    """What the section panel shows."""
+    """The section panel as its presenter sees it."""
 
     def show_sentence(self, sentence: str) -> None: ...  # noqa: D102
     def show_cut(  # noqa: D102
@@ -22,7 +22,7 @@ class SectionPanel(Protocol):
 
 
 class SectionPresenter:
-    """Cuts anew whenever the insole or the plane is another."""
+    """Cuts the insole again whenever insole or plane change."""
 
     def __init__(
         self, panel: SectionPanel, case: Case, surface: InsolePreview, section: SectionModel
@@ -36,7 +36,7 @@ class SectionPresenter:
         self.show()
 
     def show(self) -> None:
-        """Show the cut, or what to do for one."""
+        """Show the section, or how to obtain one."""
         plane, side = self._section.plane, self._case.side
         if plane is None or side is None:
             self._panel.show_sentence(tr("Choose the section tool and click on the sole."))
@@ -49,7 +49,7 @@ class SectionPresenter:
 
 
 def end_words(plane: SectionPlane, side: Side) -> tuple[str, str]:
-    """Name the left and the right end of a cut."""
+    """Return the anatomical directions at the left and right end of a section."""
     x, y = plane.along
     if abs(y) > abs(x):
         words, forward = (tr("Heel"), tr("Toes")), y > 0

@@ -1,4 +1,4 @@
-"""Two subjects beside each other: where they stand, and which is which."""
+"""Layout of two meshes side by side: positions and names."""
 
 from __future__ import annotations
 
@@ -16,15 +16,18 @@ from insole_studio.texts import tr
 from insole_studio.widgets.side_badge import COLORS
 
 GAP_MM = 64.0
-"""Between the two: the words of their inner sides stand there."""
+"""Gap between the two, wide enough for their anatomical directions."""
 NAME_OVER_MM = 38.0
 NAME_ROOM_MM = NAME_OVER_MM + 4.0
-"""How much higher the picture is for the names."""
+"""Height added to the view for the names."""
 AT_HAND, OTHER = "#1668b8", "#5f666d"
 
 
 def is_right(foot: FootRecord, counterpart: SideBySide) -> bool:
-    """Whether the subject stands to the right (+x) of its counterpart: as feet do, or by name."""
+    """Return whether the subject goes to the right (+x) of its counterpart.
+
+    Feet go to their own side, variants in the order of their names.
+    """
     if counterpart.kind is Beside.VARIANT:
         names = [variant.name for variant in foot.variants]
         return names.index(foot.chosen) > names.index(counterpart.variant)
@@ -32,7 +35,15 @@ def is_right(foot: FootRecord, counterpart: SideBySide) -> bool:
 
 
 def placed_beside(mesh: TriangleMesh, other: TriangleMesh, is_right: bool) -> TriangleMesh:
-    """Move the counterpart beside the subject, which stays where it is."""
+    """Return the counterpart moved beside the subject, which keeps its place.
+
+    Parameters
+    ----------
+    mesh, other : mm, insole frame
+        Subject and counterpart.
+    is_right
+        Whether the subject goes to the right (+x).
+    """
     low, high = mesh.bounds_mm[:, 0]
     other_low, other_high = other.bounds_mm[:, 0]
     shift = low - GAP_MM - other_high if is_right else high + GAP_MM - other_low
@@ -42,7 +53,17 @@ def placed_beside(mesh: TriangleMesh, other: TriangleMesh, is_right: bool) -> Tr
 def names_over(
     foot: FootRecord, counterpart: SideBySide, mesh: TriangleMesh, other: TriangleMesh
 ) -> tuple[NameLabel, NameLabel]:
-    """Give both their names, over the toes; sides in their colours."""
+    """Return the names of both, above the toes, in the colours of their sides.
+
+    Parameters
+    ----------
+    foot
+        The active foot.
+    counterpart
+        What is shown beside it.
+    mesh, other : mm, insole frame
+        Meshes of subject and counterpart, in their places.
+    """
     colors = COLORS[foot.side], COLORS[foot.side.other]
     if counterpart.kind is Beside.VARIANT:
         colors = AT_HAND, OTHER
@@ -52,7 +73,7 @@ def names_over(
 
 
 def pair_text(foot: FootRecord, counterpart: SideBySide) -> str:
-    """Say what is compared with what."""
+    """Return a text that says what is compared with what."""
     own, its = _words(foot, counterpart)
     if counterpart.is_mirrored:
         return tr("{this} − {other} mirrored").format(this=own, other=its)

@@ -1,4 +1,4 @@
-"""Which values of a prescription can be edited, as a table: label, unit and step of each."""
+"""The editable values of a prescription as a table: label, unit and step of each."""
 
 from __future__ import annotations
 
@@ -40,15 +40,18 @@ Part = TypeVar("Part")
 
 @dataclass(frozen=True)
 class Editable:
-    """One value: the field's name, which of its two numbers, and how it is called.
+    """One editable value of a part of the prescription.
 
     Parameters
     ----------
     name
+        Name of the attribute.
     label
+        Function that returns the translated label.
     number
-        Of a place or pair the first or the second.
+        Index into a position or pair; None for a single value.
     step
+        Step of the field.
     """
 
     name: str
@@ -58,7 +61,7 @@ class Editable:
 
     @property
     def key(self) -> str:
-        """Unique within the part."""
+        """Key of the value, unique within its part."""
         return self.name if self.number is None else f"{self.name}.{self.number}"
 
 
@@ -151,17 +154,33 @@ _RANGES: dict[type[Any], dict[str, Range]] = {
 
 
 def field_specs(part: Any, prefix: str) -> tuple[FieldSpec | ChoiceSpec, ...]:
-    """Give the fields of a correction, of the design, of its layers or outline.
+    """Return the fields of a correction, of the design, of its layers or outline.
 
-    Values that the part does not have (the egg's ratio of a bar, a place that is automatic) are
-    left out.
+    Values that the part does not have (the egg ratio of a bar, an automatic position) are omitted.
+
+    Parameters
+    ----------
+    part
+        The part of the prescription.
+    prefix
+        Prefix of the fields' keys.
     """
     specs = (_spec(part, editable, f"{prefix}.{editable.key}") for editable in EDITABLE[type(part)])
     return tuple(spec for spec in specs if spec is not None)
 
 
 def with_value(part: Part, key: str, value: float | str) -> Part:
-    """Give the part with one value replaced; `key` as in its field, without the prefix."""
+    """Return the part with one value replaced.
+
+    Parameters
+    ----------
+    part
+        The part of the prescription.
+    key
+        Key of the field, without the prefix.
+    value
+        The new number or choice.
+    """
     name, _, number = key.partition(".")
     changes: dict[str, Any] = {name: value}
     if number:
@@ -173,7 +192,7 @@ def with_value(part: Part, key: str, value: float | str) -> Part:
 
 
 def _within(part: Part) -> Part:
-    """Bring the numbers of a part into the ranges that another choice leaves them."""
+    """Return the part with its numbers clipped to the ranges that its choices allow."""
     for name in (editable.name for editable in EDITABLE[type(part)]):
         number = getattr(part, name)
         if isinstance(number, int | float):
@@ -230,7 +249,7 @@ def _pair(part: Any, name: str) -> tuple[float, float] | None:
 
 
 def _acts(outline: Outline, name: str) -> bool:
-    """Whether a value has a meaning for this kind of outline."""
+    """Return whether a value applies to this kind of outline."""
     if outline.source == "drawn":
         return name == "source"
     if name == "toe_allowance_mm":
@@ -239,7 +258,7 @@ def _acts(outline: Outline, name: str) -> bool:
 
 
 def _has(pad: Pelott, name: str) -> bool:
-    """Whether a shape of pad has a value."""
+    """Return whether a pad of this shape has a value."""
     if name == "egg_ratio":
         return pad.shape == "egg"
     if name == "sigma_mm":

@@ -1,4 +1,4 @@
-"""What the parameters panel offers about the foot: its pose, pen marks, a proposed posting."""
+"""Parameters that concern the foot: its pose, pen marks, a proposed posting."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _ANGLE = Range(-45, 45, "degrees")
 
 
 class FootProposals:
-    """The groups of the landmark and pronation tools, and what their buttons do."""
+    """The field groups of the landmark and pronation tools, and the actions of their buttons."""
 
     def __init__(self, case: Case, rules: ClinicRules) -> None:
         self._case = case
@@ -41,17 +41,17 @@ class FootProposals:
         )
 
     def landmark_groups(self) -> list[FieldGroup]:
-        """Give the pose of the foot, and each mark of a pen with what it may mean."""
+        """Return the pose of the foot, and each pen mark with the landmarks it may stand for."""
         marks = self._marks.of(self._case.record)
         groups = (self._mark_group(number, mark) for number, mark in enumerate(marks))
         return [self._pose_group(), *groups]
 
     def pose_groups(self) -> list[FieldGroup]:
-        """Give the pose of the foot alone."""
+        """Return the group with the pose of the foot."""
         return [self._pose_group()]
 
     def posting_note(self) -> str:
-        """Say how the Achilles axis leans against the sole; empty where it was not scanned."""
+        """Return the angle of the Achilles axis to the sole as text; empty if not scanned."""
         lean = self._eversion_deg()
         if lean is None:
             return ""
@@ -61,7 +61,7 @@ class FootProposals:
         )
 
     def posting_offers(self) -> tuple[Proposal, ...]:
-        """Offer the posting that the clinic's rule suggests, unless it is there."""
+        """Return the posting suggested by the clinic's rule, unless it is already prescribed."""
         proposed, design = self._proposed_deg(), self._case.record.design
         posting = None if design is None else posting_of(design)
         if not proposed or (posting is not None and posting.rearfoot_deg == proposed):
@@ -71,14 +71,14 @@ class FootProposals:
         return (Proposal("propose.post", text, tip),)
 
     def choose(self, kind: str, name: str) -> bool:
-        """Do what a button offers; False when it is another's."""
+        """Run a button's action; return False if the button belongs to another presenter."""
         act = _ACTS.get(kind)
         if act is not None:
             act(self, name)
         return act is not None
 
     def turn(self, name: str, value: float) -> None:
-        """Let the foot lie at another angle."""
+        """Set one pose angle of the foot, degrees."""
         record = self._case.record
         if record.foot is not None:
             angles = pose_angles(record.foot, landmarks_of(record))
@@ -88,7 +88,17 @@ class FootProposals:
         self._lay(PoseAngles(), tr("Align the foot by the landmarks"))
 
     def _lay(self, angles: PoseAngles, sentence: str, merge_key: str = "") -> None:
-        """Let the foot lie at other angles."""
+        """Set the pose angles of the foot.
+
+        Parameters
+        ----------
+        angles
+            The new pose angles.
+        sentence
+            Description of the undo step.
+        merge_key
+            Consecutive steps with the same key become one; empty for never.
+        """
         if self._case.foot is not None:
             self._case.apply(turned_record(self._case.record, angles), sentence, merge_key)
 

@@ -1,4 +1,4 @@
-"""Between the parameters panel and the case."""
+"""Presenter of the parameters panel."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ TEMPLATE_KEYS = ("height_mm", "length_mm", "width_mm")
 
 
 class ParametersPanel(Protocol):
-    """What the parameters panel shows, and the intents it emits."""
+    """The parameters panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
     offer_chosen: Any
@@ -44,7 +44,7 @@ class ParametersPanel(Protocol):
 
 
 class ParametersPresenter:
-    """Shows the values of the selected correction and of the insole, and takes new ones."""
+    """Shows and edits the values of the selected correction and of the insole."""
 
     def __init__(
         self,
@@ -69,7 +69,7 @@ class ParametersPresenter:
         self.show()
 
     def show(self) -> None:
-        """Show the groups that matter now."""
+        """Show the groups for the current tool and selection."""
         design = self._case.shown.design
         if design is None:
             note = tr("The numbers of the design appear here.")
@@ -81,13 +81,13 @@ class ParametersPresenter:
         self._panel.show_groups([*self._groups(design), *make])
 
     def edit(self, key: str, value: Any) -> None:
-        """Take a value; edits of one field that follow each other are one undo."""
+        """Set a value; consecutive edits of one field are one undo step."""
         group, name = key.split(".", 1)
         _EDITS[group](self, name, value)
         self.show()
 
     def choose(self, key: str) -> None:
-        """Do what a button offers."""
+        """Run the action of a button."""
         kind, name = key.split(".", 1)
         if self._foot_offers.choose(kind, name):
             return
@@ -124,7 +124,7 @@ class ParametersPresenter:
         return FieldGroup(name_of(correction), fields, offers, caption=_size_caption(offers))
 
     def _posting_group(self, posting: Posting) -> FieldGroup:
-        """The angles, and what the measured axis suggests."""
+        """Return the group of the angles, with the posting suggested by the measured axis."""
         note = self._foot_offers.posting_note()
         offers = self._foot_offers.posting_offers()
         title = tr("Pronation / supination (> 0 raises the medial edge)")
@@ -141,7 +141,7 @@ class ParametersPresenter:
         return FieldGroup(title, fields, offers, caption=_size_caption(offers))
 
     def _size_offers(self, correction: Correction) -> tuple[Proposal, ...]:
-        """Give the sizes that the library has of the same shape."""
+        """Return the other sizes of the same shape in the library."""
         if not isinstance(correction, Pelott):
             return ()
         return tuple(
@@ -245,7 +245,7 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
 
 
 def _make_groups(design: InsoleDesign) -> list[FieldGroup]:
-    """How the insole is made: always at hand."""
+    """Return the groups that are always shown: how the insole is made."""
     return [
         FieldGroup(tr("Insole"), field_specs(design, "insole")),
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers")),
@@ -264,7 +264,7 @@ _TOOL_GROUPS: dict[str, Callable[[ParametersPresenter], list[FieldGroup]]] = {
     "turn": lambda presenter: presenter._foot_offers.pose_groups(),
     "key_point": lambda presenter: presenter._foot_offers.landmark_groups(),
 }
-"""Of the tools that show their own values, whatever is selected."""
+"""Field groups of the tools that show their own values, whatever is selected."""
 _EDITS: dict[str, Callable[[ParametersPresenter, str, Any], None]] = {
     "correction": ParametersPresenter._edit_correction,
     "template": ParametersPresenter._edit_template,

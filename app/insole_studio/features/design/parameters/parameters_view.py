@@ -1,4 +1,4 @@
-"""The parameters panel: the numbers of what is selected, and those of the insole."""
+"""View of the parameters panel: the values of the selection and of the insole."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.number_field import NumberField
 
 ROWS, TOUCH_ROWS = 3, 2
-"""Fields above each other: what a low screen has room for with a mouse, and with fingers."""
+"""Rows of fields that fit a low screen with a mouse, and with touch."""
 ROW_HEIGHT_PX = 26
 FIELD_PX = 88
 SHORT_TEXT, SHORT_PX, TOUCH_SHORT_PX = 3, 32, 46
@@ -32,7 +32,7 @@ LEAST_PX, MOST_PX = 112, 176
 
 
 class ParametersView(QScrollArea):
-    """Lays out groups of number fields beside each other, in lines as wide as the panel."""
+    """Groups of fields side by side, wrapped at the width of the panel."""
 
     field_edited = Signal(str, object)
     offer_chosen = Signal(str)
@@ -48,7 +48,7 @@ class ParametersView(QScrollArea):
         scroll_by_finger(self)
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
-        """Show groups; while only values differ, the fields stay where they are."""
+        """Show the groups; if only values changed, the fields are reused."""
         shape = tuple(group.shape for group in groups)
         if shape != self._shape:
             self._shape = shape
@@ -71,13 +71,13 @@ class ParametersView(QScrollArea):
         self._rows = TOUCH_ROWS if self._for_fingers else ROWS
         content = QWidget()
         flow = FlowLayout(content, margin_px=4, gap_px=12)
-        flow.setContentsMargins(8, 4, 4, 4)  # in line with the titles of the panels
+        flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
         for group in groups:
             flow.addWidget(self._group(group))
         self.setWidget(content)
         for widget in content.findChildren(QWidget):
-            widget.ensurePolished()  # its size for fingers is that of the style
-        # The first line is always whole, also with targets for fingers.
+            widget.ensurePolished()  # its size for touch comes from the style
+        # The first line is always fully visible, with touch as well.
         self.setMinimumHeight(min(max(flow.minimumSize().height() + 8, LEAST_PX), MOST_PX))
 
     def _group(self, group: FieldGroup) -> QWidget:
@@ -121,7 +121,7 @@ class ParametersView(QScrollArea):
         grid.addWidget(field, row, column + 1)
 
     def _add_offers(self, grid: QGridLayout, group: FieldGroup) -> int:
-        """Put the buttons before the fields; give the columns that they take."""
+        """Add the buttons before the fields; return the number of columns they take."""
         buttons = [self._button(offer) for offer in group.offers]
         short = bool(buttons) and all(len(offer.text) <= SHORT_TEXT for offer in group.offers)
         cells: list[QWidget] = [QLabel(group.caption)] if group.caption else []
@@ -148,7 +148,7 @@ class ParametersView(QScrollArea):
 
 
 def _heading(group: FieldGroup) -> QHBoxLayout:
-    """The title and what is to be known, in one line: the fields of all groups begin alike."""
+    """Return title and caption in one line, so that the fields of all groups align."""
     row = QHBoxLayout()
     row.setSpacing(8)
     for text, name in ((group.title, "heading"), (group.note, "quiet")):

@@ -1,4 +1,4 @@
-"""Between the rules of the clinic and the panel that shows what breaks them."""
+"""Presenter of the warnings: checks the insole against the clinic's rules."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from insole_studio.texts import translate_core_message
 
 
 class WarningsPanel(Protocol):
-    """What shows warnings, and tells which one was chosen."""
+    """The panel that shows warnings, and emits which one was chosen."""
 
     warning_chosen: Any
 
@@ -24,7 +24,7 @@ class WarningsPanel(Protocol):
 
 
 class WarningsPresenter:
-    """Holds the insole against the rules whenever it is another one and the hand rests."""
+    """Checks the insole whenever it has changed and no gesture is running."""
 
     def __init__(
         self,
@@ -49,7 +49,7 @@ class WarningsPresenter:
         tool_controller.gesture_ended.connect(self.show)
 
     def show(self) -> None:
-        """Show what is unusual now."""
+        """Show the current warnings."""
         if self._tool_controller.is_busy:
             return
         self._warnings = self._found()
@@ -61,7 +61,7 @@ class WarningsPresenter:
         )
 
     def lead_to(self, number: int) -> None:
-        """Select what causes a warning, and look there."""
+        """Select the cause of a warning, and centre the views on it."""
         warning = self._warnings[number]
         if warning.correction_id:
             self._case.select(warning.correction_id)

@@ -1,4 +1,4 @@
-"""The table of measures: one foot, or left and right beside each other with the asymmetry."""
+"""The table of measures: of one foot, or left and right side by side with the asymmetry."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _BOTH = 4
 
 
 class MeasureGrid(QWidget):
-    """Lays out the measures, a line each; a click on a name leads to its place."""
+    """One row per measure; a click on a name shows where it is taken."""
 
     chosen = Signal(str)
 
@@ -31,7 +31,7 @@ class MeasureGrid(QWidget):
         self._grid.setColumnStretch(0, 1)
 
     def show_measures(self, measures: Sequence[Measure]) -> None:
-        """Show these measures and no others."""
+        """Replace the shown measures."""
         while (item := self._grid.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -71,7 +71,7 @@ class MeasureGrid(QWidget):
             self._grid.addWidget(number, row, column, _RIGHT)
 
     def _name(self, words: str, key: str) -> QLabel:
-        """A name that leads to the place of its measure, where it has one."""
+        """Return the label of a measure, a link if its place can be shown."""
         if not key:
             return QLabel(words)
         name = LinkLabel(words, key, underlined=False)

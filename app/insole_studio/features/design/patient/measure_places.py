@@ -1,4 +1,4 @@
-"""Where on the foot each measure is taken, and from where one sees it."""
+"""Where on the foot each measure is taken, and the direction that shows it best."""
 
 from __future__ import annotations
 
@@ -37,7 +37,20 @@ _PLACES: dict[str, tuple[tuple[str, ...], Preset]] = {
 
 
 def place_of(key: str, record: CaseRecord) -> tuple[FloatArray, Preset] | None:
-    """Give the points (n, 3) of a measure, mm, and where to look from; None for none."""
+    """Return the place of a measure.
+
+    Parameters
+    ----------
+    key
+        Key of the measure.
+    record
+        The open case.
+
+    Returns
+    -------
+    tuple or None
+        Points (n, 3), mm, and viewing direction; None if the measure has no place.
+    """
     names, preset = _PLACES.get(key, ((), Preset.PLANTAR))
     landmarks = landmarks_of(record)
     points = [landmarks[name].point for name in names if name in landmarks]

@@ -1,4 +1,4 @@
-"""The measures of the foot as a table: names in the language of the window, units, numbers."""
+"""The measures of the foot as a table: translated names, units, numbers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from insole_studio.features.design.rows import Measure
 from insole_studio.features.design.tools.key_point_tool import distances
 from insole_studio.texts import tr, translate_core_message
 
-_ABOUT = "≈"  # before a number that is rather a guess; its tip says why
+_ABOUT = "≈"  # precedes an uncertain value; the tooltip gives the reason
 _NAMES: dict[str, Callable[[], str]] = {
     "foot_length": lambda: tr("Foot length"),
     "ball_width": lambda: tr("Ball width"),
@@ -38,12 +38,12 @@ _NAMES: dict[str, Callable[[], str]] = {
 
 
 def table_of(record: CaseRecord) -> list[MeasureRow]:
-    """Measure the feet of a case; no rows before there is one."""
+    """Return the measures of all feet of a case as table rows."""
     return measure_table({f.side: measure(f.foot, landmarks_of(f)) for f in record.feet})
 
 
 def measures_of(record: CaseRecord) -> list[Measure]:
-    """Give all measures that the scans allow: of one foot, or of both with their asymmetry."""
+    """Return all measures the scans allow: of one foot, or of both with their asymmetry."""
     if not record.feet:
         return []
     both = len(record.feet) == 2
@@ -52,7 +52,7 @@ def measures_of(record: CaseRecord) -> list[Measure]:
 
 
 def distances_of(record: CaseRecord) -> list[Measure]:
-    """Give the distances between the further points of the foot at hand."""
+    """Return the distances between the custom points of the active foot."""
     found = distances(record.annotations)
     rows = []
     for a, b, distance in found:

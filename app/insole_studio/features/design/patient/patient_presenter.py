@@ -1,4 +1,4 @@
-"""Between the patient panel and the case."""
+"""Presenter of the patient panel."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ COPY_BEHIND_MM = 10.0
 
 
 class PatientPanel(Protocol):
-    """What the patient panel shows, and the intents it emits."""
+    """The patient panel as its presenter sees it, with the signals it emits."""
 
     field_edited: Any
     side_chosen: Any
@@ -42,7 +42,7 @@ class PatientPanel(Protocol):
 
 
 class PatientPresenter:
-    """Shows the record, and turns intents into steps of undo."""
+    """Shows the record, and turns the user's edits into undo steps."""
 
     def __init__(self, panel: PatientPanel, case: Case) -> None:
         self._panel = panel
@@ -73,12 +73,12 @@ class PatientPresenter:
         self._show_corrections()
 
     def edit_field(self, key: str, text: str) -> None:
-        """Take what was typed."""
+        """Set a field of the patient."""
         patient = replace(self._case.record.patient, **{key: text.strip()})
         self._case.apply(patient, tr("Edit the patient's fields"))
 
     def toggle(self, correction_id: str) -> None:
-        """Switch a correction on or off."""
+        """Enable or disable a correction."""
         design = self._case.record.design
         correction = design.correction(correction_id) if design is not None else None
         if design is None or correction is None:
@@ -90,7 +90,7 @@ class PatientPresenter:
         self._case.apply(design.with_changed(switched), sentence)
 
     def move(self, correction_id: str, by: int) -> None:
-        """Let a pad or stroke act before or after its neighbour of that kind."""
+        """Move a pad or stroke before or after its neighbour in the order of application."""
         design = self._case.record.design
         if design is None:
             return
@@ -104,7 +104,7 @@ class PatientPresenter:
         self._case.apply(moved, tr("Change the order of the corrections"))
 
     def copy(self, correction_id: str) -> None:
-        """Prescribe the same once more; a pad lies beside the first."""
+        """Duplicate a correction; the copy of a pad lies beside the original."""
         design = self._case.record.design
         correction = design.correction(correction_id) if design is not None else None
         if design is None or correction is None:
@@ -118,7 +118,7 @@ class PatientPresenter:
         self._case.select(fresh.id)
 
     def remove(self, correction_id: str) -> None:
-        """Take a correction out of the design."""
+        """Remove a correction from the design."""
         design = self._case.record.design
         if design is not None:
             self._case.apply(design.with_removed(correction_id), tr("Remove a correction"))
@@ -150,10 +150,10 @@ class PatientPresenter:
 
 
 def _marked(record: CaseRecord) -> list[tuple[Foot, Annotations]]:
-    """What the measures depend on."""
+    """Return what the measures depend on."""
     return [(foot.foot, foot.annotations) for foot in record.feet]
 
 
 def has_order(correction: Correction) -> bool:
-    """Whether it matters what acts before it: what shapes the whole has an order of its own."""
+    """Return whether the order matters; corrections of the whole shape have a fixed one."""
     return isinstance(correction, Pelott | ArchRaise | BrushStroke)

@@ -34,7 +34,7 @@ LEAST_PX = 216
 
 
 class PatientView(VerticalScroll):
-    """Lays out the patient panel."""
+    """The patient panel."""
 
     field_edited = Signal(str, str)
     side_chosen = Signal(object)
@@ -67,7 +67,7 @@ class PatientView(VerticalScroll):
         self._later.setObjectName("quiet")
         self._later.setWordWrap(True)
         self._of_foot = QWidget()
-        """What there is only with a foot: corrections, warnings, measures."""
+        """The widgets shown only with a foot: corrections, warnings, measures."""
         self.variants = VariantRow()
         self.variants.chosen.connect(self.variant_chosen)
         self.variants.action_requested.connect(self.action_requested)
@@ -80,12 +80,12 @@ class PatientView(VerticalScroll):
         self.setWidget(self._content())
 
     def minimumSizeHint(self) -> QSize:
-        """Be a panel, also with short lines."""
+        """Return a minimum width, whatever the content."""
         hint = super().minimumSizeHint()
         return QSize(max(LEAST_PX, hint.width()), hint.height())
 
     def show_fields(self, values: dict[str, str]) -> None:
-        """Show the fields; what is being typed stays."""
+        """Show the fields; text being typed is kept."""
         for key, field in self._fields.items():
             if field.text() != values[key]:
                 field.setText(values[key])
@@ -94,14 +94,14 @@ class PatientView(VerticalScroll):
                 self._notes.setPlainText(values["notes"])
 
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
-        """Show which feet there are, and which is at hand."""
+        """Show which feet the case has, and which of them is active."""
         self.sides.show_feet(at_hand, present)
         self._form.setRowVisible(self._no_side, at_hand is None)
         self._of_foot.setVisible(at_hand is not None)
         self._later.setVisible(at_hand is None)
 
     def show_variants(self, names: Sequence[str], chosen: str) -> None:
-        """Show the variants of the foot at hand."""
+        """Show the variants of the active foot."""
         self.variants.show_variants(names, chosen)
 
     def show_measures(self, measures: Sequence[Measure]) -> None:
@@ -110,7 +110,7 @@ class PatientView(VerticalScroll):
         self.updateGeometry()  # two feet need a wider panel than one
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
-        """Show the corrections, a line each."""
+        """Show the corrections, one per row."""
         while (item := self._corrections.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -124,7 +124,7 @@ class PatientView(VerticalScroll):
             self._corrections.addWidget(empty)
 
     def show_warnings(self, rows: Sequence[WarningRow]) -> None:
-        """Show what is unusual; a click leads to it."""
+        """Show the warnings; a click goes to the cause."""
         while (item := self._warnings.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -202,7 +202,7 @@ class PatientView(VerticalScroll):
         return line
 
     def _more_buttons(self, row: CorrectionRow) -> QHBoxLayout:
-        """What else can be done to the selected correction, in a line of its own."""
+        """Return a row with the further actions on the selected correction."""
         copy = _button(row, "copy", tr("Copy"))
         copy.clicked.connect(self._copy)
         buttons = [copy]
@@ -246,7 +246,7 @@ class PatientView(VerticalScroll):
 
 
 class _Notes(QPlainTextEdit):
-    """A few lines of text; Tab leaves them."""
+    """A text field of a few lines; Tab moves the focus."""
 
     left = Signal()
 
@@ -256,7 +256,7 @@ class _Notes(QPlainTextEdit):
         self.setFixedHeight(64)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Tell that the text may be another one."""
+        """Emit the text, which may have changed."""
         super().focusOutEvent(event)
         self.left.emit()
 

@@ -1,4 +1,4 @@
-"""The variants of the prescription: which is chosen, and what can be done with it."""
+"""The variants of the prescription: the chosen one, and actions on it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from insole_studio.widgets.icons import icon
 
 
 class VariantRow(QWidget):
-    """A list to choose from, with buttons; what they do are actions of the window."""
+    """A list of variants with buttons that run actions of the window."""
 
     chosen = Signal(str)
     action_requested = Signal(str)
@@ -38,7 +38,7 @@ class VariantRow(QWidget):
             row.addWidget(button)
 
     def show_variants(self, names: Sequence[str], chosen: str) -> None:
-        """Show the names of all, and which is chosen."""
+        """Show all names, and select the chosen one."""
         with QSignalBlocker(self.names):
             self.names.clear()
             for name in names:
@@ -48,7 +48,7 @@ class VariantRow(QWidget):
         self._delete.setEnabled(len(names) > 1)
 
     def renew_icons(self) -> None:
-        """Draw the icons in the colours of the palette."""
+        """Redraw the icons in the colours of the palette."""
         for button in (self._duplicate, self._name, self._delete):
             button.setIcon(icon(button.property("icon_name")))
 

@@ -17,7 +17,7 @@ from insole_studio.features.design.tools.turn_tool import TurnTool
 
 
 def make_tools(section: SectionModel) -> tuple[Tool, ...]:
-    """Construct one of every tool."""
+    """Construct one instance of every tool."""
     return (
         OrbitTool(),
         KeyPointTool(),

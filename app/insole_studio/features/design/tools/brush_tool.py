@@ -1,4 +1,4 @@
-"""The brush: raise, lower or smooth the surface where the hand goes; each stroke is logged."""
+"""The brush tool: raise, lower or smooth the surface; each stroke is logged."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
 
 LEAST_STEP_SHARE = 0.15
-"""Of the radius: nearer places add nothing to a stroke."""
+"""Share of the radius: closer points add nothing to a stroke."""
 
 
 class BrushTool(Tool):
-    """A drag is a stroke of the template's kind."""
+    """Tool whose drag is a stroke of the template's kind."""
 
     key = "brush"
 
@@ -26,11 +26,11 @@ class BrushTool(Tool):
         self.template = BrushStroke(points_mm=((0.0, 0.0),))
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         return _HINTS[self.template.mode]()
 
     def press(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
-        """Begin a stroke."""
+        """Start a stroke."""
         place = event.surface_mm
         if case.record.design is None or place is None or seen_from_above(event):
             return None

@@ -20,7 +20,7 @@ HEIGHT_MM = 4.0
 
 
 class FreeHandTool(Tool):
-    """A drag round a place makes a pad there."""
+    """Tool whose drag draws the outline of a new pad."""
 
     key = "free_hand"
 
@@ -29,20 +29,20 @@ class FreeHandTool(Tool):
         self._refusal = ""
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now, or why the last drawing made no pad."""
+        """Return what the user can do now, or why the last drawing made no pad."""
         return self._refusal or tr("Draw the outline of a pad round its place, in one go")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Show the handles of what was drawn."""
+        """Return the handles of the drawn pad."""
         return pelott_handles(case, surface)
 
     @property
     def sketch(self) -> tuple[Place, ...]:
-        """What is drawn so far."""
+        """The outline drawn so far."""
         return self._sketch
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Begin to draw."""
+        """Start drawing."""
         if event.surface_mm is None or case.record.design is None or seen_from_above(event):
             return None
         return self._draw(case, event)
@@ -71,7 +71,7 @@ class FreeHandTool(Tool):
 
 
 def why_no_pad(drawn: FloatArray) -> str:
-    """Say what is wrong with a drawing; empty when nothing."""
+    """Return what is wrong with a drawing (n, 2); empty if nothing is."""
     if len(drawn) < 3 or _way(drawn)[-1] < LEAST_LENGTH_MM:
         return tr("That outline is too small for a pad; draw round its place")
     corners = _corners(drawn)
@@ -81,7 +81,7 @@ def why_no_pad(drawn: FloatArray) -> str:
 
 
 def drawn_pad(drawn: FloatArray) -> Pelott:
-    """Make a pad of a drawn outline (n, 2), its apex in the middle."""
+    """Return the pad of a drawn outline (n, 2), its apex in the middle."""
     corners = _corners(drawn)
     centre = _middle(corners)
     around = tuple(place_at(corner - centre) for corner in corners)
@@ -91,7 +91,7 @@ def drawn_pad(drawn: FloatArray) -> Pelott:
 
 
 def _corners(drawn: FloatArray) -> FloatArray:
-    """Few places at equal distances along the closed drawing."""
+    """Return a few points at equal distances along the closed drawing."""
     closed = np.concatenate([drawn, drawn[:1]])
     way = _way(closed)
     stops = np.linspace(0, way[-1], CORNERS, endpoint=False)
@@ -99,13 +99,13 @@ def _corners(drawn: FloatArray) -> FloatArray:
 
 
 def _way(drawn: FloatArray) -> FloatArray:
-    """Length of the drawing up to each of its points."""
+    """Return the arc length of the drawing up to each of its points."""
     steps = np.hypot(*np.diff(drawn, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _middle(corners: FloatArray) -> FloatArray:
-    """The centre of the area; where that lies outside, the inner place farthest from the edge."""
+    """Return the centroid; if it lies outside, the inner point farthest from the edge."""
     x, y = corners.T
     cross = x * np.roll(y, -1) - y * np.roll(x, -1)
     if abs(cross.sum()) > 1e-6:

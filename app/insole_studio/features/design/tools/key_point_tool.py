@@ -1,4 +1,4 @@
-"""The landmark tool: put right what was found, and mark further places on the skin."""
+"""The landmark tool: correct landmarks, and mark custom points on the skin."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from insole_studio.texts import tr
 
 PREFIX = "point:"
 TOUCHED_MM = 12.0
-"""A landmark nearer than this to the skin under the pointer is dragged over the skin."""
+"""A landmark nearer than this to the skin under the pointer is dragged along the skin."""
 _NAMES: dict[str, Callable[[], str]] = {
     "pternion": lambda: tr("Rearmost point"),
     "heel_centre": lambda: tr("Heel centre"),
@@ -39,16 +39,16 @@ _NAMES: dict[str, Callable[[], str]] = {
 
 
 class KeyPointTool(Tool):
-    """Landmarks can be dragged; a click elsewhere marks a further point."""
+    """Tool that drags landmarks; a click elsewhere marks a custom point."""
 
     key = "key_point"
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         return tr("Drag a landmark to where it belongs; click on the skin to mark a further point")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the landmarks and points that can be grabbed."""
+        """Return the landmarks and custom points as handles."""
         if surface.subject is not Subject.FOOT:
             return ()
         return tuple(
@@ -57,7 +57,7 @@ class KeyPointTool(Tool):
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Grab a landmark or mark a point."""
+        """Grab a landmark or mark a custom point."""
         if event.subject is not Subject.FOOT:
             return None
         if event.handle is not None:
@@ -71,14 +71,14 @@ class KeyPointTool(Tool):
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Offer to forget the point under the pointer."""
+        """Return the item that removes the point under the pointer."""
         if event.handle is None or event.subject is not Subject.FOOT:
             return ()
         return _forget_offers(case, event.handle.removeprefix(PREFIX))
 
 
 def _forget_offers(case: Case, name: str) -> tuple[ContextMenuItem, ...]:
-    """Offer to take away a further point, or to let a landmark be found again."""
+    """Return the item that removes a custom point, or has a landmark detected again."""
     annotations = case.record.annotations
     kept = tuple(point for point in annotations.key_points if point.name != name)
     if kept == annotations.key_points:
@@ -92,7 +92,7 @@ def _forget_offers(case: Case, name: str) -> tuple[ContextMenuItem, ...]:
 
 
 def shown_points(case: Case) -> dict[str, tuple[float, float, float]]:
-    """Give the places of the landmarks and of the further points, by name."""
+    """Return the positions of landmarks and custom points, by name."""
     record = case.shown
     points = {
         name: _place(landmark.point)
@@ -104,30 +104,30 @@ def shown_points(case: Case) -> dict[str, tuple[float, float, float]]:
 
 
 def point_text(name: str) -> str:
-    """Give the name of a landmark or point to be read."""
+    """Return the translated name of a landmark or point."""
     return _NAMES[name]() if name in _NAMES else name
 
 
 def confidence(case: Case, name: str) -> float:
-    """Give how sure a landmark is, 0 to 1; a point set by hand is sure."""
+    """Return the confidence of a landmark, 0 to 1; manually placed points have 1."""
     landmark = landmarks_of(case.shown).get(name)
     return 1.0 if landmark is None else landmark.confidence
 
 
 def landmark_hint(case: Case, name: str) -> str:
-    """Say how sure a landmark is."""
+    """Return the confidence of a landmark as text."""
     sure = round(100 * confidence(case, name))
     return tr("{name}: {sure} % sure. Drag to move it").format(name=point_text(name), sure=sure)
 
 
 def next_name(annotations: Annotations) -> str:
-    """Name the next further point."""
+    """Return a free name for the next custom point."""
     count = sum(point.name not in NAMES for point in annotations.key_points)
     return tr("Point {number}").format(number=count + 1)
 
 
 def distances(annotations: Annotations) -> list[tuple[str, str, float]]:
-    """Give the straight distance of each two further points, mm."""
+    """Return the straight distance between each two custom points: both names, and mm."""
     points = [point for point in annotations.key_points if point.name not in NAMES]
     return [
         (a.name, b.name, float(np.linalg.norm(np.subtract(a.position_mm, b.position_mm))))
@@ -152,7 +152,7 @@ def _carry(case: Case, press: PointerEvent, name: str, sentence: str) -> Gesture
 
 
 def _is_touched(press: PointerEvent, start: tuple[float, float, float] | None) -> bool:
-    """Whether the skin under the pointer is that of the point: it may lie behind, or at the rim."""
+    """Return whether the pointer is on skin near the point, which may be hidden or at an edge."""
     if start is None:
         return True
     hit = press.surface_mm
@@ -162,7 +162,7 @@ def _is_touched(press: PointerEvent, start: tuple[float, float, float] | None) -
 def _shifted(
     start: tuple[float, float, float] | None, press: PointerEvent, event: PointerEvent
 ) -> FloatArray:
-    """Move a point along the picture, as far as the pointer went."""
+    """Return the point (3,) moved in the image plane by the pointer's movement."""
     look = press.look
     return np.array(start) + look.point_at(*event.pixel) - look.point_at(*press.pixel)
 

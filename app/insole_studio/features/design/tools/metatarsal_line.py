@@ -1,4 +1,4 @@
-"""Pads and the line of the metatarsal heads: how far behind it they end, and where they snap."""
+"""Pads and the line of the metatarsal heads: clearance and snapping."""
 
 from __future__ import annotations
 
@@ -15,20 +15,33 @@ from insole_core.workflows.foot_landmarks import landmarks_of, metatarsal_line
 from insole_studio.features.design.tools.tool import place_at
 
 USUAL_MM = 8.0
-"""Front edge behind the heads 2 – 4, where FIELD.md puts a pelott by default."""
+"""Distance of the front edge behind heads 2 – 4, where FIELD.md puts a pelott by default."""
 SNAP_MM = 1.5
 NEAR_MM = 30.0
 SNAPPING = ("egg", "drop", "bar")
 
 
 def clearance(record: CaseRecord, pad: Pelott) -> Clearance | None:
-    """Measure a pad against the line of the heads; None where it has nothing to do with it."""
+    """Return the clearance of a pad from the line of the metatarsal heads.
+
+    Parameters
+    ----------
+    record
+        The open case.
+    pad
+        The pad.
+
+    Returns
+    -------
+    Clearance or None
+        None if the line does not matter for the pad.
+    """
     line = metatarsal_line(record) if pad.shape in SNAPPING else None
     return None if line is None else pad_clearance(pad, line[:, :2])
 
 
 def usual_place(record: CaseRecord, pad: Pelott) -> Place | None:
-    """Give where a pad lies by default, behind the middle heads; None before there is a foot."""
+    """Return the default position of a pad, behind the middle heads; None without a foot."""
     landmarks, side = landmarks_of(record), record.side
     if not landmarks or side is None:
         return None
@@ -36,7 +49,15 @@ def usual_place(record: CaseRecord, pad: Pelott) -> Place | None:
 
 
 def snapped(record: CaseRecord, pad: Pelott) -> Pelott:
-    """Put a pad that is nearly at the usual distance behind the heads exactly there."""
+    """Return the pad, moved to the usual distance behind the heads if it is almost there.
+
+    Parameters
+    ----------
+    record
+        The open case.
+    pad
+        The pad being dragged.
+    """
     found = clearance(record, pad)
     if found is None or abs(found.distance_mm - USUAL_MM) > SNAP_MM:
         return pad

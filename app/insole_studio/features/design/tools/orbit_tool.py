@@ -1,4 +1,4 @@
-"""The first tool: look around, pick up what is there."""
+"""The default tool: rotate the view, and select."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ from insole_studio.texts import tr
 
 
 class OrbitTool(Tool):
-    """Turns the view; a click on a correction selects it, its handles stay at hand."""
+    """Tool that rotates the view; a click selects a correction, whose handles can be dragged."""
 
     key = "orbit"
 
     def hint(self, case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         if selected_pelott(case) is not None:
             return tr("Drag a handle to change the pelott, drag beside it to turn the view")
         return tr("Drag to turn, Shift and drag to move, wheel to zoom, double click to centre")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the handles of the selected pad."""
         return pelott_handles(case, surface)
 
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Offer to remove the pad at a place."""
+        """Return the item that removes the pad at the pointer."""
         return pelott_offers(case, event)
 
     def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
-        """Raise the selected pad by keys; the wheel is the camera's."""
+        """Raise the selected pad by keys; the wheel itself zooms."""
         return event.by_key and raise_pelott(case, event, steps)
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Grab a handle; select or leave what is under the pointer, and let the camera turn."""
+        """Grab a handle, or update the selection and let the camera rotate."""
         if event.handle is not None:
             return grab_pelott(case, event)
         design = case.record.design
@@ -53,5 +53,5 @@ class OrbitTool(Tool):
         return None
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the selected pad by a little."""
+        """Move the selected pad by one step."""
         return nudge_pelott(case, event, right, up)

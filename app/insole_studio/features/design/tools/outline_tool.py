@@ -1,4 +1,4 @@
-"""The outline tool: the edge of the insole as a closed curve through points that can be dragged."""
+"""The outline tool: the edge of the insole as a closed curve through draggable points."""
 
 from __future__ import annotations
 
@@ -28,28 +28,28 @@ from insole_studio.texts import tr
 
 PREFIX = "outline:"
 NEAR_MM = 12.0
-"""So near to the outline a double click adds a point."""
+"""Largest distance from the outline at which a double click adds a point."""
 _STRIDE = 4
 
 
 class OutlineTool(Tool):
-    """The points of the outline can be dragged, added and taken away."""
+    """Tool that drags, adds and removes points of the outline."""
 
     key = "outline"
 
     def __init__(self) -> None:
         self._refusal = ""
         self._last: int | None = None
-        """The point that was dragged last: the arrow keys move it."""
+        """The point dragged last, which the arrow keys move."""
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now, or why the last wish was refused."""
+        """Return what the user can do now, or why the last edit was rejected."""
         return self._refusal or tr(
             "Drag a point of the outline; double click adds one on the line, or takes one away"
         )
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the points of the outline."""
+        """Return the points of the outline as handles."""
         points = points_of(case.shown)
         hint = tr("Drag to change the outline of the insole; double click takes the point away")
         places = (surface.place(*point) for point in points)
@@ -63,7 +63,7 @@ class OutlineTool(Tool):
         return self._carry(case, case.record.design, number, event)
 
     def double_click(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> bool:
-        """Take the point under the pointer away, or add one on the line."""
+        """Remove the point under the pointer, or add one on the outline."""
         number = _number(event)
         if number is not None:
             self._remove(case, number)
@@ -77,7 +77,7 @@ class OutlineTool(Tool):
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Offer what a double click would do, and to begin anew."""
+        """Return the item for a double click's action, and one that resets the outline."""
         number, place = _number(event), event.place_mm(0.0)
         found = []
         if number is not None:
@@ -94,7 +94,7 @@ class OutlineTool(Tool):
         return tuple(found)
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the point that was dragged last by a little."""
+        """Move the point dragged last by one step."""
         points, design = points_of(case.record), case.record.design
         if design is None or self._last is None or self._last >= len(points):
             return False
@@ -104,7 +104,7 @@ class OutlineTool(Tool):
         return self._refuse_crossing(wanted) or self._apply(case, wanted, sentence, key)
 
     def _carry(self, case: Case, design: InsoleDesign, number: int, event: PointerEvent) -> Gesture:
-        """Let a point follow the pointer; where the outline would cross itself it waits."""
+        """Let a point follow the pointer, except where the outline would intersect itself."""
         points = kept = points_of(case.record)
         start = event.place_mm(0.0)
         self._refusal, self._last = "", number
@@ -158,28 +158,35 @@ class OutlineTool(Tool):
 
 
 def points_of(record: CaseRecord) -> tuple[Place, ...]:
-    """Give the points that the insole's outline is dragged by; none before there is a foot."""
+    """Return the draggable points of the insole's outline; none without a foot."""
     if record.foot is None or record.design is None:
         return ()
     return outline_points(record.foot, record.design.outline, landmarks_of(record))
 
 
 def curve_of(record: CaseRecord) -> FloatArray:
-    """Give the insole's outline, (n, 2), mm; nothing before there is a foot."""
+    """Return the insole's outline, (n, 2), mm; empty without a foot."""
     if record.foot is None or record.design is None:
         return np.zeros((0, 2))
     return insole_outline(record.foot, record.design, landmarks_of(record))
 
 
 def with_drawn(design: InsoleDesign, points: tuple[Place, ...]) -> InsoleDesign:
-    """Give the design with an outline through these points."""
+    """Return the design with an outline through these points."""
     return replace(design, outline=replace(design.outline, source="drawn", points_mm=points))
 
 
 def with_source(record: CaseRecord, source: str) -> Outline:
-    """Give the outline from another source: drawing begins with what there is.
+    """Return the outline with another source; a drawn one starts from the current outline.
 
-    The shoe's size is proposed from the length of the foot.
+    The shoe size is proposed from the length of the foot.
+
+    Parameters
+    ----------
+    record
+        The open case, with foot and design.
+    source
+        Key of the outline's source.
     """
     assert record.design is not None
     assert record.foot is not None
@@ -196,18 +203,26 @@ def with_source(record: CaseRecord, source: str) -> Outline:
 
 
 def with_added(points: tuple[Place, ...], place: Place) -> tuple[Place, ...]:
-    """Put a point between the two that the curve runs from and to about it."""
+    """Return the points with a new one inserted where it lies along the curve.
+
+    Parameters
+    ----------
+    points
+        Points of the closed outline, in order.
+    place
+        The new point (x, y), mm.
+    """
     number = _span(points, np.array(place)) + 1
     return (*points[:number], place, *points[number:])
 
 
 def is_near(points: tuple[Place, ...], place: FloatArray) -> bool:
-    """Whether a place (2,) lies on the outline, nearly."""
+    """Return whether a position (2,) is within `NEAR_MM` of the outline."""
     return bool(points) and bool(np.hypot(*(closed_curve(points) - place).T).min() < NEAR_MM)
 
 
 def _span(points: tuple[Place, ...], place: FloatArray) -> int:
-    """Number of the point that the curve last passed before a place."""
+    """Return the index of the last point on the curve before a position (2,)."""
     curve = closed_curve(points)
     nearest = int(np.hypot(*(curve - place).T).argmin())
     return nearest * len(points) // len(curve)
@@ -225,7 +240,7 @@ def _with_point(points: tuple[Place, ...], number: int, place: Place) -> tuple[P
 
 
 def _number(event: PointerEvent) -> int | None:
-    """Number of the point under the pointer."""
+    """Return the index of the point under the pointer."""
     handle = event.handle
     if handle is None or not handle.startswith(PREFIX):
         return None

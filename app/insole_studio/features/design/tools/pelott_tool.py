@@ -54,7 +54,7 @@ class PelottTool(Tool):
         self.template = Pelott(centre_mm=(0.0, 0.0))
 
     def hint(self, case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         if selected_pelott(case) is None:
             return tr("Click on the sole to place: {name}").format(name=name_of(self.template))
         distance = clearance_text(case)
@@ -63,21 +63,21 @@ class PelottTool(Tool):
         return tr("Drag to move, handles to stretch, turn and raise, wheel to raise by 0.5 mm")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the handles of the selected pad."""
         return pelott_handles(case, surface)
 
     def start(self, case: Case) -> Place | None:
-        """Begin where such a pad usually lies."""
+        """Return the usual position of such a pad."""
         return usual_place(case.record, self.template)
 
     def offers(
         self, case: Case, event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Offer to remove the pad at a place."""
+        """Return the item that removes the pad at the pointer."""
         return pelott_offers(case, event)
 
     def press(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
-        """Grab a handle or a pad, or place a new one."""
+        """Grab a handle or a pad, or place a new pad."""
         return grab_pelott(case, event) or self._place(case, event, surface)
 
     def wheel(self, case: Case, event: PointerEvent, steps: float) -> bool:
@@ -85,7 +85,7 @@ class PelottTool(Tool):
         return raise_pelott(case, event, steps)
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the selected pad by a little."""
+        """Move the selected pad by one step."""
         return nudge_pelott(case, event, right, up)
 
     def _place(self, case: Case, event: PointerEvent, surface: SurfaceContext) -> Gesture | None:
@@ -101,7 +101,7 @@ class PelottTool(Tool):
 
 
 def selected_pelott(case: Case) -> Pelott | None:
-    """Give the selected correction if it is a pad of the shown design."""
+    """Return the selected correction if it is a pad of the shown design."""
     design = case.shown.design
     if design is None or case.selection is None:
         return None
@@ -110,7 +110,7 @@ def selected_pelott(case: Case) -> Pelott | None:
 
 
 def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-    """Give the handles of the selected pad; the corners of a free outline are among them."""
+    """Return the handles of the selected pad, including the corners of a free outline."""
     pad = selected_pelott(case)
     if pad is None:
         return ()
@@ -121,7 +121,20 @@ def pelott_handles(case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
 
 
 def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
-    """Begin to drag the handle or the pad under the pointer; None where there is neither."""
+    """Start dragging the handle or the pad under the pointer.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    event
+        The press.
+
+    Returns
+    -------
+    Gesture or None
+        None if neither handle nor pad is under the pointer.
+    """
     design = case.record.design
     if design is None:
         return None
@@ -137,7 +150,20 @@ def grab_pelott(case: Case, event: PointerEvent) -> Gesture | None:
 
 
 def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
-    """Give the last switched-on pad whose outline holds the touched place."""
+    """Return the pad under the pointer.
+
+    Parameters
+    ----------
+    design
+        The shown design.
+    event
+        Position of the pointer.
+
+    Returns
+    -------
+    Pelott or None
+        The last enabled pad whose outline contains the point.
+    """
     if event.surface_mm is None or seen_from_above(event):
         return None
     place = event.surface_mm[:2]
@@ -147,7 +173,13 @@ def pelott_at(design: InsoleDesign, event: PointerEvent) -> Pelott | None:
 
 
 def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
-    """Raise the selected pad by half a millimetre a step; the wheel only where it lies."""
+    """Raise the selected pad by 0.5 mm per step; by the wheel only if the pointer is on it.
+
+    Returns
+    -------
+    bool
+        False if the event is not used.
+    """
     design = case.record.design
     pad = selected_pelott(case)
     if design is None or pad is None:
@@ -163,7 +195,7 @@ def raise_pelott(case: Case, event: PointerEvent, steps: float) -> bool:
 
 
 def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
-    """Move the selected pad along the picture by half a millimetre."""
+    """Move the selected pad by 0.5 mm in the image's direction; return False without one."""
     design = case.record.design
     pad = selected_pelott(case)
     if design is None or pad is None:
@@ -174,7 +206,7 @@ def nudge_pelott(case: Case, event: PointerEvent, right: int, up: int) -> bool:
 
 
 def pelott_offers(case: Case, event: PointerEvent) -> tuple[ContextMenuItem, ...]:
-    """Offer to remove the pad at a place, or the selected one where a handle was chosen."""
+    """Return the item that removes the pad at the pointer, or the pad of the chosen handle."""
     design = case.record.design
     if design is None:
         return ()
@@ -185,7 +217,7 @@ def pelott_offers(case: Case, event: PointerEvent) -> tuple[ContextMenuItem, ...
 
 
 def clearance_text(case: Case) -> str:
-    """Say how far behind the metatarsal heads the selected pad ends; empty far from them."""
+    """Return how far the selected pad ends behind the metatarsal heads; empty if far away."""
     pad = selected_pelott(case)
     found = clearance(case.shown, pad) if pad is not None else None
     if found is None or abs(found.distance_mm) > NEAR_MM:
@@ -196,7 +228,7 @@ def clearance_text(case: Case) -> str:
 
 
 def seen_from_above(event: PointerEvent) -> bool:
-    """Whether the back of the foot is in front, where nothing of the insole can lie."""
+    """Return whether the dorsum of the foot is in front, where the insole cannot be touched."""
     return event.subject is Subject.FOOT and bool(event.look.back[2] > 0.3)
 
 
@@ -207,7 +239,7 @@ def _remove(case: Case, pad: Pelott) -> None:
 
 
 def _spots(pad: Pelott) -> dict[str, FloatArray]:
-    """Places of the handles, by name."""
+    """Return the positions (3,) of the handles, by name."""
     front, back = _reach(pad)
     along, across = _axes(pad)
     centre = np.array(pad.centre_mm)
@@ -232,7 +264,21 @@ def _follow(
     into: Callable[[Pelott], InsoleDesign],
     sentence: str,
 ) -> Gesture:
-    """Place a new pad where the pointer is until it is let go."""
+    """Place a new pad that follows the pointer until release.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    event
+        The press.
+    pad
+        The new pad.
+    into
+        Returns the design with the pad.
+    sentence
+        Description of the undo step.
+    """
     case.select(pad.id)
     case.preview(into(pad))
     while event.phase is not Phase.RELEASE:
@@ -246,7 +292,21 @@ def _follow(
 def _reshape(
     case: Case, press: PointerEvent, pad: Pelott, reshape: Reshape, sentence: str
 ) -> Gesture:
-    """Drag: the pad of the press, changed by what the pointer did since."""
+    """Reshape a pad by dragging.
+
+    Parameters
+    ----------
+    case
+        The open case.
+    press
+        The press that starts the drag.
+    pad
+        The pad at the press.
+    reshape
+        Function of the pad, the press and the current event.
+    sentence
+        Description of the undo step.
+    """
     design = case.record.design
     assert design is not None
     changed, event = pad, press
@@ -267,7 +327,7 @@ def _moved(pad: Pelott, press: PointerEvent, event: PointerEvent) -> Pelott:
 
 
 def _settled(case: Case, pad: Pelott, event: PointerEvent) -> Pelott:
-    """Let a moved pad snap to the metatarsal line; Ctrl holds it free."""
+    """Return the moved pad, snapped to the metatarsal line unless Ctrl is held."""
     return pad if event.fine else snapped(case.record, pad)
 
 
@@ -322,13 +382,13 @@ def _at(pad: Pelott, xy: FloatArray, step_mm: float = 0.1) -> Pelott:
 
 
 def _axes(pad: Pelott) -> tuple[FloatArray, FloatArray]:
-    """Unit vectors along the pad (to its blunt end) and across."""
+    """Return unit vectors along the pad (towards its blunt end) and across."""
     across, along = pad2insole(pad).T
     return along, across
 
 
 def _reach(pad: Pelott) -> tuple[float, float]:
-    """How far the outline lies before and behind the apex."""
+    """Return the extent of the outline in front of and behind the apex, mm."""
     y = local_outline(pad)[:, 1]
     return float(y.max()), float(-y.min())
 

@@ -1,4 +1,4 @@
-"""The reference plane tool: a plane to look at the foot against."""
+"""The reference plane tool: a plane for visual comparison with the foot."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ Turn = Callable[[ReferencePlane, float], ReferencePlane]
 
 
 class PlaneTool(Tool):
-    """A click puts the plane through a place; its handles raise and turn it."""
+    """Tool that places the plane by a click; its handles raise and tilt it."""
 
     key = "plane"
 
     def hint(self, case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         if case.shown.annotations.plane is None:
             return tr("Click on the foot to put the reference plane through that place")
         return tr("Drag the middle up or down to raise the plane, its ends to turn it")
 
     def handles(self, case: Case, _surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the handles of the plane."""
         plane = case.shown.annotations.plane
         if plane is None:
             return ()
@@ -44,7 +44,7 @@ class PlaneTool(Tool):
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Grab the plane or put it through the touched place."""
+        """Grab the plane, or place it at the point under the pointer."""
         annotations = case.record.annotations
         if event.handle in _TURNS and annotations.plane is not None:
             return _turn(case, event, annotations, annotations.plane, _TURNS[event.handle])

@@ -25,16 +25,16 @@ EDGE_MM = 30.0
 
 
 class PostingTool(Tool):
-    """Rear- and forefoot angle, each by a handle at the medial edge."""
+    """Tool that sets rearfoot and forefoot angle, each by a handle at the medial edge."""
 
     key = "posting"
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         return tr("Drag heel or forefoot up to raise the medial edge, down to raise the lateral")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the handles of the rearfoot and the forefoot."""
         if case.foot is None:
             return ()
         x = surface.side.medial_sign * EDGE_MM
@@ -44,7 +44,7 @@ class PostingTool(Tool):
         )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Grab the heel or the forefoot."""
+        """Grab the handle of the heel or of the forefoot."""
         part = event.handle or self._part(case, event)
         if part not in _HINTS or case.record.design is None:
             return None
@@ -70,12 +70,12 @@ class PostingTool(Tool):
 
 
 def posting_of(design: InsoleDesign) -> Posting | None:
-    """Give the design's posting, or None."""
+    """Return the design's posting; None if it has none."""
     return next((c for c in design.corrections if isinstance(c, Posting)), None)
 
 
 def with_posting(design: InsoleDesign, posting: Posting) -> InsoleDesign:
-    """Add the posting, or put it in the place of the one there is."""
+    """Return the design with the posting added or replaced."""
     if design.correction(posting.id) is None:
         return design.with_added(posting)
     return design.with_changed(posting)
@@ -84,7 +84,19 @@ def with_posting(design: InsoleDesign, posting: Posting) -> InsoleDesign:
 def tilted(
     design: InsoleDesign, part: str, by_deg: float, new: Posting | None = None
 ) -> InsoleDesign:
-    """Add degrees to the rear- or forefoot angle."""
+    """Return the design with its rearfoot or forefoot angle changed.
+
+    Parameters
+    ----------
+    design
+        The design.
+    part
+        ``rearfoot`` or ``forefoot``.
+    by_deg
+        Change of the angle, degrees.
+    new
+        Posting to start from if the design has none.
+    """
     posting = posting_of(design) or new or Posting()
     name = f"{part}_deg"
     allowed = CORRECTION_RANGES[Posting][name]

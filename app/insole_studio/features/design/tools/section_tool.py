@@ -1,4 +1,4 @@
-"""The section tool: put an upright plane through the insole, drag and turn it."""
+"""The section tool: place a vertical plane through the insole, drag and turn it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Change = Callable[[SectionPlane, PointerEvent, PointerEvent], SectionPlane]
 
 
 class SectionTool(Tool):
-    """A click puts the section through a place; its handles move and turn it."""
+    """Tool that places the section by a click; its handles move and turn it."""
 
     key = "section"
 
@@ -37,13 +37,13 @@ class SectionTool(Tool):
         self._section = section
 
     def hint(self, _case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         if self._section.plane is None:
             return tr("Click on the sole to cut the insole there")
         return tr("Drag the middle to move the section, its end to turn it")
 
     def handles(self, _case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the handles of the section."""
         plane = self._section.plane
         if plane is None:
             return ()
@@ -54,7 +54,7 @@ class SectionTool(Tool):
         )
 
     def press(self, _case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Grab a handle, or put the section through the touched place."""
+        """Grab a handle, or place the section at the point under the pointer."""
         plane = self._section.plane
         if plane is not None and event.handle in _CHANGES:
             return self._drag(event, plane, _CHANGES[event.handle])
@@ -67,14 +67,14 @@ class SectionTool(Tool):
     def offers(
         self, _case: Case, _event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Offer to look at the whole again."""
+        """Return the item that removes the section."""
         if self._section.plane is None:
             return ()
         text = tr("Remove the section")
         return (ContextMenuItem(text, lambda: self._section.show(None), removes=True),)
 
     def nudge(self, _case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the section by half a millimetre."""
+        """Move the section by 0.5 mm."""
         plane = self._section.plane
         if plane is None:
             return False

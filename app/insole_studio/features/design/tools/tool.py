@@ -1,4 +1,4 @@
-"""What a tool is: a few functions of the case and the pointer.
+"""The base class of tools: functions of the case and the pointer.
 
 A drag is one generator. It is started with the press, receives every move, and ends at the release
 with one `case.apply`. Closing it early leaves the case as it was.
@@ -30,9 +30,9 @@ Record = TypeVar("Record", bound=Correction | InsoleDesign | ReferencePlane)
 
 @dataclass(frozen=True)
 class ContextMenuItem:
-    """One line of the menu under the pointer: its text and what it does.
+    """An item of the context menu: its text and its action.
 
-    What `removes` is also meant by the Delete key.
+    An item that `removes` is also run by the Delete key.
     """
 
     text: str
@@ -41,95 +41,191 @@ class ContextMenuItem:
 
 
 class SurfaceContext(Protocol):
-    """What marks are drawn on in one view: the skin or the insole."""
+    """The surface on which marks are drawn in one view: the skin or the insole."""
 
     @property
     def subject(self) -> Subject:
-        """Which view this is."""
+        """The view."""
         ...
 
     @property
     def side(self) -> Side:
-        """Which foot."""
+        """The side of the foot."""
         ...
 
     def place(self, x_mm: float, y_mm: float) -> tuple[float, float, float]:
-        """Put a place of the insole frame onto the surface."""
+        """Return the point of the surface at a position.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Position in the insole frame.
+
+        Returns
+        -------
+        tuple of float
+            The point (x, y, z), mm, insole frame.
+        """
         ...
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
-        """Whether the surface is there at all."""
+        """Return whether the surface covers a position of the insole frame."""
         ...
 
 
 class Tool:
-    """What the pointer does while this tool is chosen; the defaults leave it to the camera."""
+    """What the pointer does while a tool is chosen; by default all is left to the camera.
+
+    Methods take the open case and the pointer event; `surface` is that of the event's view.
+    """
 
     key: ClassVar[str]
 
     def hint(self, case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         raise NotImplementedError
 
     def handles(self, _case: Case, _surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give the spots that can be grabbed."""
+        """Return the spots that can be dragged.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _surface
+            Surface of the view for which the handles are.
+        """
         return ()
 
     def start(self, _case: Case) -> Place | None:
-        """Give where the pointer of the keys begins; None for amid the picture."""
+        """Return where the keyboard cursor starts; None for the middle of the view."""
         return None
 
     @property
     def sketch(self) -> tuple[Place, ...]:
-        """What the hand is drawing just now, in the insole frame."""
+        """The line being drawn, in the insole frame."""
         return ()
 
     @property
     def foot_step(self) -> FloatArray | None:
-        """How the hand is moving the foot just now, (4, 4); None when it does not."""
+        """The transform (4, 4) by which the foot is being turned; None while it is not."""
         return None
 
     def press(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
-        """Begin a gesture; None leaves the press to the camera."""
+        """Start a gesture.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            The press.
+        _surface
+            Surface of the event's view.
+
+        Returns
+        -------
+        Gesture or None
+            None leaves the press to the camera.
+        """
         return None
 
     def double_click(self, _case: Case, _event: PointerEvent, _surface: SurfaceContext) -> bool:
-        """Act on a double click; False leaves it to the camera."""
+        """Handle a double click; return False to leave it to the camera."""
         return False
 
     def offers(
         self, _case: Case, _event: PointerEvent, _surface: SurfaceContext
     ) -> tuple[ContextMenuItem, ...]:
-        """Give what can be done at a place, for the menu under the pointer."""
+        """Return the context menu items for a position.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            Position of the pointer.
+        _surface
+            Surface of the event's view.
+        """
         return ()
 
     def wheel(self, _case: Case, _event: PointerEvent, _steps: float) -> bool:
-        """Act on the wheel; False leaves it to the camera."""
+        """Handle the wheel; return False to leave it to the camera.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            Position of the pointer.
+        _steps
+            Notches of the wheel, > 0 away from the user.
+        """
         return False
 
     def nudge(self, _case: Case, _event: PointerEvent, _right: int, _up: int) -> bool:
-        """Act on an arrow key; False when there is nothing to nudge."""
+        """Handle an arrow key; return False if nothing was moved.
+
+        Parameters
+        ----------
+        _case
+            The open case.
+        _event
+            The view transform, and the modifier keys.
+        _right, _up
+            Direction of the key: -1, 0 or 1.
+        """
         return False
 
 
 def nudge_mm(event: PointerEvent, right: int, up: int) -> FloatArray:
-    """Give the step (2,) of an arrow key along the picture: 0.5 mm, Shift × 10, Ctrl × 0.1."""
+    """Return the step of an arrow key in the plane of the insole.
+
+    Parameters
+    ----------
+    event
+        The view transform, and the modifier keys.
+    right, up
+        Direction of the key in the image: -1, 0 or 1.
+
+    Returns
+    -------
+    (2,) float64
+        Length 0.5 mm; Shift × 10, Ctrl × 0.1.
+    """
     distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
     step = (right * event.look.right + up * event.look.up)[:2]
     return np.asarray(step / max(float(np.linalg.norm(step)), 1e-9) * distance)
 
 
 def place_at(place: FloatArray, step_mm: float = PLACE_STEP_MM) -> Place:
-    """Give a place (x, y) in whole steps."""
+    """Return a position (x, y) rounded to whole steps."""
     return rounded(float(place[0]), step_mm), rounded(float(place[1]), step_mm)
 
 
 def with_number(value: Record, name: str, number: float) -> Record:
-    """Give a record with one of its numbers replaced."""
+    """Return the record with one of its numbers replaced.
+
+    Parameters
+    ----------
+    value
+        The record.
+    name
+        Name of the attribute.
+    number
+        The new number.
+    """
     changes: dict[str, Any] = {name: number}
     return replace(value, **changes)
 
 
 def rise_mm(start: PointerEvent, now: PointerEvent) -> float:
-    """Give how far the pointer went up on the screen since `start`, in mm of the picture."""
+    """Return the pointer's movement up the screen, in mm of the image.
+
+    Parameters
+    ----------
+    start, now
+        First and current event.
+    """
     return (start.pixel[1] - now.pixel[1]) * now.look.mm_per_px

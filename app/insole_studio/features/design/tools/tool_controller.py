@@ -1,4 +1,4 @@
-"""The hand holds one tool and leads its gestures from press to release."""
+"""The controller of the chosen tool: runs its gestures from press to release."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from insole_studio.scene.pointer import PointerEvent
 
 
 class ToolController(QObject):
-    """The tool in use, shared by all views."""
+    """The chosen tool, shared by all views."""
 
     tool_changed = Signal()
     gesture_ended = Signal()
@@ -27,18 +27,18 @@ class ToolController(QObject):
         case.foot_changed.connect(self.cancel)
 
     def take(self, key: str) -> None:
-        """Take another tool."""
+        """Choose another tool."""
         self.cancel()
         self.tool = self.tools[key]
         self.tool_changed.emit()
 
     @property
     def is_busy(self) -> bool:
-        """Whether a gesture is under way."""
+        """Whether a gesture is running."""
         return bool(self._gesture)
 
     def press(self, event: PointerEvent, surface: SurfaceContext) -> bool:
-        """Begin a gesture; False leaves the press to the camera."""
+        """Start a gesture; return False to leave the press to the camera."""
         self.cancel()
         gesture = self.tool.press(self._case, event, surface)
         if gesture is None:
@@ -47,12 +47,12 @@ class ToolController(QObject):
         return True
 
     def drag(self, event: PointerEvent) -> None:
-        """Continue or, with a release, end the gesture."""
+        """Continue the gesture or, on a release, finish it."""
         if self._gesture.send(event):
             self.gesture_ended.emit()
 
     def cancel(self) -> bool:
-        """Give the gesture up, as if it had never begun; False when there is none."""
+        """Cancel the gesture without effect; return False if there is none."""
         if not self._gesture.close():
             return False
         self._case.end_preview()
@@ -60,17 +60,17 @@ class ToolController(QObject):
         return True
 
     def double_click(self, event: PointerEvent, surface: SurfaceContext) -> bool:
-        """Act on a double click; False leaves it to the camera."""
+        """Handle a double click; return False to leave it to the camera."""
         return not self.is_busy and self.tool.double_click(self._case, event, surface)
 
     def offers(self, event: PointerEvent, surface: SurfaceContext) -> tuple[ContextMenuItem, ...]:
-        """Give the lines of the menu under the pointer."""
+        """Return the context menu items."""
         return () if self.is_busy else self.tool.offers(self._case, event, surface)
 
     def wheel(self, event: PointerEvent, steps: float) -> bool:
-        """Act on the wheel; False leaves it to the camera."""
+        """Handle the wheel; return False to leave it to the camera."""
         return not self.is_busy and self.tool.wheel(self._case, event, steps)
 
     def nudge(self, event: PointerEvent, right: int, up: int) -> bool:
-        """Act on an arrow key; False when there is nothing to nudge."""
+        """Handle an arrow key, one step right or up; return False if nothing was moved."""
         return not self.is_busy and self.tool.nudge(self._case, event, right, up)

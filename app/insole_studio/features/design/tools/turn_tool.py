@@ -1,4 +1,4 @@
-"""The tool that turns the foot in its frame: three rings about its middle, as in every CAD."""
+"""The tool that turns the foot in its frame by three rotation rings, as in CAD programs."""
 
 from __future__ import annotations
 
@@ -25,31 +25,31 @@ from insole_studio.texts import tr
 PREFIX = "turn-"
 RADIUS_MM = 50.0
 HEIGHT_MM = 25.0
-"""Of the rings' middle over the ground."""
+"""Height of the rings' centre above the ground."""
 GRAB_PX = 10.0
 SAME_PX = 3.0
-"""Places of a ring that appear nearer to each other than this cannot be told apart."""
+"""Points of a ring that appear closer than this cannot be told apart."""
 STEP_DEG, FINE_DEG = 0.5, 0.1
 MOST_DEG = 45.0
 FACE_ON = 0.5
-"""A ring whose axis points this much to the eye is turned round its middle, others along it."""
+"""Rings with a larger cosine between axis and line of sight are turned around their centre."""
 _ROUND = np.linspace(0.0, 2 * np.pi, 73)
 
 
 @dataclass(frozen=True)
 class Ring:
-    """One turn of the foot.
+    """A rotation ring.
 
     Parameters
     ----------
     angle
-        The field of `PoseAngles` that it changes.
+        The attribute of `PoseAngles` that it changes.
     axis
-        Number of the axis that it turns about.
+        Index of the rotation axis.
     mirrored
-        Whether a turn about the axis has the sign of the medial side.
+        Whether the sign of the angle depends on the side of the foot.
     text
-        What the angle means.
+        Function that returns the translated name of the angle.
     """
 
     angle: str
@@ -59,23 +59,23 @@ class Ring:
 
     @property
     def arms(self) -> tuple[FloatArray, FloatArray]:
-        """Two unit vectors that span the plane of the ring, the first to the second is > 0."""
+        """Orthonormal vectors (3,) in the plane of the ring; rotation is from first to second."""
         axes = np.eye(3)
         return axes[(self.axis + 1) % 3], axes[(self.axis + 2) % 3]
 
     def place(self, centre: FloatArray, angle: float) -> FloatArray:
-        """Give a place on the ring, (3,) mm."""
+        """Return a point of the ring, (3,) mm; `angle` in radians."""
         first, second = self.arms
         return np.asarray(centre + RADIUS_MM * (np.cos(angle) * first + np.sin(angle) * second))
 
     def line(self, centre: FloatArray) -> FloatArray:
-        """Give the ring as a line (n, 3), mm."""
+        """Return the ring as a polyline (n, 3), mm."""
         first, second = self.arms
         way = np.cos(_ROUND)[:, None] * first + np.sin(_ROUND)[:, None] * second
         return np.asarray(centre + RADIUS_MM * way)
 
     def sign(self, foot: Foot) -> float:
-        """Of the angle for a turn about the axis that is > 0."""
+        """Return the sign of the pose angle for a positive rotation about the axis."""
         return -foot.side.medial_sign if self.mirrored else 1.0
 
 
@@ -90,7 +90,7 @@ RINGS = {
 
 
 class TurnTool(Tool):
-    """Each ring turns the foot about one axis; the insole follows when it is let go."""
+    """Tool with one ring per axis; the insole is updated on release."""
 
     key = "turn"
 
@@ -100,22 +100,22 @@ class TurnTool(Tool):
 
     @property
     def foot_step(self) -> FloatArray | None:
-        """How the hand is moving the foot just now, (4, 4); None when it does not."""
+        """The transform (4, 4) by which the foot is being turned; None while it is not."""
         return self._step
 
     @property
     def text(self) -> str:
-        """The angle of now."""
+        """The current angle as text; empty when nothing is being turned."""
         return self._angle_text
 
     def hint(self, case: Case) -> str:
-        """Say in one short sentence what one can do now."""
+        """Return one short sentence on what the user can do now."""
         if case.foot is not None and _angles(case) is None:
             return tr("The landmarks stand where they do on no foot; put them right first")
         return self._angle_text or tr("Drag a ring to turn the foot; hold Ctrl for small steps")
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Give two spots on each ring; the ring itself can be grabbed as well."""
+        """Return two spots on each ring; the rings themselves can be dragged as well."""
         if case.foot is None or surface.subject is not Subject.FOOT or _angles(case) is None:
             return ()
         centre = ring_centre(case.foot)
@@ -126,7 +126,7 @@ class TurnTool(Tool):
         )
 
     def rings(self, case: Case) -> tuple[FloatArray, ...]:
-        """Give the rings as lines (n, 3), mm."""
+        """Return the rings as polylines (n, 3), mm."""
         if case.foot is None or _angles(case) is None:
             return ()
         centre = ring_centre(case.foot)
@@ -162,14 +162,14 @@ class TurnTool(Tool):
 
 
 def ring_centre(foot: Foot) -> FloatArray:
-    """Give the middle of the rings, (3,) mm."""
+    """Return the centre of the rings, (3,) mm."""
     low, high = foot.mesh.bounds_mm
     x, y, _ = (low + high) / 2
     return np.array([x, y, HEIGHT_MM])
 
 
 def _angles(case: Case) -> PoseAngles | None:
-    """How the foot lies; None where its landmarks tell nothing."""
+    """Return the pose angles of the foot; None if its landmarks do not determine them."""
     foot = case.record.foot
     if foot is None:
         return None
@@ -189,7 +189,17 @@ def _dragged(
 
 
 def turned_deg(ring: Ring, centre: FloatArray, press: PointerEvent, event: PointerEvent) -> float:
-    """Give how far the pointer has turned a ring since it was grabbed, degrees."""
+    """Return the angle by which the pointer has turned a ring, degrees.
+
+    Parameters
+    ----------
+    ring
+        The grabbed ring.
+    centre : (3,) float64
+        Centre of the rings, mm.
+    press, event
+        The press on the ring, and the current event.
+    """
     axis = np.eye(3)[ring.axis]
     if abs(float(axis @ press.look.back)) > FACE_ON:
         turn = _bearing(ring, centre, event) - _bearing(ring, centre, press)
@@ -201,9 +211,9 @@ def turned_deg(ring: Ring, centre: FloatArray, press: PointerEvent, event: Point
 
 
 def _facing(ring: Ring, centre: FloatArray, press: PointerEvent) -> FloatArray:
-    """Give the way (3,) from the middle to the half of the ring that was grabbed, towards the eye.
+    """Return the direction (3,) from the centre to the grabbed half of the ring, across its axis.
 
-    Of a ring seen from its edge the near half is meant; of a tilted one also the far half can be.
+    Of a ring seen edge-on the near half is meant; of a tilted one the far half can be grabbed too.
     """
     line, back = ring.line(centre), press.look.back
     distance = np.hypot(*(press.look.pixels_of(line) - press.pixel).T)
@@ -213,7 +223,7 @@ def _facing(ring: Ring, centre: FloatArray, press: PointerEvent) -> FloatArray:
 
 
 def _bearing(ring: Ring, centre: FloatArray, event: PointerEvent) -> float:
-    """Direction of the pointer from the middle, in the plane of the ring, degrees."""
+    """Return the direction of the pointer from the centre, in the plane of the ring, degrees."""
     axis = np.eye(3)[ring.axis]
     origin, direction = event.look.ray_at(*event.pixel)
     hit = origin + direction * ((axis @ (centre - origin)) / (axis @ direction)) - centre
@@ -222,7 +232,7 @@ def _bearing(ring: Ring, centre: FloatArray, event: PointerEvent) -> float:
 
 
 def _ring_at(event: PointerEvent, centre: FloatArray) -> str | None:
-    """Name of the ring under the pointer."""
+    """Return the name of the ring under the pointer."""
     distance = {
         name: float(np.hypot(*(event.look.pixels_of(ring.line(centre)) - event.pixel).T).min())
         for name, ring in RINGS.items()
