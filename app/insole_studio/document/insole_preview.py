@@ -107,11 +107,11 @@ class InsolePreview(QObject):
         return self._insole.values_everywhere(top, bottom)
 
     def height_mm(self, x_mm: float, y_mm: float) -> float:
-        """Return the height of the contact surface at the nearest grid point; 0 before one exists."""
+        """Return the height of the contact surface near a place; 0 before one exists."""
         return float(self.heights_mm(np.array([x_mm, y_mm])))
 
     def heights_mm(self, xy: FloatArray) -> FloatArray:
-        """Return the heights at the grid points nearest to places (..., 2); 0 before a surface exists."""
+        """Return the heights of the contact surface near places (..., 2); 0 before one exists."""
         return np.zeros(xy.shape[:-1]) if self._insole is None else self._insole.heights_mm(xy)
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
