@@ -116,7 +116,7 @@ class CommandChannel:
         )
 
     def _read_reply(self) -> bytes:
-        """Read once; return nothing if the device has not answered yet and holds the request back."""
+        """Read once; return nothing if the device does not answer the request in time."""
         try:
             return self._pipe.control_in(0, commands.REPLY_BYTES)
         except NoAnswerError:
