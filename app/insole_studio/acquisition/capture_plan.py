@@ -26,7 +26,6 @@ class Shot:
 
     Parameters
     ----------
-    view
     serial
         Serial number of the sensor.
     tilt_deg
@@ -47,7 +46,6 @@ class CaptureStep:
 
     Parameters
     ----------
-    shots
     by_hand
         Whether somebody has to move the sensor into position first.
     """
@@ -67,7 +65,6 @@ class CapturePlan:
 
     Parameters
     ----------
-    steps
     frames, color_frames
         Number of depth and colour pictures of each view.
     settle
@@ -134,6 +131,11 @@ def make_plan(
         its depth steps fall elsewhere; each further series is a view of its own, ``left_2`` and
         so on.
 
+    Returns
+    -------
+    CapturePlan
+        With one step per position, or one in all if simultaneous.
+
     Raises
     ------
     UsageError
@@ -189,6 +191,16 @@ def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
     """Return the marker groups that a view sees: for the top view the tendon's, else the others.
 
     Every view sees all groups of a reference system that has no group at the Achilles tendon.
+
+    Parameters
+    ----------
+    view
+        Name of the view, or of one of its bursts.
+
+    Returns
+    -------
+    tuple of str
+        Names of marker groups.
     """
     groups = tuple(dict.fromkeys(marker.face for marker in system.markers))
     if _TOP_FACE not in groups or len(groups) == 1:
@@ -222,7 +234,7 @@ def burst_tilt_deg(burst: int) -> float:
 
 
 def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
-    """Take the sensors one after the other; one that has changed position is moved by hand."""
+    """Take the sensors one after the other; one that has moved before is moved by hand."""
     steps: list[CaptureStep] = []
     seen: set[str] = set()
     for shots in bursts_by_view:

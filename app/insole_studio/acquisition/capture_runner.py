@@ -101,10 +101,6 @@ class CaptureRunner:
     ----------
     sensors
         Open sensors by serial number; the emitters of those not in the plan stay off.
-    plan
-    setup
-    draft
-    callbacks
     """
 
     def __init__(

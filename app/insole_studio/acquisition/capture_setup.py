@@ -35,7 +35,6 @@ class Calibrated:
 
     Parameters
     ----------
-    sensor
     origin
         Where its calibration comes from: stored on this computer, the recording that an
         emulated sensor plays, or the device itself.
@@ -72,6 +71,16 @@ class CaptureSetup:
     def calibrated(self, opened: OpenSensor, view: str) -> Calibrated:
         """Return the calibration of a sensor for a view: the stored one, else the device's own.
 
+        Parameters
+        ----------
+        view
+            Determines which markers the sensor sees.
+
+        Returns
+        -------
+        Calibrated
+            With the warnings for the user.
+
         Raises
         ------
         InputError, CalibrationError
@@ -90,6 +99,16 @@ class CaptureSetup:
 
     def known(self, serial: str, view: str) -> Calibrated | None:
         """Return the calibration for a serial number and view; None where this setup has none.
+
+        Parameters
+        ----------
+        view
+            Determines which markers the sensor sees.
+
+        Returns
+        -------
+        Calibrated or None
+            None if nothing is stored or recorded.
 
         Raises
         ------
@@ -136,7 +155,15 @@ def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSe
 
 
 def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
-    """Return the setup in which a session was recorded, for its emulated sensors."""
+    """Return the setup in which a session was recorded, for its emulated sensors.
+
+    Parameters
+    ----------
+    stored
+        Calibrations kept on this computer.
+    session
+        The emulated session.
+    """
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
     return CaptureSetup(manifest.reference_system, stored, manifest.volume_of_interest, recorded)

@@ -56,7 +56,6 @@ class ViewStatus:
 
     Parameters
     ----------
-    view, serial
     frames, wanted
         Depth frames taken, and requested.
     finished
@@ -82,8 +81,6 @@ class CaptureStatus:
 
     Parameters
     ----------
-    phase
-    views
     sentence
         What is going on, what the user has to do, or why the capture ended.
     names

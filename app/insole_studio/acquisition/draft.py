@@ -46,7 +46,6 @@ class ViewFacts:
         Frames that arrived damaged and were left out.
     warm_s
         How long the sensor had been on.
-    warnings
     """
 
     settled_after_s: float
@@ -91,6 +90,11 @@ class Draft:
     @classmethod
     def reopen(cls, folder: Path, order: Sequence[str] = ()) -> Draft:
         """Reopen the draft of an earlier capture; without `order`, its views keep their order.
+
+        Parameters
+        ----------
+        order
+            Order of the views, including those still to come.
 
         Raises
         ------
@@ -151,15 +155,36 @@ class Draft:
         self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
-        """Store depth frame number `index`."""
+        """Store depth frame number `index`.
+
+        Parameters
+        ----------
+        index
+            From 0.
+        image : (480, 640) uint16, raw
+        """
         self._store(view, f"depth_{index:03d}.png", image)
 
     def add_color(self, view: str, index: int, picture: ByteArray) -> None:
-        """Store colour frame number `index`."""
+        """Store colour frame number `index`.
+
+        Parameters
+        ----------
+        index
+            From 0.
+        picture : (height, width, 3) uint8, RGB
+        """
         self._store(view, f"color_{index:03d}.png", picture)
 
     def finish_view(self, view: str, calibrated: Calibrated, facts: ViewFacts) -> None:
         """Wait until a view is on the disk, and make it part of the session.
+
+        Parameters
+        ----------
+        calibrated
+            The sensor that recorded it.
+        facts
+            Written to the manifest.
 
         Raises
         ------
@@ -187,6 +212,11 @@ class Draft:
 
     def publish(self, path: Path, progress: Progress = SILENT) -> None:
         """Move the session to its destination, as a folder or a zip archive, and remove the draft.
+
+        Parameters
+        ----------
+        path
+            A folder, or a zip archive by its suffix.
 
         Raises
         ------

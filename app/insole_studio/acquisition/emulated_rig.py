@@ -33,7 +33,6 @@ class EmulatedRig:
 
     Parameters
     ----------
-    session
     speed
         Factor on the sensors' clock; 1 = real time.
     """
@@ -52,7 +51,13 @@ class EmulatedRig:
         self.bus = EmulatedBus(list(self._kinects.values()), speed=speed)
 
     def put(self, serial: str, place: str) -> None:
-        """Move a sensor to the position of a view, as somebody would by hand."""
+        """Move a sensor to the position of a view, as somebody would by hand.
+
+        Parameters
+        ----------
+        place
+            Name of the view without the number of the burst.
+        """
         if self._serials.get(place) == serial:
             self._kinects[serial].face(self._scenes[place])
 

@@ -50,7 +50,7 @@ class _Pictures:
         return image
 
     def read_color(self, index: int) -> ByteArray:
-        """Give colour frame number `index`."""
+        """Read colour frame number `index`."""
         file = self.color[index]
         with translating():
             if file.kind == "r":
@@ -65,9 +65,13 @@ def read_view(name: str, folder: Path, system: ReferenceSystem) -> View:
     ----------
     name
         Name of the view.
-    folder
     system
         Determines which markers the view sees.
+
+    Returns
+    -------
+    View
+        Its frames are read on demand.
 
     Raises
     ------

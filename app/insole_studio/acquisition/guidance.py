@@ -53,7 +53,6 @@ class Hint:
 
     Parameters
     ----------
-    kind
     found, wanted
         Actual and required value, where the kind has any: mm, or number of markers.
     """
@@ -107,11 +106,8 @@ def guide(
 
     Parameters
     ----------
-    sensor
-    system
     volume
         Box that the foot should be in, reference frame.
-    snapshot
     """
     depth, color = snapshot.depth, snapshot.color
     depth_mm = sensor.depth_mm(np.where(depth == NO_READING, np.nan, depth.astype(float)))

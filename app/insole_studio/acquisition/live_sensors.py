@@ -24,7 +24,6 @@ class LiveSensors:
 
     Parameters
     ----------
-    rig
     show
         Called with the slot and every depth image, colour preview or infrared picture.
     """
@@ -92,7 +91,13 @@ class LiveSensors:
         return any(came)
 
     def show(self, serial: str, image: RawArray | ByteArray) -> None:
-        """Count a picture of a sensor and show it; colour is reduced in size."""
+        """Count a picture of a sensor and show it; colour is reduced in size.
+
+        Parameters
+        ----------
+        image
+            Raw depth or infrared (height, width), or colour (height, width, 3) uint8, RGB.
+        """
         if image.ndim == 2:
             self._times[serial].append(time.monotonic())
         self._show(self._states[serial].slot, image if image.ndim == 2 else image[::2, ::2])

@@ -22,7 +22,6 @@ class Start:
 
     Parameters
     ----------
-    plan
     folder
         Folder of the draft; an existing one is continued, and views in it are replaced.
     manifest
@@ -90,7 +89,6 @@ class SensorState:
 
     Parameters
     ----------
-    serial, model
     bus
         Number of its USB controller.
     slot
@@ -128,7 +126,6 @@ class Sensors:
 
     Parameters
     ----------
-    states
     problem
         Why there are no sensors.
     """

@@ -105,7 +105,6 @@ class OpenSensor:
 
     Attributes
     ----------
-    serial, model
     bus
         Number of its USB controller.
     opened_s

@@ -47,7 +47,6 @@ class Stabilisation:
 
     Parameters
     ----------
-    rule
     started_s
         On the clock of the frames; earlier frames saw other emitters and are dropped.
     """

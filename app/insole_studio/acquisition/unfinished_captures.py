@@ -18,7 +18,6 @@ class UnfinishedCapture:
 
     Parameters
     ----------
-    folder
     manifest
         The manifest with the finished views.
     request

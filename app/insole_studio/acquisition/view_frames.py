@@ -43,15 +43,7 @@ class Beginning(NamedTuple):
 
 
 class Series:
-    """Collects the frames of one shot.
-
-    Parameters
-    ----------
-    shot
-    sensor
-    plan
-    beginning
-    """
+    """Collects the frames of one shot."""
 
     def __init__(
         self, shot: Shot, sensor: OpenSensor, plan: CapturePlan, beginning: Beginning

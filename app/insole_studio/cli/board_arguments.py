@@ -15,7 +15,13 @@ _SIZE = re.compile(r"(\d{1,3})[x×](\d{1,3})")
 
 
 def add_board_arguments(parser: argparse.ArgumentParser, required: bool = True) -> None:
-    """Add the arguments that describe the board."""
+    """Add the arguments that describe the board.
+
+    Parameters
+    ----------
+    required
+        Whether the board must be described.
+    """
     parser.add_argument(
         "--board", required=required, metavar="10x7",
         help="inner corners of the chequerboard, a row has one less than squares; "

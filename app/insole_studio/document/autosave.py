@@ -34,7 +34,6 @@ class Recovered:
 
     Parameters
     ----------
-    record
     path
         The file it was opened from; None for a case never saved.
     copies

@@ -172,7 +172,13 @@ class Case(QObject):
         self.saved_changed.emit()
 
     def open_foot(self, foot: Foot, source: ScanSource) -> None:
-        """Begin a design on a new foot alone; the patient stays."""
+        """Begin a design on a new foot alone; the patient stays.
+
+        Parameters
+        ----------
+        source
+            The scan that the foot was made from.
+        """
         record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
         self.open(record, self.path, unsaved=True)
 

@@ -107,7 +107,13 @@ class InsolePreview(QObject):
         return self._insole.values_everywhere(top, bottom)
 
     def height_mm(self, x_mm: float, y_mm: float) -> float:
-        """Return the height of the contact surface near a place; 0 before one exists."""
+        """Return the height of the contact surface near a place; 0 before one exists.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Place in the insole's plane.
+        """
         return float(self.heights_mm(np.array([x_mm, y_mm])))
 
     def heights_mm(self, xy: FloatArray) -> FloatArray:
@@ -115,7 +121,13 @@ class InsolePreview(QObject):
         return np.zeros(xy.shape[:-1]) if self._insole is None else self._insole.heights_mm(xy)
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
-        """Return whether the insole covers a place."""
+        """Return whether the insole covers a place.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Place in the insole's plane.
+        """
         return self._insole is not None and self._insole.covers(x_mm, y_mm)
 
     def _forget(self) -> None:

@@ -75,7 +75,18 @@ class SectionModel(QObject):
 
 
 def cut_profile(surface: InsolePreview, plane: SectionPlane) -> Profile | None:
-    """Cut insole and foot by the plane; return None if it misses the insole."""
+    """Cut insole and foot by the plane; return None if it misses the insole.
+
+    Parameters
+    ----------
+    surface
+        The insole and the standing foot.
+
+    Returns
+    -------
+    Profile or None
+        Distances along the plane and heights, mm.
+    """
     line, skins, standing = section_line(surface, plane), surface.skins, surface.standing_foot
     if line is None or skins is None or standing is None:
         return None
@@ -87,7 +98,13 @@ def cut_profile(surface: InsolePreview, plane: SectionPlane) -> Profile | None:
 
 
 def section_line(surface: InsolePreview, plane: SectionPlane) -> FloatArray | None:
-    """Return the (n, 3) line, mm, in which the plane cuts the contact surface, or None."""
+    """Return the (n, 3) line, mm, in which the plane cuts the contact surface, or None.
+
+    Returns
+    -------
+    (n, 3) float64, mm, or None
+        None if the plane misses the surface.
+    """
     field, skins = surface.contact, surface.skins
     if field is None or skins is None:
         return None

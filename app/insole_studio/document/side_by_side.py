@@ -40,11 +40,8 @@ class Built:
 
     Parameters
     ----------
-    foot
-    design
     contact
         The contact surface of the insole.
-    solid
     sole
         Heights of the foot seen from below; NaN outside it.
     """
@@ -102,11 +99,35 @@ class SideBySide(QObject):
         self.changed.emit()
 
     def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
-        """Return the counterpart's heights at places (n, 2) of the active foot; NaN outside it."""
+        """Return the counterpart's heights at places (n, 2) of the active foot; NaN outside it.
+
+        Parameters
+        ----------
+        field
+            Heights of the counterpart.
+        xy : (n, 2)
+            Places of the active foot, mm.
+
+        Returns
+        -------
+        (n,) float64, mm
+            NaN outside the counterpart.
+        """
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
 
     def heights_under(self, surface: InsolePreview, xy: FloatArray) -> FloatArray:
-        """Return the counterpart's heights at the vertices of the shown insole's top; cached."""
+        """Return the counterpart's heights at the vertices of the shown insole's top; cached.
+
+        Parameters
+        ----------
+        xy : (n, 2)
+            Places of the top's vertices, mm.
+
+        Returns
+        -------
+        (n,) float64, mm
+            NaN outside the counterpart.
+        """
         assert self.built is not None
         laid = self._laid
         if laid is None or laid[0] is not surface.base or laid[1] is not self.built:
@@ -181,6 +202,11 @@ def insole_difference(surface: InsolePreview, counterpart: SideBySide) -> FloatA
 
     Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN outside the
     counterpart. None while there is nothing to compare with.
+
+    Returns
+    -------
+    (n,) float64, mm, or None
+        One difference for each vertex of the top.
     """
     bottom, built = surface.bottom_heights_mm, counterpart.built
     if surface.mesh is None or bottom is None or built is None:
@@ -193,6 +219,11 @@ def foot_difference(foot: Foot, counterpart: SideBySide) -> FloatArray | None:
     """Return the height of the sole over the counterpart's, mm, at the vertices; NaN beside it.
 
     None if the counterpart is the same foot, or there is none.
+
+    Returns
+    -------
+    (n,) float64, mm, or None
+        One difference for each vertex of the foot.
     """
     built = counterpart.built
     if built is None or built.foot is foot:

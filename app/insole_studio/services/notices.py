@@ -27,7 +27,15 @@ class Notices(QObject):
     def put(
         self, key: str, text: str, offer: str = "", run: Callable[[], object] | None = None
     ) -> None:
-        """Show a notice, with a button labelled `offer` that calls `run`."""
+        """Show a notice, with a button labelled `offer` that calls `run`.
+
+        Parameters
+        ----------
+        key
+            A later notice with the same key replaces this one.
+        offer
+            Label of the button; without one there is no button.
+        """
         self._shown[key] = Notice(key, text, offer), run
         self._bar.show_notices(self.notices)
 

@@ -85,7 +85,18 @@ class Questions:
         return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
 
     def text(self, title: str, question: str, value: str) -> str | None:
-        """Ask for a line of text."""
+        """Ask for a line of text.
+
+        Parameters
+        ----------
+        value
+            The initial text.
+
+        Returns
+        -------
+        str or None
+            None if the user cancelled.
+        """
         text, is_given = QInputDialog.getText(
             self._parent, title, question, QLineEdit.EchoMode.Normal, value
         )
@@ -112,7 +123,15 @@ class Questions:
         return Path(name) if name else None
 
     def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
-        """Ask for a path to write to."""
+        """Ask for a path to write to.
+
+        Parameters
+        ----------
+        suggestion
+            The proposed file name.
+        kinds
+            Filter of the file dialog.
+        """
         name, _ = QFileDialog.getSaveFileName(self._parent, tr("Save"), suggestion, kinds)
         return Path(name) if name else None
 

@@ -137,7 +137,13 @@ def _unpack(layout: struct.Struct, data: bytes, offset: int = 0) -> tuple[Any, .
 
 
 def encode_zero_plane(plane: ZeroPlane, total_bytes: int) -> bytes:
-    """Encode what `decode_zero_plane` decodes; `total_bytes` counts the error word too."""
+    """Encode what `decode_zero_plane` decodes; `total_bytes` counts the error word too.
+
+    Parameters
+    ----------
+    total_bytes
+        Length of the reply, error word included; it depends on the model.
+    """
     data = bytearray(total_bytes - 2)
     _ZERO_PLANE.pack_into(data, _ZERO_PLANE_OFFSET, *astuple(plane))
     return bytes(data)

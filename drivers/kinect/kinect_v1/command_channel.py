@@ -32,7 +32,6 @@ class CommandChannel:
 
     Parameters
     ----------
-    pipe
     limit_s
         Longest wait for one reply.
     """

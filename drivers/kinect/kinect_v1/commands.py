@@ -59,7 +59,13 @@ def words(*values: int) -> bytes:
 
 
 def encode_request(opcode: int, tag: int, payload: bytes) -> bytes:
-    """Encode a command; the payload must have an even length."""
+    """Encode a command; the payload must have an even length.
+
+    Parameters
+    ----------
+    payload
+        Of even length.
+    """
     return _HEADER.pack(REQUEST_MAGIC, len(payload) // 2, opcode, tag) + payload
 
 
@@ -81,7 +87,15 @@ def decode_request(request: bytes) -> tuple[int, int, bytes]:
 
 
 def encode_reply(opcode: int, tag: int, error: int, data: bytes) -> bytes:
-    """Encode a reply: error word, then data."""
+    """Encode a reply: error word, then data.
+
+    Parameters
+    ----------
+    tag
+        That of the answered command.
+    error
+        0 for success.
+    """
     payload = words(error) + data
     return _HEADER.pack(REPLY_MAGIC, len(payload) // 2, opcode, tag) + payload
 

@@ -146,7 +146,6 @@ class EventLoop:
     ----------
     name
         File of the library.
-    context
     """
 
     def __init__(self, name: str, context: ctypes.c_void_p) -> None:
@@ -226,10 +225,8 @@ class IsochronousStream:
     ----------
     loop
         Event loop of the context that the target's handle belongs to.
-    target
     receiver
         Receives the packets.
-    size
 
     Raises
     ------

@@ -89,8 +89,6 @@ def open_camera(
 
     Parameters
     ----------
-    serial
-    settings
     bus
         An emulated one in tests and demonstrations; None selects the computer's own.
 
@@ -107,8 +105,6 @@ class KinectCamera:
 
     Attributes
     ----------
-    serial
-    model
     bus
         Number of its USB controller.
     calibration

@@ -42,7 +42,6 @@ class StreamKind:
 
     Parameters
     ----------
-    name
     endpoint
         Its address.
     flag
@@ -78,9 +77,6 @@ class StreamMode:
 
     Parameters
     ----------
-    name
-    kind
-    pixels
     width, height
         Image size, px.
     bits
@@ -178,7 +174,13 @@ MODES = {mode.name: mode for mode in (DEPTH_11, DEPTH_10, BAYER_640, BAYER_1280,
 
 
 def mode_from_registers(kind: StreamKind, registers: dict[int, int]) -> StreamMode | None:
-    """Return the mode that a camera's registers select; None if the stream is off."""
+    """Return the mode that a camera's registers select; None if the stream is off.
+
+    Parameters
+    ----------
+    registers
+        Register values by address.
+    """
     switch = registers.get(kind.switch, STREAM_OFF)
     if switch == STREAM_OFF:
         return None

@@ -13,7 +13,13 @@ _HEADER = struct.Struct("<2sxBxBHI")
 
 
 def packet_flag(mode: StreamMode, index: int) -> int:
-    """Return the flag of packet `index` of a frame."""
+    """Return the flag of packet `index` of a frame.
+
+    Parameters
+    ----------
+    index
+        From 0.
+    """
     place = {0: FIRST, mode.packets - 1: LAST}.get(index, MIDDLE)
     return mode.kind.flag | place
 

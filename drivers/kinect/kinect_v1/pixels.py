@@ -43,13 +43,28 @@ def unpack(packed: ByteArray, bits: int) -> RawArray:
 
 
 def pack(pixels: RawArray, bits: int) -> ByteArray:
-    """Pack an image; the inverse of `unpack`."""
+    """Pack an image; the inverse of `unpack`.
+
+    Parameters
+    ----------
+    bits
+        Bits per pixel, 9 to 16.
+
+    Returns
+    -------
+    (n bits / 8,) uint8
+    """
     wide = pixels.reshape(-1, 1).astype(">u2").view(np.uint8)
     return np.packbits(np.unpackbits(wide, axis=1)[:, 16 - bits :])
 
 
 def decode_image(data: ByteArray, mode: StreamMode) -> ByteArray | RawArray:
-    """Return the image of a packed frame: (height, width), uint8 Bayer mosaic or uint16."""
+    """Return the image of a packed frame: (height, width), uint8 Bayer mosaic or uint16.
+
+    Parameters
+    ----------
+    data : (mode.frame_bytes,) uint8
+    """
     shape = (mode.height, mode.width)
     if mode.pixels is PixelFormat.BAYER:
         return data.reshape(shape)
@@ -57,7 +72,13 @@ def decode_image(data: ByteArray, mode: StreamMode) -> ByteArray | RawArray:
 
 
 def encode_image(image: ByteArray | RawArray, mode: StreamMode) -> bytes:
-    """Return the packed frame of an image; the inverse of `decode_image`."""
+    """Return the packed frame of an image; the inverse of `decode_image`.
+
+    Parameters
+    ----------
+    image : (height, width)
+        uint8 Bayer mosaic or uint16.
+    """
     if image.shape != (mode.height, mode.width):
         raise ValueError(f"{mode.name} needs {mode.width} x {mode.height} px, not {image.shape}")
     if mode.pixels is PixelFormat.BAYER:

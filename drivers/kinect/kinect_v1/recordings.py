@@ -45,11 +45,8 @@ class RecordedFile:
 
     Parameters
     ----------
-    path
     kind
         d depth, r colour, a accelerometer; b Bayer mosaic and i infrared, beside the index.
-    host_time_s
-    device_time
     """
 
     path: Path
@@ -112,7 +109,13 @@ class RecordingWriter:
         self._store(f"a-{time.time():f}-0.dump", _POSTURE.pack(x, y, z, tilt, status))
 
     def finish(self, serial: str, model: str, calibration: Calibration) -> None:
-        """Write the index and the device's calibration."""
+        """Write the index and the device's calibration.
+
+        Parameters
+        ----------
+        model
+            As in `Recording`.
+        """
         (self._folder / INDEX).write_text("".join(f"{line}\n" for line in self._lines), "ascii")
         device = {"serial": serial, "model": model, **_encode_calibration(calibration)}
         (self._folder / _DEVICE).write_text(json.dumps(device, indent=1), "utf-8")

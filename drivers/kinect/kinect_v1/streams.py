@@ -61,7 +61,6 @@ class StreamCounts:
         Delivered frames.
     discarded
         Frames damaged in transit, never delivered.
-    lost_packets
     overrun
         Frames delivered, but not fetched in time by `Stream.read`.
     """
@@ -80,7 +79,6 @@ class Stream:
 
     Parameters
     ----------
-    mode
     deliver
         Called with every frame, in the thread that handles USB events: it must be quick, and must
         not stop the stream. Without it frames are kept for `read`.

@@ -35,6 +35,11 @@ def render(picture: ByteArray, columns: int, lines: int) -> str:
     picture : (height, width, 3) uint8, RGB
     columns, lines
         Size of the terminal.
+
+    Returns
+    -------
+    str
+        Lines with ANSI colour codes.
     """
     height, width = picture.shape[:2]
     scale = min(columns / width, 2 * lines / height)
@@ -52,6 +57,12 @@ def render(picture: ByteArray, columns: int, lines: int) -> str:
 
 
 def beside(left: str, right: str) -> str:
-    """Put two drawings next to each other."""
+    """Put two drawings next to each other.
+
+    Parameters
+    ----------
+    left, right
+        Drawings by `render`.
+    """
     pairs = zip(left.split("\n"), right.split("\n"), strict=False)
     return "\n".join(f"{one} {other}" for one, other in pairs)

@@ -286,7 +286,13 @@ class UsbFunction:
             self._device.write(endpoint, data, timeout_ms)
 
     def bulk_in(self, endpoint: int, length: int, timeout_ms: int) -> bytes:
-        """Read from a bulk endpoint."""
+        """Read from a bulk endpoint.
+
+        Returns
+        -------
+        bytes
+            At most `length`.
+        """
         with _translating(self):
             return bytes(self._device.read(endpoint, length, timeout_ms))
 

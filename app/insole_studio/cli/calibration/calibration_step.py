@@ -41,8 +41,6 @@ def run_step(
 
     Parameters
     ----------
-    arguments
-    progress
     work
         Fits the step's part of the calibration of the sensor as known so far.
     insist

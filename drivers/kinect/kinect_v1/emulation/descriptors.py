@@ -62,7 +62,13 @@ def configuration_descriptor(interfaces: tuple[Interface, ...], power_ma: int) -
 
 
 def string_descriptor(strings: tuple[str, ...], index: int) -> bytes | None:
-    """Return string `index`, counted from 1; 0 lists the languages; None = there is none."""
+    """Return string `index`, counted from 1; 0 lists the languages; None = there is none.
+
+    Parameters
+    ----------
+    strings
+        Product, manufacturer and serial number.
+    """
     if index > len(strings):
         return None
     text = struct.pack("<H", 0x0409) if index == 0 else strings[index - 1].encode("utf-16-le")

@@ -49,8 +49,6 @@ class EmulatedFunction:
         idProduct and bcdDevice.
     strings
         Product, manufacturer, and the serial number where it has one.
-    interfaces
-    power_ma
     """
 
     kernel_driver: str | None = None
@@ -317,7 +315,6 @@ class EmulatedKinect:
 
     Parameters
     ----------
-    model, serial, calibration
     footage
         The frames that it plays.
     firmware

@@ -28,7 +28,6 @@ class Fault:
 
     Parameters
     ----------
-    kind
     where
         On the command channel, or on one of the two streams.
     at

@@ -19,10 +19,8 @@ class PacketSource:
 
     Parameters
     ----------
-    mode
     frames
         Packed frames, played in a loop.
-    faults
     """
 
     def __init__(self, mode: StreamMode, frames: Sequence[bytes], faults: FaultPlan) -> None:
