@@ -134,7 +134,7 @@ def make_plan(
     Returns
     -------
     CapturePlan
-        With one step per position, or one in all if simultaneous.
+        With one step per shot, or one per burst if simultaneous.
 
     Raises
     ------
@@ -234,7 +234,7 @@ def burst_tilt_deg(burst: int) -> float:
 
 
 def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
-    """Take the sensors one after the other; one that has moved before is moved by hand."""
+    """Return one step per shot; a sensor that took an earlier view is moved by hand."""
     steps: list[CaptureStep] = []
     seen: set[str] = set()
     for shots in bursts_by_view:

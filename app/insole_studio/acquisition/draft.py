@@ -124,7 +124,7 @@ class Draft:
         return tuple(view for view in self._order if view in self._facts)
 
     def expect(self, order: Sequence[str]) -> None:
-        """Set the views to come, in a new order."""
+        """Put the views of `order` first; the others keep their order behind them."""
         self._order = [*order, *(view for view in self._order if view not in order)]
 
     def check_room(self, frames: int, color_frames: int, views: int) -> None:
