@@ -1,8 +1,8 @@
 """``python -m benchmarks [NAME …]``: run all benchmarks or the named ones, a process each.
 
 A benchmark is a module in this folder with a function ``main() -> None`` that prints a table; it
-measures the product side by side with a peer in one run and says what the limit is. Processes of
-their own keep imports and memory of one from colouring the figures of the next.
+measures the product side by side with a peer in one run and states the limit. Separate processes
+keep imports and memory of one benchmark from affecting the next.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def main(wanted: list[str]) -> int:
     if unknown:
         print(f"There is no benchmark {', '.join(unknown)}; there are: {', '.join(names())}.")
         return 2
-    # As the product does; threads of OpenBLAS beside its own would only wait for each other.
+    # As in the product: threads of OpenBLAS beside its own would only wait for each other.
     environment = {"OPENBLAS_NUM_THREADS": "1", **os.environ}
     failed = 0
     for name in wanted or names():

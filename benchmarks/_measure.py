@@ -14,14 +14,14 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class ProcessCost:
-    """What one process took from start to end."""
+    """The resources that one process used from start to end."""
 
     seconds: float
     peak_mb: float
 
 
 def run_process(arguments: list[str]) -> ProcessCost:
-    """Run a command of the product and measure it from outside."""
+    """Run a command of the product and measure its process from outside."""
     start = time.perf_counter()
     process = subprocess.Popen(
         [sys.executable, "-m", "insole_studio", *arguments], stderr=subprocess.DEVNULL
@@ -34,7 +34,7 @@ def run_process(arguments: list[str]) -> ProcessCost:
 
 
 def median_ms(call: Callable[[], object], repeats: int = 7) -> float:
-    """Give the median time of a call, after one that warms up."""
+    """Return the median time of a call, after one warm-up call."""
     call()
     times = []
     for _ in range(repeats):
@@ -45,7 +45,7 @@ def median_ms(call: Callable[[], object], repeats: int = 7) -> float:
 
 
 def print_table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> None:
-    """Print rows under a head, columns aligned."""
+    """Print rows below a header, with aligned columns."""
     table = [[str(cell) for cell in row] for row in [head, *rows]]
     widths = [max(len(row[i]) for row in table) for i in range(len(table[0]))]
     for row in table:
@@ -54,7 +54,7 @@ def print_table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> None:
 
 
 def recorded_session(folder: Path) -> Path:
-    """Simulate the session that benchmarks of the whole chain run on."""
+    """Simulate the session for benchmarks of the whole pipeline."""
     path = folder / "session"
     subprocess.run(
         [sys.executable, "-m", "insole_studio", "simulate", str(path), "--seed", "7"],

@@ -1,4 +1,4 @@
-"""What Open3D makes of the same placed views; None of it where it is not installed."""
+"""Open3D's surfaces from the same placed views; none if it is not installed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _VOXEL_MM, _TRUNCATION_MM = 1.0, 5.0
 
 
 def open3d_peers() -> dict[str, Peer]:
-    """Give the peers by name, empty with a message when Open3D is not installed."""
+    """Return the peers by name; print a message and return none if Open3D is not installed."""
     try:
         open3d = importlib.import_module("open3d")
     except ImportError:
@@ -51,7 +51,7 @@ def _poisson(open3d: Any, readings: list[DepthView]) -> TriangleMesh:
 
 
 def _tsdf(open3d: Any, readings: list[DepthView]) -> TriangleMesh:
-    """Depth maps smoothed as the product smooths them, in the dense volume; metres inside."""
+    """Fuse smoothed depth maps, as the product does, in the dense volume; metres inside."""
     points = np.concatenate([reading.surface_points for reading in readings])
     low = points.min(0) - 20
     length = float((points.max(0) + 20 - low).max())

@@ -1,4 +1,4 @@
-"""Designs by chance, on simulated feet by chance: for benchmarks and tests of solids."""
+"""Random designs on random simulated feet, for benchmarks and tests of solids."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def random_design(foot: Foot, rng: np.random.Generator) -> InsoleDesign:
 
 
 def random_solids(count: int, seed: int = 0) -> Iterator[tuple[Insole, Kind, SolidOptions]]:
-    """Insoles with the kind and the options of the solid to make of each."""
+    """Yield random insoles with the kind and the options of the solid to build from each."""
     rng = np.random.default_rng(seed)
     for number in range(count):
         if number % DESIGNS_PER_FOOT == 0:

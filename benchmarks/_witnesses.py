@@ -1,4 +1,4 @@
-"""What other programs say of a solid; each gives its complaints, or None where it is absent."""
+"""Checks of a solid by other programs; each returns its complaints, or None if not installed."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def by_admesh(path: Path) -> list[str] | None:
 
 
 def by_prusa_info(path: Path) -> dict[str, str] | None:
-    """The slicer's own facts: manifold, size_x, size_y, size_z, volume …"""
+    """Return the facts that the slicer reports: manifold, size_x, size_y, size_z, volume …"""
     if shutil.which(PRUSA) is None:
         return None
     call = subprocess.run([PRUSA, "--info", str(path)], capture_output=True, text=True, check=True)

@@ -1,10 +1,10 @@
-"""Boards on simulated devices: the error of the depth camera against what is stated.
+"""Board calibration of simulated devices: true error of the depth camera against the stated one.
 
 Run as ``python benchmarks/board_depth_devices.py SEED …``. Every device has its own cameras, pose,
-distortion of 7 mm at 800 mm, and noise, and is calibrated as the instruction says: six walls of ten
-frames from 500 to 1050 mm, and 48 boards tilted by 40 to 55° to four sides. Of the infrared way the
-first 16 boards. All options are those of the product. Each seed is a fresh device: do not choose
-anything by the outcome.
+distortion of 7 mm at 800 mm, and noise, and is calibrated as the manual says: six walls of ten
+frames from 500 to 1050 mm, and 48 boards tilted by 40 to 55° to four sides; the infrared method
+uses the first 16 boards. All options are those of the product. Each seed is a new device: do not
+tune anything by the outcome.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ NAMES = ("fx", "fy", "cx", "cy")
 
 @dataclass(frozen=True)
 class Device:
-    """A depth sensor beside a colour camera, and whether its distortion is taken out."""
+    """A depth sensor beside a colour camera, and whether its distortion is corrected."""
 
     seed: int
     depth2color: FloatArray
@@ -59,7 +59,7 @@ class Device:
 
 
 def main() -> None:
-    """Print all three cases of every seed."""
+    """Print all three cases for every seed."""
     print("from | seed | error x, y, z, mm | stated, mm | norm, mm | angle, ° | in stated sd")
     for seed in map(int, sys.argv[1:]):
         calibrate_infrared(draw_device(seed, 0.0))
@@ -68,7 +68,13 @@ def main() -> None:
 
 
 def draw_device(seed: int, rms_raw: float) -> Device:
-    """Draw the numbers of a device round the usual ones."""
+    """Draw the parameters of a device around the nominal ones.
+
+    Parameters
+    ----------
+    rms_raw
+        Of the distortion, raw units.
+    """
     generator = np.random.default_rng([seed, 7])
     shift = np.array([-25.0, 0, 0]) + generator.uniform([-2, -1.5, -1.5], [2, 1.5, 1.5])
     turn = rotation_about(generator.normal(size=3), generator.uniform(0.3, 1.2))
@@ -87,7 +93,7 @@ def draw_device(seed: int, rms_raw: float) -> Device:
 
 
 def calibrate_infrared(device: Device) -> None:
-    """Do as the commands do: both cameras from their pictures, then both together."""
+    """Calibrate as the commands do: both cameras from their pictures, then both together."""
     infrared = with_shift(CAMERA, (-IR_TO_DEPTH_PX[0], -IR_TO_DEPTH_PX[1]))
     poses = spread_poses(device.seed, INFRARED_BOARDS, BOARD, device.depth2color)
     seen = [
@@ -103,7 +109,7 @@ def calibrate_infrared(device: Device) -> None:
 
 
 def calibrate_depth(name: str, device: Device) -> None:
-    """Do as the commands do: the colour camera from its pictures, the rest from the nominal."""
+    """Calibrate as the commands do: the colour camera from its pictures, the rest from nominal."""
     poses = spread_poses(device.seed, BOARDS, BOARD, device.depth2color)
     color = sight_all(device, poses)
     boards = []
@@ -118,7 +124,7 @@ def calibrate_depth(name: str, device: Device) -> None:
 
 
 def sight_all(device: Device, poses: Sequence[FloatArray]) -> list[BoardDetection]:
-    """Sight the boards in colour."""
+    """Detect the boards in colour."""
     return [
         sight(
             f"color_{i}", BOARD, device.depth2color @ placed, device.color_camera, CORNER_PX,
@@ -134,7 +140,7 @@ def report(
     found: StereoCalibration,
     intrinsics: Mapping[str, tuple[float, float]],
 ) -> None:
-    """Print the errors, and each of them in standard deviations."""
+    """Print the errors, also in standard deviations."""
     error = found.depth2color[:3, 3] - device.depth2color[:3, 3]
     stated = found.translation_deviation_mm
     between = (found.depth2color @ inverse(device.depth2color))[:3, :3]

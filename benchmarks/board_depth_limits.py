@@ -1,4 +1,4 @@
-"""The best that boards in colour and depth can tell: Cramér-Rao bound of the pose.
+"""The best pose obtainable from boards in colour and depth: its Cramér-Rao bound.
 
 Run as ``python benchmarks/board_depth_limits.py``.
 """
@@ -34,7 +34,7 @@ PLANS = ((15, 600, 1500, 30), (15, 600, 1000, 45), (30, 600, 1000, 45), (40, 570
 
 
 def main() -> None:
-    """Print the bound of each plan, the mean of three draws."""
+    """Print the bound of each plan, averaged over three draws."""
     print("| boards | distance, mm | tilted | shift, mm | angle, ° |\n|---|---|---|---|---|")
     for count, near, far, tilt in PLANS:
         print_bound(
@@ -49,13 +49,19 @@ def main() -> None:
 
 
 def print_bound(plan: str, draws: list[list[FloatArray]]) -> None:
-    """Print the mean bound of some draws of a plan."""
+    """Print the mean bound over the draws of a plan."""
     shift, angle = np.mean([bound(poses) for poses in draws], axis=0)
     print(f"{plan} | {shift:.2f} | {angle:.3f} |", flush=True)
 
 
 def draw_poses(seed: int, count: int, near: float, far: float, tilt_deg: float) -> list[FloatArray]:
-    """Boards before the colour camera, whole in its picture."""
+    """Draw boards in front of the colour camera, entirely within its picture.
+
+    Parameters
+    ----------
+    near, far
+        Range of the distance, mm.
+    """
     generator, poses = np.random.default_rng(seed), []
     while len(poses) < count:
         a, b = generator.uniform(-tilt_deg, tilt_deg, 2)
@@ -72,7 +78,7 @@ def draw_poses(seed: int, count: int, near: float, far: float, tilt_deg: float) 
 
 
 def bound(poses: list[FloatArray]) -> tuple[float, float]:
-    """Give the norm of the standard deviations of the shift, mm, and of the turn, degrees."""
+    """Return the norm of the standard deviations of the translation, mm, and rotation, degrees."""
     patches = [patch(placed) for placed in poses]
 
     def residuals(unknowns: FloatArray) -> FloatArray:
@@ -99,7 +105,7 @@ def bound(poses: list[FloatArray]) -> tuple[float, float]:
 
 
 def patch(board2color: FloatArray) -> FloatArray:
-    """Centres (k, 2) of the squares of 8 x 8 depth pixels that lie on the board."""
+    """Return the centres (k, 2) of the squares of 8 x 8 depth pixels that lie on the board."""
     corners = BOARD.points_mm[[0, BOARD.columns - 1, -1, -BOARD.columns]]
     board2depth = inverse(DEPTH2COLOR) @ board2color
     outline = DEPTH.project(transform(board2depth, corners))

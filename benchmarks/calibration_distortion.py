@@ -4,8 +4,8 @@
 
 Without a folder only the speed is measured, from files of simulated frames (21 captures of 10 and
 of 100 frames): wall time, processor time and memory. Nearly all of it is reading: inflating a noisy
-frame of 125 kB takes about 3 ms, undoing its filter 1 ms, looking for motion 0.8 ms, adding it up
-0.6 ms. Two captures are read at a time, since none of that holds Python's lock.
+frame of 125 kB takes about 3 ms, undoing its filter 1 ms, detecting motion 0.8 ms, summing 0.6 ms.
+Two captures are read at a time, since none of that holds Python's lock.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def print_table(name: str, errors: dict[str, list[WallError]]) -> None:
 
 
 def write_frames(folder: Path, frames: int) -> None:
-    """Write a few frames of each wall, and give them as many names."""
+    """Write a few frames of each wall, each under several names."""
     generator = np.random.default_rng(0)
     for distance_mm in DISTANCES_MM:
         wall = folder / f"{distance_mm} mm"
@@ -58,7 +58,7 @@ def write_frames(folder: Path, frames: int) -> None:
 
 
 def measure_speed(frames: int) -> None:
-    """From the files to the map, whatever of it runs beside each other."""
+    """Measure from the files to the map, including whatever runs in parallel."""
     with tempfile.TemporaryDirectory() as folder:
         write_frames(Path(folder), frames)
         start, used = time.perf_counter(), time.process_time()

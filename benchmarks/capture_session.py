@@ -1,11 +1,13 @@
 """How long a capture of three views × 10 frames takes, beside the thesis's 5 s by hand.
 
-Emulated sensors at real frame rate whose projectors need 200 ms after they are switched on. From
-the order to the last frame, which is how long the foot has to be still, and to the last view whole
-on the disk. "Live" sensors stream already, as in the window; from "dark" ones the start of all
-streams counts too, as on the command line. The emulated sensors compute in this process too.
+Emulated sensors run at the real frame rate; their projectors need 200 ms after they are switched
+on. Measured is the time from the command to the last frame, during which the foot has to be still,
+and until the last view is complete on the disk. "Live" sensors stream already, as in the window;
+for "dark" ones the start of all streams counts too, as on the command line. The emulated sensors
+compute in this process too.
 
-Limits, on the disk: one emitter after the other 2.5 s; simultaneous, sensors live, 0.5 s.
+Limits until the last view is on the disk: one emitter after the other 2.5 s; simultaneous, sensors
+live, 0.5 s.
 """
 
 from __future__ import annotations
@@ -57,7 +59,7 @@ class NothingStored:
 
 
 def scene() -> np.ndarray[Any, np.dtype[np.uint16]]:
-    """A foot's worth of depth before an empty ground."""
+    """Return depth of the size of a foot in front of an empty background."""
     rows, columns = np.mgrid[:480, :640]
     inside = ((rows - 240) / 150) ** 2 + ((columns - 320) / 60) ** 2 < 1
     return np.where(inside, 600 + rows // 8, 2047).astype(np.uint16)
@@ -90,7 +92,7 @@ def wait_until_live(sensors: dict[str, OpenSensor]) -> None:
 def capture_s(
     played: dict[str, list[bytes]], simultaneous: bool, live: bool
 ) -> tuple[float, float]:
-    """Give the seconds until the last frame was taken, and until the last view was on the disk."""
+    """Return the seconds until the last frame was taken, and until the last view was stored."""
     kinects = [
         EmulatedKinect(Model.XBOX_1414, serial, TYPICAL_CALIBRATION, played) for _, serial in VIEWS
     ]

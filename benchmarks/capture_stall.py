@@ -1,8 +1,8 @@
 """Whether a busy application costs frames: the capture service beside a CPU-bound Python thread.
 
 Three emulated sensors stream depth and colour in the service's process. In this process, which
-stands for the application, nothing or a thread that never gives the interpreter lock away runs.
-Limit: no frame discarded, and the frame rate of the idle application.
+stands for the application, either nothing runs or a thread that never releases the interpreter
+lock. Limit: no frame discarded, and the frame rate of the idle application.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class NothingStored:
 
 
 def watch(service: CaptureService, seconds: float) -> tuple[SensorState, ...]:
-    """Follow the service for a while; give its last word on the sensors."""
+    """Follow the service for a while; return the last reported state of the sensors."""
     end, states = time.monotonic() + seconds, ()
     while time.monotonic() < end:
         for event in service.news():

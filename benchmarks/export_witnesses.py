@@ -1,4 +1,4 @@
-"""Every solid of many designs by chance, judged by trimesh, ADMesh, manifold3d and PrusaSlicer."""
+"""Solids of many random designs, judged by trimesh, ADMesh, manifold3d and PrusaSlicer."""
 
 from __future__ import annotations
 

@@ -83,7 +83,7 @@ def dragged(design: InsoleDesign, i: int) -> InsoleDesign:
 
 
 class Hand:
-    """What the application does for one pointer event: heights, vertices and normals."""
+    """Performs what the application does per pointer event: heights, vertices and normals."""
 
     def __init__(self, foot: Foot, design: InsoleDesign) -> None:
         self.design = design
@@ -102,7 +102,7 @@ class Hand:
 
 
 def filter_rows(field: HeightField) -> list[tuple[str, str, str, str]]:
-    """The same pad put on the same mesh by trimesh and by pyvista, normals included."""
+    """Time the same pad on the same mesh by trimesh and by pyvista, normals included."""
     import pyvista
     import trimesh
 

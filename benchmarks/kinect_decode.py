@@ -1,11 +1,11 @@
-"""What three Kinects with depth and large colour cost the driver, beside libfreenect.
+"""CPU cost of three Kinects with depth and large colour in the driver, beside libfreenect.
 
 First the driver alone, from the completed USB transfer to the unpacked image, on packets prepared
 in memory: CPU time for each second of streaming (limit: 20 % of one core). Then the same streams in
-real time, in a process of their own as the application runs them, while a thread keeps the
-application's interpreter busy: a stream drops when more transfers wait than are queued (limit: no
-drop). Then the same with the busy thread in the driver's own process. At last both drivers on the
-same emulated bus, where the emulated kernel's part is in both figures.
+real time, in a separate process as in the application, while a thread keeps the application's
+interpreter busy: a stream drops packets if more transfers wait than are queued (limit: no drop).
+Then the same with the busy thread in the driver's own process. Finally both drivers on the same
+emulated bus, where both figures include the emulated kernel's share.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ HARNESS = Path(__file__).resolve().parents[1] / "tests" / "kinect_v1"
 
 
 class PreparedLibusb:
-    """Stands in for libusb: every submitted transfer is complete as soon as it is asked for."""
+    """Replaces libusb: every submitted transfer completes as soon as requested."""
 
     def __init__(self) -> None:
         self.memory: list[Any] = []
@@ -60,7 +60,7 @@ class PreparedLibusb:
 
 
 class PreparedLoop:
-    """Stands in for the event loop: this benchmark says when a transfer is complete."""
+    """Replaces the event loop: this benchmark decides when a transfer completes."""
 
     def __init__(self) -> None:
         self.library = self.quick = PreparedLibusb()
@@ -88,7 +88,7 @@ class PreparedStream:
         return b"".join(packet.ljust(PACKET_BYTES, b"\0") for packet in packets), lengths
 
     def fill(self, number: int) -> Any:
-        """Do what the controller does: put packets into the transfer's memory."""
+        """Put packets into the transfer's memory, as the controller does."""
         data, lengths = self.blocks[number % len(self.blocks)]
         slot = self.slots[number % len(self.slots)]
         slot.buffer.reshape(-1)[:] = np.frombuffer(data, np.uint8)
@@ -96,7 +96,7 @@ class PreparedStream:
         return slot.pointer
 
     def complete(self, pointer: Any) -> None:
-        """Do what libusb does: call the engine back."""
+        """Call the callback, as libusb does."""
         self.call_back(pointer)
 
 
@@ -110,7 +110,7 @@ def prepare_streams() -> list[PreparedStream]:
 
 
 def measure_cost(streams: list[PreparedStream]) -> float:
-    """Give the CPU time of one second of streaming, without the controller's part, s."""
+    """Return the CPU time, s, of one second of streaming, without the controller's share."""
     spent = 0.0
     for number in range(len(streams[0].blocks)):
         for stream in streams:
@@ -123,7 +123,7 @@ def measure_cost(streams: list[PreparedStream]) -> float:
 
 @contextmanager
 def busy_thread() -> Iterator[None]:
-    """Keep this process's interpreter lock taken."""
+    """Keep this process's interpreter lock busy within a context."""
     stop = threading.Event()
 
     def keep_busy() -> None:
@@ -140,7 +140,7 @@ def busy_thread() -> Iterator[None]:
 
 
 def measure_backlog(streams: list[PreparedStream]) -> tuple[int, int]:
-    """Stream in real time; give the longest queue, and how many transfers dropped out of it."""
+    """Stream in real time; return the longest queue, and the number of dropped transfers."""
     start = time.monotonic()
     longest = drops = done = 0
     total = len(streams[0].blocks)
@@ -167,7 +167,7 @@ def measure_own_process() -> tuple[int, int]:
 
 
 def measure_processes() -> list[list[str]]:
-    """Let both drivers read the same emulated bus; give the CPU time of each per frame pair."""
+    """Let both drivers read the same emulated bus; return the CPU time of each per frame pair."""
     sys.path.insert(0, str(HARNESS))
     from emulated_usbfs import SYSTEM_PYTHON, describe_kinect, emulated_usbfs, missing_libfreenect
     from kinect_samples import SERIALS, make_image

@@ -1,9 +1,9 @@
-"""Random pictures of random marker systems: is every marker named rightly, from colour alone?
+"""Random pictures of random marker systems: are all markers identified correctly by colour?
 
 Each scene draws a marker system, a camera with its distortion and resolution, a stand-off, slant
-and turn about the axis, exposure, noise, blur, blue things that are no markers, and hides up to a
-third of the markers. Counted are assignments with a wrong name and poses off by more than
-5 mm at the markers that were accepted nevertheless (there may be none), and scenes refused.
+and turn about the axis, exposure, noise, blur, blue objects that are not markers, and hides up to a
+third of the markers. It counts accepted scenes with a wrong identity, or with a
+pose off by more than 5 mm at the markers (neither may occur), and scenes refused.
 
 ``python -c "import benchmarks.marker_scenes as b; b.main(3000)"`` runs all; ``main()`` a sample.
 """
@@ -47,7 +47,7 @@ class Scene:
 
 
 def random_scene(rng: np.random.Generator) -> Scene:
-    """Draw scenes until at least six markers, and two thirds of all, are seen whole."""
+    """Draw scenes until at least six markers, and two thirds of all, are entirely visible."""
     while True:
         scene = _scene(rng)
         if scene.seen >= max(LEAST_SEEN, 2 * len(scene.system.markers) / 3):
@@ -79,7 +79,7 @@ def _scene(rng: np.random.Generator) -> Scene:
 
 
 def _stands_free(room: np.ndarray, pixel: np.ndarray, clear: float) -> bool:
-    """Tell whether a marker lies in the picture with no blue clutter behind it."""
+    """Return whether a marker is in the picture with no blue clutter behind it."""
     (u, v), reach = np.rint(2 * pixel).astype(int), round(2 * clear)
     if not (reach < u < room.shape[1] - reach and reach < v < room.shape[0] - reach):
         return False
@@ -88,7 +88,7 @@ def _stands_free(room: np.ndarray, pixel: np.ndarray, clear: float) -> bool:
 
 
 def _positions(rng: np.random.Generator) -> np.ndarray:
-    """Blocks in a frame around the foot at random places, no two nearer than 28 mm."""
+    """Draw blocks in a frame around the foot at random positions, at least 28 mm apart."""
     count = int(rng.integers(8, 15))
     half = np.array([rng.uniform(75, 100), rng.uniform(120, 165)])
     chosen: list[np.ndarray] = []
@@ -122,7 +122,7 @@ def _camera(rng: np.random.Generator) -> PinholeCamera:
 
 
 def _pose(rng: np.random.Generator, positions: np.ndarray) -> np.ndarray:
-    """A camera before the faces (at negative z), aslant by up to 40 degrees, turned at will."""
+    """Draw a camera facing the markers (at negative z), tilted by up to 40°, rotated at random."""
     slant = rotation_about(np.array([*rng.normal(size=2), 0.0]), rng.uniform(0, 40))
     turn = rotation_about(np.array([0.0, 0, 1]), rng.uniform(0, 360))
     rotation = turn @ slant
@@ -137,7 +137,7 @@ def _picture(
     positions: np.ndarray,
     covers: list[tuple[np.ndarray, float]],
 ) -> np.ndarray:
-    """Paint from far to near, twice as fine as the camera, then blur, expose, add noise."""
+    """Paint from far to near at twice the resolution, then blur, expose and add noise."""
     image, (camera, pose) = room.copy(), seen_by
     for i in np.argsort(-transform(pose, positions)[:, 2]):
         _paint_block(image, camera, pose, positions[i], rng.uniform(0.85, 1.1))
@@ -182,7 +182,7 @@ def _paint(
 def _paint_cover(
     rng: np.random.Generator, image: np.ndarray, center: np.ndarray, radius: float
 ) -> None:
-    """A hand or a cloth before a marker."""
+    """Paint a hand or a cloth in front of a marker."""
     skin = (200.0, 150.0, 125.0) if rng.random() < 0.5 else (90.0, 90.0, 95.0)
     at = tuple(np.rint(2 * center).astype(int).tolist())
     cv2.circle(image, at, round(2 * radius), skin, cv2.FILLED)
@@ -202,7 +202,7 @@ def _paint_clutter(rng: np.random.Generator, image: np.ndarray) -> None:
 
 
 def judge(scene: Scene) -> str:
-    """Say what became of a scene: right, refused, wrong name, wrong pose."""
+    """Return the outcome of a scene: right, refused, wrong name, wrong pose."""
     blobs = sharpened(scene.picture, find_blobs(scene.picture))
     try:
         found = PoseSearch(scene.system, scene.sensor).in_image(blobs)

@@ -1,4 +1,4 @@
-"""`fused` beside `thesis` and Open3D: accuracy, its floor, seconds per step, growth with the work.
+"""`fused` beside `thesis` and Open3D: accuracy, its floor, seconds per step, growth with input.
 
 ``python -c "import benchmarks.reconstruction as b; b.main('SESSION', …)"`` measures recorded
 sessions with their truth; ``main()`` simulates one. Accuracy is the mean distance in place of the
@@ -68,7 +68,7 @@ class Truth:
             trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False), 200_000, seed=2
         )
         apart, nearest = cKDTree(self.places).query(sample)
-        # Across the surface: to the nearest sample it would be as coarse as they are.
+        # Measured across the surface: the nearest sample would be as coarse as the sampling.
         way = sample - self.places[nearest]
         distance = np.abs(np.einsum("nc,nc->n", way, self.normals[nearest]))
         distance = np.where(apart < 5, distance, apart)
@@ -85,7 +85,7 @@ class Truth:
 def main(*folders: str) -> None:
     with tempfile.TemporaryDirectory() as scratch:
         paths = [Path(folder) for folder in folders] or [recorded_session(Path(scratch))]
-        # First of all: a process that starts counts what its parent holds, and Open3D holds much.
+        # First of all: a new process counts what its parent holds, and Open3D holds much.
         for path in paths:
             cost = run_process(["reconstruct", str(path), "--out", str(Path(scratch) / "foot.ply")])
             print(f"Whole process, {path.name}: {cost.seconds:.2f} s, {cost.peak_mb:.0f} MB")
@@ -114,7 +114,7 @@ def _compare(path: Path) -> None:
 
 
 def _steps(session: Session) -> None:
-    """Seconds of every step; frames, markers and cutting out run for several views at a time."""
+    """Print the seconds of every step; frames, markers and segmentation treat views in parallel."""
     shown, whole = [], []
     for _ in range(REPEATS):
         start = time.perf_counter()
@@ -136,7 +136,7 @@ def _steps(session: Session) -> None:
 def _floors(
     session: Session, readings: list[DepthView], path: Path, truth: Truth
 ) -> Iterator[tuple[str, list[PreparedView]]]:
-    """Give what `fused` would start from if it knew more."""
+    """Yield what `fused` would start from if it knew more."""
     placed = _with_true_poses(readings, path)
     yield "floor: true poses", [prepare(one) for one in placed]
     files = [path / "views" / view.name / "true_correction.npz" for view in session.views]
@@ -154,7 +154,7 @@ def _recalibrated(view: View, file: Path) -> View:
 
 
 def _growth(session: Session) -> None:
-    """How the time grows with views and frames, which are repeated."""
+    """Print how the time grows with the number of views and frames, which are repeated."""
     rows = []
     for views in (3, 6, 8):
         many = [
@@ -187,7 +187,7 @@ def _timed(session: Session) -> list[str]:
 
 
 def _best(call: Callable[[], object]) -> list[str]:
-    """Least seconds on the wall, and of all processors together: other work disturbs it less."""
+    """Return the least wall time and processor time, which other work disturbs less."""
     wall, processor = [], []
     for _ in range(REPEATS):
         start = time.perf_counter(), time.process_time()
@@ -198,7 +198,7 @@ def _best(call: Callable[[], object]) -> list[str]:
 
 
 def _in_memory(session: Session) -> Session:
-    """The session with its pictures decoded, so that reading does not count."""
+    """Return the session with its pictures decoded, so that reading does not count."""
 
     def kept(view: View) -> View:
         colors = [view.read_color(index) for index in range(view.color_count)]
@@ -208,7 +208,7 @@ def _in_memory(session: Session) -> Session:
 
 
 def _readings(session: Session) -> list[DepthView]:
-    """The placed views that all but the thesis's chain start from."""
+    """Return the placed views that all pipelines but the thesis's start from."""
     placed = []
     for view in session.views:
         measured = measure_view(view)
@@ -226,7 +226,7 @@ def _with_true_poses(readings: list[DepthView], path: Path) -> list[DepthView]:
 
 
 def _exact(reading: DepthView, truth: TriangleMesh) -> DepthView:
-    """The reading without any error, where the sensor read something."""
+    """Return the reading without any error, where the sensor read something."""
     rays = reading.rays.reshape(-1, 3)
     hits = RayCaster(truth).cast(reading.origin_mm, rays)
     corners = truth.vertices[truth.triangles[hits.triangle]]

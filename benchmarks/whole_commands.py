@@ -1,4 +1,4 @@
-"""Whole commands as processes: wall time and peak memory, beside the bare start of Python."""
+"""Wall time and peak memory of whole commands as processes, beside a bare start of Python."""
 
 from __future__ import annotations
 

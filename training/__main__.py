@@ -1,4 +1,4 @@
-"""``python -m training FOLDER [--feet N]``: simulate feet into a folder, learn from them."""
+"""``python -m training FOLDER [--feet N]``: simulate feet into a folder, and learn from them."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ _HIDDEN = (128, 32)
 _EPOCHS = 8
 _PIXELS_A_VIEW = 5000
 _TOES, _TOE_SHARE = 5.0, 0.3
-"""So many times likelier is a pixel of the toes to be shown than another."""
+"""How many times likelier a pixel of the toes is drawn than another."""
 _LEAST_COSINE = 0.15
 _OUTLIER_RAW = 8.0
 _HELD_BACK = 0.08
-"""Share of the feet that nothing is learnt from."""
+"""Fraction of the feet that is held out from training."""
 
 
 def main() -> None:
-    """Make the weights that the product holds."""
+    """Train the weights that the product ships."""
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("folder", type=Path, help="keeps the simulated views")
     parser.add_argument("--feet", type=int, default=150)
@@ -44,7 +44,7 @@ def main() -> None:
 
 
 def _simulated(folder: Path, seed: int) -> list[Path]:
-    """Give the files of a foot; made where they are not there yet."""
+    """Return the example files of a foot; simulate those that are missing."""
     cv2.setNumThreads(1)
     paths = [folder / f"{seed:04d}_{name}.npz" for name in ("left", "right", "top")]
     if not all(path.exists() for path in paths):
@@ -73,12 +73,12 @@ def _learn(paths: list[Path]) -> Network:
 def _samples(
     example: Example, is_sole: bool, rng: np.random.Generator
 ) -> tuple[np.ndarray, Float32Array]:
-    """Draw pixels of a view: what surrounds them (n, FEATURES), and their errors (n,)."""
+    """Draw pixels of a view; return their surroundings (n, FEATURES) and their errors (n,)."""
     error = example.raw - example.true_raw
     usable = (np.abs(error) < _OUTLIER_RAW) & (example.cosine > _LEAST_COSINE)
     rows, columns = np.nonzero(usable)
     toes = is_sole & (rows > rows.max() - _TOE_SHARE * np.ptp(rows))
-    # What faces the sensor counts most: that is what the surface is made of there.
+    # What faces the sensor counts most, as most of the surface there is made from it.
     chance = np.where(toes, _TOES, 1.0) * example.cosine[rows, columns]
     count = min(_PIXELS_A_VIEW, len(rows))
     chosen = rng.choice(len(rows), count, replace=False, p=chance / chance.sum())
@@ -90,7 +90,7 @@ def _samples(
 
 
 def _report(network: Network, paths: list[Path]) -> None:
-    """Say what is left of the errors of feet that nothing was learnt from."""
+    """Print the remaining errors on feet that were held out from training."""
     before, after = [], []
     for example in map(Example.load, paths):
         error = example.raw - example.true_raw

@@ -1,4 +1,4 @@
-"""Feet of many shapes, and above all of many toes: what the network is to expect."""
+"""Feet of many shapes, and above all with many shapes of toes: what the network has to expect."""
 
 from __future__ import annotations
 
@@ -17,16 +17,17 @@ _CELL_MM = 1.7
 _WAVES = 12
 _ANKLE_MM = np.array([0.0, 0.0, 45.0])
 _WEB_MM, _TOE_MM = 66.0, 50.0
-"""Where toes begin, from the middle of the foot, and about how long they are."""
+"""Where toes begin, from the middle of the foot, and their approximate length."""
 _TOGETHER, _BETWEEN_MM = 0.6, (0.5, 1.0)
-"""Share of feet whose toes lie side by side, and what is between these, mean and spread: most
-people's toes touch, and such grooves no depth sensor of this kind shows."""
+"""Fraction of feet whose toes lie side by side, and mean and spread of the gaps between these:
+most people's toes touch, and no depth sensor of this kind resolves such grooves.
+"""
 _MOVED = np.array([0.7, 1.0])
-"""Shares in which the middle and the last joint go with the pulp."""
+"""Fractions by which the middle and the last joint move with the pulp."""
 
 
 def varied_foot(rng: np.random.Generator) -> TriangleMesh:
-    """Draw a left foot that nobody ever had, as it may hang before the sensors, mm."""
+    """Draw a random left foot, as it may hang in front of the sensors, mm."""
     length_mm = rng.uniform(205, 285)
     shape = FootShape(
         length_mm,
@@ -43,14 +44,14 @@ def varied_foot(rng: np.random.Generator) -> TriangleMesh:
 
 
 def _varied_toes(rng: np.random.Generator) -> tuple[Toe, ...]:
-    """Long and short, thick and thin, side by side and apart, straight and clawed."""
+    """Draw long and short, thick and thin, close and spread, straight and clawed toes."""
     together = rng.uniform() < _TOGETHER
     toes = _varied_one_by_one(rng, (0.92, 1.2) if together else (0.72, 1.15))
     return _side_by_side(toes, rng.normal(*_BETWEEN_MM, len(toes) - 1)) if together else toes
 
 
 def _side_by_side(toes: tuple[Toe, ...], between_mm: FloatArray) -> tuple[Toe, ...]:
-    """Move toes across until so little, or nothing, is between the pulps of neighbours."""
+    """Move toes sideways until the gaps between neighbouring pulps have the given widths."""
     joints = np.array([toe[0] for toe in toes])
     breadth = (joints[:, 1, 3] + joints[:, 2, 3]) / 2
     apart = breadth[:-1] + joints[1:, 2, 3] + between_mm
@@ -84,7 +85,7 @@ def _varied_one_by_one(
 
 @dataclass(frozen=True)
 class _Manner:
-    """How the toes of one foot differ from the model's: shares, and slopes to the side."""
+    """How the toes of one foot differ from the model's: factors, and slopes across the foot."""
 
     splay: float
     gap: float
@@ -113,7 +114,7 @@ def _toe(joints: FloatArray, flattening: float) -> Toe:
 
 @dataclass(frozen=True)
 class _Toes:
-    """How the toes stand on the foot: spread, bent up, the great one turned outwards."""
+    """How the toes stand on the foot: spread, bent up, the great toe turned outwards."""
 
     spread: float
     up_mm: float
@@ -124,7 +125,7 @@ class _Toes:
         return _Toes(rng.normal(0.02, 0.05), rng.normal(0, 5), rng.uniform(-2, 10))
 
     def bend(self, places: FloatArray) -> FloatArray:
-        """Move places (n, 3) of a left foot, mm."""
+        """Bend points (n, 3) of a left foot, mm."""
         x, y, _ = places.T
         ahead = np.maximum(y - _WEB_MM, 0)
         medial = np.clip((x + 12) / 38, 0, 1)
@@ -136,7 +137,7 @@ class _Toes:
 
 
 def _waves(places: FloatArray, rng: np.random.Generator) -> FloatArray:
-    """Displacements (n, 3) that make every foot another one, a few tenths of a millimetre."""
+    """Return random displacements (n, 3) of a few tenths of a millimetre."""
     height_mm = rng.uniform(0.08, 0.3)
     moved = np.zeros_like(places)
     for wavelength_mm in rng.uniform(25, 90, _WAVES):

@@ -1,4 +1,4 @@
-"""How bright a foot looks to the colour camera: under any lamps, of any skin, marked with a pen."""
+"""How bright a foot looks to the colour camera: under any lamps, with any skin, with pen marks."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from insole_core.reconstruct.fusion.shading import shading_of
 from insole_core.simulate.ray_caster import Hits, SceneCaster
 
 _BEYOND = 26.0
-"""Level of what is not the foot: nearly black."""
+"""Brightness of everything but the foot: nearly black."""
 _UNSEEN = 0.15
-"""Share of the views whose picture tells nothing, so that readings alone must do."""
+"""Fraction of views whose picture carries no information, so that depth alone must do."""
 _PATTERNS, _PEN_MARKS = 8, 4
 _PEN_MM = 1.2
 _ASIDE_MM = 0.7
@@ -21,10 +21,19 @@ _NOISE_LEVELS = 1.5
 
 
 def varied_shading(reading: DepthView, foot: SceneCaster, rng: np.random.Generator) -> Float32Array:
-    """Light the foot in some way, and compare what every reading looks like with its surroundings.
+    """Light the foot at random, and compare the brightness of every reading with its surroundings.
 
-    Readings are wrong by millimetres, and the colour camera stands beside the depth camera; so
-    what is looked up is not quite what was measured, as in the product.
+    Readings are off by millimetres, and the colour camera is beside the depth camera; so the
+    brightness is looked up slightly beside the measured point, as in the product.
+
+    Parameters
+    ----------
+    foot
+        Casts rays onto the true surface.
+
+    Returns
+    -------
+    (height, width) float32
     """
     levels = np.full(reading.raw.shape, _BEYOND)
     if rng.uniform() < _UNSEEN:
@@ -41,7 +50,7 @@ def varied_shading(reading: DepthView, foot: SceneCaster, rng: np.random.Generat
 def _lamps(
     hits: Hits, color2reference: FloatArray, foot: SceneCaster, rng: np.random.Generator
 ) -> FloatArray:
-    """Share of the light (n,) at each place: from all round, and from one or two lamps."""
+    """Return the illumination (n,) of each place: ambient, and from one or two lamps."""
     ambient = rng.uniform(0.25, 0.65)
     light = np.zeros(len(hits.ray))
     count = int(rng.integers(1, 3))
@@ -57,7 +66,7 @@ def _lamps(
 
 
 def _skin(hits: Hits, rng: np.random.Generator) -> FloatArray:
-    """Brightness (n,) in full light: darker and paler regions, and lines of a pen."""
+    """Return the reflectance (n,): darker and paler regions, and pen lines."""
     level = np.full(len(hits.ray), rng.uniform(60, 230))
     for wavelength_mm in rng.uniform(12, 90, _PATTERNS):
         direction = rng.standard_normal(3)
@@ -70,7 +79,7 @@ def _skin(hits: Hits, rng: np.random.Generator) -> FloatArray:
 
 
 def _pen(points: FloatArray, rng: np.random.Generator) -> BoolArray:
-    """Which places (n,) a cross, a ring or a line covers."""
+    """Return which points (n,) a cross, a ring or a line covers."""
     turn = rotation_about(np.array([0.0, 0.0, 1.0]), rng.uniform(0, 180))
     x, y, _ = ((points - points[rng.integers(len(points))]) @ turn).T
     size_mm, half_mm = rng.uniform(3, 15), _PEN_MM * rng.uniform(0.4, 1)

@@ -1,4 +1,4 @@
-"""Fitting the network: least squares that forgives outliers, by Adam (Kingma & Ba 2015)."""
+"""Fitting of the network: robust least squares (Huber) by Adam (Kingma & Ba 2015)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,13 @@ _FORGETTING = (0.9, 0.999)
 
 
 def drawn(sizes: tuple[int, ...], rng: np.random.Generator) -> Network:
-    """Make a network that knows nothing yet."""
+    """Return a network with random initial weights.
+
+    Parameters
+    ----------
+    sizes
+        Number of units of each layer.
+    """
     shapes = list(pairwise(sizes))
     weights = [rng.standard_normal(shape) * np.sqrt(2 / shape[0]) for shape in shapes]
     weights[-1] *= 0.1
@@ -39,7 +45,13 @@ def fit(
     rng: np.random.Generator,
     report: Callable[[int, float], None],
 ) -> Network:
-    """Improve a network on examples (n, FEATURES), (n,), every other batch mirrored."""
+    """Train a network in place on examples (n, FEATURES), (n,), mirroring every other batch.
+
+    Parameters
+    ----------
+    report
+        Called with the number of the epoch and its error.
+    """
     adam = _Adam([*network.weights, *network.biases])
     batches = len(errors) // _BATCH
     for epoch in range(epochs):
@@ -60,7 +72,7 @@ def fit(
 def _gradients(
     network: Network, features: Float32Array, errors: Float32Array
 ) -> tuple[list[Float32Array], float]:
-    """Gradients of Huber's loss, of all weights and then all biases; and the mean square."""
+    """Return the gradients of Huber's loss, weights then biases, and the mean square error."""
     signals = [features]
     for weights, biases in zip(network.weights[:-1], network.biases[:-1], strict=True):
         signals.append(np.maximum(signals[-1] @ weights + biases, 0))
@@ -78,7 +90,7 @@ def _gradients(
 
 @dataclass
 class _Adam:
-    """Steps along gradients, scaled by how large they were so far; changes the values in place."""
+    """Steps along gradients, scaled by their past magnitudes; changes the values in place."""
 
     values: list[Float32Array]
     steps: int = 0

@@ -1,4 +1,4 @@
-"""Things that are no feet, so that the network does not take flat and even things for feet."""
+"""Objects that are not feet, so that the network does not take flat, smooth objects for feet."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _GREY = 160
 
 
 def varied_thing(rng: np.random.Generator) -> TriangleMesh:
-    """Draw a superellipsoid somewhere between a ball and a box or a plate, mm."""
+    """Draw a random superellipsoid between a ball and a box or a plate, mm."""
     half_mm = rng.uniform((25, 40, 8), (60, 110, 60))
     roundness = 2 / rng.uniform(2, 12)
     around = np.linspace(-np.pi, np.pi, 2 * _STEPS, endpoint=False)
@@ -34,7 +34,7 @@ def _power(wave: FloatArray, exponent: float) -> FloatArray:
 
 
 def _lattice(rows: int, columns: int) -> np.ndarray:
-    """Triangles between rows of points that close upon themselves."""
+    """Return the triangles between rows of points that are closed rings."""
     index = np.arange(rows * columns, dtype=np.int32).reshape(rows, columns)
     here, aside = index[:-1], np.roll(index, -1, axis=1)[:-1]
     above, across = index[1:], np.roll(index, -1, axis=1)[1:]

@@ -1,4 +1,4 @@
-"""What a sensor reports of a foot, beside what is true: the examples that the network learns."""
+"""Simulated readings of a foot with the truth beside them: the examples for the network."""
 
 from __future__ import annotations
 
@@ -25,29 +25,29 @@ from training.random_objects import varied_thing
 
 _FRAMES = 6
 _NO_FOOT = 6
-"""Every so many-th thing is no foot."""
+"""Every how many-th object is not a foot."""
 _SOLE_MM, _ACHILLES_MM = np.array([0.0, 12.0, 5.0]), np.array([0.0, -112.0, 96.0])
 _VOLUME = Box((-80.0, -160.0, -40.0), (80.0, 160.0, 165.0))
 _OUTLINE_MM = 0.8
-"""So far beside the foot the colour image lets a reading pass."""
+"""How far beside the foot the colour image lets a reading pass."""
 
 
 @dataclass(frozen=True, eq=False)
 class Example:
-    """One view, turned so that the toes, or the sole, are at the lower edge.
+    """One view, rotated so that the toes, or the sole, are at the lower edge.
 
     Parameters
     ----------
     raw : (height, width) float32, raw units
         As averaged and corrected; NaN = no reading.
     true_raw : (height, width) float32
-        What a sensor without errors would report; NaN = no foot there.
+        What an ideal sensor would report; NaN = no foot there.
     cosine : (height, width) float32
-        Of the angle between ray and true normal.
+        Cosine of the angle between ray and true normal.
     pixel_mm : (height, width) float32
-        Width of a pixel where the reading lies.
+        Width of a pixel at the depth of the reading.
     shading : (height, width) float32
-        As `find_shading` gives it.
+        As returned by `find_shading`.
     """
 
     raw: FloatArray
@@ -57,20 +57,20 @@ class Example:
     shading: Float32Array
 
     def save(self, path: Path) -> None:
-        """Write it as an .npz."""
+        """Write the example as .npz."""
         arrays = {name: value.astype(np.float32) for name, value in vars(self).items()}
         np.savez_compressed(path, **arrays)
 
     @staticmethod
     def load(path: Path) -> Example:
-        """Read what `save` wrote."""
+        """Read an example that `save` wrote."""
         with np.load(path) as stored:
             arrays = {name: stored[name].astype(float) for name in stored.files}
         return Example(**arrays | {"shading": arrays["shading"].astype(np.float32)})
 
 
 def simulate_examples(seed: int) -> dict[str, Example]:
-    """Record one foot, or another thing, with three sensors, somewhere where sensors may stand."""
+    """Simulate one foot, or another object, seen by three sensors at random positions."""
     rng = np.random.default_rng([seed, 15])
     foot = varied_foot(rng) if seed % _NO_FOOT else varied_thing(rng)
     scene = SceneCaster(build_scene(foot, load_reference_system(), rng))
@@ -120,7 +120,7 @@ def _example(
 
 
 def _truth(reading: DepthView, foot: SceneCaster) -> tuple[FloatArray, FloatArray]:
-    """Raw numbers of the foot itself, and how it is slanted to the rays."""
+    """Return the raw numbers of the foot itself, and the cosines of its normals to the rays."""
     rays = reading.directions(reading.pixels).reshape(-1, 3)
     hits = foot.cast(reading.origin_mm, rays)
     raw, cosine = np.full(reading.raw.shape, np.nan), np.zeros(reading.raw.shape)
@@ -131,6 +131,6 @@ def _truth(reading: DepthView, foot: SceneCaster) -> tuple[FloatArray, FloatArra
 
 
 def _beside(foot: BoolArray, pixel_mm: FloatArray) -> BoolArray:
-    """What the colour image would show to lie beside the foot."""
+    """Return what the colour image would classify as beside the foot."""
     outside_px = cv2.distanceTransform((~foot).astype(np.uint8), cv2.DIST_L2, 5) - 0.5
     return np.asarray(outside_px * np.nan_to_num(pixel_mm, nan=1.0) > _OUTLINE_MM)

@@ -7,9 +7,9 @@ import sys
 
 
 def main() -> int:
-    """Run with the arguments of this process."""
+    """Run with the command line arguments of this process."""
     # Our systems of equations are small: threads of OpenBLAS beside our own only wait for each
-    # other, in three times the processor time. It reads this when numpy is imported.
+    # other and triple the processor time. It reads this variable when numpy is imported.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from insole_studio.cli.main import run
 

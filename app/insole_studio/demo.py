@@ -1,4 +1,4 @@
-"""``python -m insole_studio.demo``: the product on a recorded session and on the bundled case.
+"""``python -m insole_studio.demo``: try the product on a recorded session and the bundled case.
 
 With a screen it opens the window. Without one it does the same work in the real window on a virtual
 screen (or, where there is none, in Qt's offscreen mode), writes the insoles and pictures of the
@@ -23,7 +23,7 @@ _VIRTUAL = "INSOLE_STUDIO_DEMO_VIRTUAL"
 
 
 def main() -> int:
-    """Show what the product does; give the exit code."""
+    """Demonstrate the product; return the exit code."""
     OUTPUT.mkdir(exist_ok=True)
     if not SESSION.exists():
         print("Simulating a recorded session of three views …", flush=True)
@@ -58,7 +58,7 @@ def _interactive() -> int:
 
 
 def _virtual() -> int:
-    """Start this module again where Qt finds a screen that nobody sees."""
+    """Start this module again on a virtual screen."""
     call = [sys.executable, "-m", "insole_studio.demo"]
     environment = {**os.environ, _VIRTUAL: "1"}
     if shutil.which("xvfb-run"):
@@ -75,7 +75,7 @@ def _scripted() -> int:
     from insole_studio.user_paths import UserPaths
 
     paths = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")
-    answers = ScriptedAnswers(replace=True)  # what an earlier demonstration wrote
+    answers = ScriptedAnswers(replace=True)  # written by an earlier demonstration
     written = [OUTPUT / "session.png", OUTPUT / "case.png"]
     with ScriptedWindow(paths, answers=answers) as studio:
         studio.open(SESSION)

@@ -1,4 +1,4 @@
-"""The one place that starts threads: long work beside the window, with progress and cancel."""
+"""The one place that starts threads: long work in the background, with progress and cancel."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Task = Callable[[Progress], Result]
 
 @dataclass(frozen=True)
 class JobProgress:
-    """What is known of a running job: the share done, what is being done, seconds so far."""
+    """The state of a running job: fraction done, current step, seconds so far."""
 
     channel: str
     fraction: float
@@ -28,7 +28,7 @@ class JobProgress:
 
     @property
     def left_s(self) -> float | None:
-        """Seconds that remain if the work goes on at the same pace; None while unknown."""
+        """Return the seconds that remain at the present pace; None while unknown."""
         if self.fraction < 0.05 or self.elapsed_s < 1.0:
             return None
         return self.elapsed_s * (1 - self.fraction) / self.fraction
@@ -36,7 +36,7 @@ class JobProgress:
 
 @dataclass(eq=False)
 class Job(Generic[Result]):
-    """One piece of running work. Only the newest job of a channel may answer."""
+    """One running task. Only the newest job of a channel may answer."""
 
     channel: str
     task: Task[Result]
@@ -74,6 +74,11 @@ class Jobs(QObject):
         """Run `task`; then call `done` with its result or `failed` with its exception.
 
         A cancelled job calls neither.
+
+        Parameters
+        ----------
+        channel
+            Starting a task cancels the earlier one in the same channel.
         """
         self.cancel(channel)
         job = Job(channel, task, done, failed)
@@ -89,11 +94,11 @@ class Jobs(QObject):
             self._end(job)
 
     def tell(self, call: Callable[[], None]) -> None:
-        """Call something in the thread of the window; a running task may, from its own."""
+        """Call a function in the thread of the window; running tasks may use it from theirs."""
         self._answered.emit(call)
 
     def is_running(self, channel: str | None = None) -> bool:
-        """Whether a job of the channel (or any job) has not answered yet."""
+        """Return whether a job of the channel (or any job) has not answered yet."""
         return bool(self._current) if channel is None else channel in self._current
 
     def close(self) -> None:
@@ -109,7 +114,7 @@ class Jobs(QObject):
             result = job.task(progress)
         except Cancelled:
             self._answer(job, lambda: None)
-        except Exception as error:  # noqa: BLE001 - handed to the window, which shows it
+        except Exception as error:  # noqa: BLE001 - passed to the window, which shows it
             failure = error
             self._answer(job, lambda: job.failed(failure))
         else:

@@ -1,4 +1,4 @@
-"""What the window remembers between two starts; a bad entry costs a warning, never the start."""
+"""The settings of the window; a bad entry costs a warning, never the start."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``). A view whose pose is worse than the largest
-    residuals and displacement is refused.
+    which sensor gives which view (``left=SERIAL``). A view is refused if its pose exceeds the
+    largest residuals or displacement.
     """
 
     theme: Theme = "system"
@@ -50,7 +50,7 @@ class Settings:
 
 
 def load_settings(path: Path) -> Settings:
-    """Read the settings, keeping the default of everything that is absent or not understood."""
+    """Read the settings; absent or invalid entries get their defaults."""
     return Settings(**understood(read_remembered(path), Settings, path))
 
 
@@ -60,7 +60,7 @@ def save_settings(settings: Settings, path: Path) -> None:
     Raises
     ------
     OutputError
-        When the place cannot be written.
+        When the file cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing_file(path) as beside:

@@ -1,4 +1,4 @@
-"""The one door through which every text of the window goes, so that it can be translated."""
+"""Translation: every text of the window passes through this module."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ CORE_CONTEXT = "core"
 
 
 def tr(text: str) -> str:
-    """Give `text` in the language of the window."""
+    """Return `text` in the language of the window."""
     return QCoreApplication.translate(CONTEXT, text)
 
 
 def translate_core_message(sentence: str) -> str:
-    """Give a sentence of the core in the language of the window, the texts in its holes too.
+    """Return a message of the core in the language of the window, with its values translated too.
 
-    What is in no catalogue stays as it is: numbers, names, and what the window itself has said.
+    What is in no catalogue stays as it is: numbers, names, and texts of the window itself.
     """
     if not isinstance(sentence, Message) or not sentence.values:
         return QCoreApplication.translate(CORE_CONTEXT, str(sentence))
@@ -32,9 +32,9 @@ def translate_core_message(sentence: str) -> str:
 
 
 def load_language(application: QCoreApplication, language: str) -> None:
-    """Let the window speak "en", "sv" or that of the "system"; texts that stand already stay.
+    """Set the window's language: "en", "sv" or "system"; texts already shown stay.
 
-    A language is a folder of resources/translations; one without a folder is English.
+    A language is a folder in resources/translations; a language without one falls back to English.
     """
     for translator in application.findChildren(QTranslator):
         application.removeTranslator(translator)

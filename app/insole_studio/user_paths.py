@@ -1,4 +1,4 @@
-"""Where the application keeps what it remembers."""
+"""Where the application stores its files."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ class UserPaths:
 
     @property
     def settings_folder(self) -> Path:
-        """Holds the settings, the clinic's rules and the last order."""
+        """The folder of the settings, the clinic's rules and the last order."""
         return self.settings_file.parent
 
     @property
     def data_folder(self) -> Path:
-        """Holds calibrated sensors, unfinished captures, and captured sessions."""
+        """The folder of calibrated sensors, unfinished captures, and captured sessions."""
         return self.autosave_folder.parent
 
     @property
     def sensors_folder(self) -> Path:
-        """Holds the calibrated sensors."""
+        """The folder of calibrated sensors."""
         return self.data_folder / "sensors"
 
     @property
     def calibrations_folder(self) -> Path:
-        """Holds the pictures that sensors are calibrated from."""
+        """The folder of the pictures that sensors are calibrated from."""
         return self.data_folder / "calibrations"
 
     @classmethod

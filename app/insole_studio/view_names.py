@@ -11,7 +11,7 @@ _USUAL = re.compile(r"(left|right|top)(?:_(\d+))?")
 
 
 def view_text(view: str) -> str:
-    """Name a view: a usual one, or a burst of it, by its word; any other as it is called."""
+    """Return the name of a view: a known view or burst translated, any other unchanged."""
     match = _USUAL.fullmatch(view)
     if match is None:
         return view
@@ -20,5 +20,5 @@ def view_text(view: str) -> str:
 
 
 def views_text(views: Iterable[str]) -> str:
-    """Name several views."""
+    """Return the names of several views."""
     return ", ".join(map(view_text, views))

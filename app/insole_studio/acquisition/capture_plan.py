@@ -1,4 +1,4 @@
-"""What is to be captured: which sensor gives which view, in which steps."""
+"""The plan of a capture: which sensor records which view, in which steps."""
 
 from __future__ import annotations
 
@@ -22,17 +22,16 @@ _TOP_FACE = "achilles"
 
 @dataclass(frozen=True)
 class Shot:
-    """One view by one sensor.
+    """One view recorded by one sensor.
 
     Parameters
     ----------
-    view
     serial
-        Of the sensor.
+        Serial number of the sensor.
     tilt_deg
-        How far its motor tilts it for this shot, from where it stood before the capture.
+        Tilt by the motor for this shot, relative to the sensor's tilt before the capture.
     place
-        Where the sensor stands: the view without the number of the burst.
+        Position of the sensor: the view's name without the number of the burst.
     """
 
     view: str
@@ -47,9 +46,8 @@ class CaptureStep:
 
     Parameters
     ----------
-    shots
     by_hand
-        Whether somebody has to put the sensor in its place first.
+        Whether somebody has to move the sensor into position first.
     """
 
     shots: tuple[Shot, ...]
@@ -57,21 +55,20 @@ class CaptureStep:
 
     @property
     def names(self) -> Message:
-        """Its views, for sentences."""
+        """Return the names of its views as text for a message."""
         return joined((shot.view for shot in self.shots), " and ")
 
 
 @dataclass(frozen=True)
 class CapturePlan:
-    """All steps, in order; in each the emitters of all other sensors are off.
+    """All steps in order; during each step the emitters of all other sensors are off.
 
     Parameters
     ----------
-    steps
     frames, color_frames
-        Depth and colour pictures of each view.
+        Number of depth and colour pictures of each view.
     settle
-        When the depth of a sensor is steady enough to be used.
+        Rule that decides when the depth of a sensor is steady enough to be used.
     """
 
     steps: tuple[CaptureStep, ...]
@@ -81,23 +78,23 @@ class CapturePlan:
 
     @property
     def shots(self) -> tuple[Shot, ...]:
-        """All shots, in order."""
+        """Return all shots in order."""
         return tuple(chain.from_iterable(step.shots for step in self.steps))
 
     @property
     def views(self) -> tuple[str, ...]:
-        """Their names, in order."""
+        """Return the names of all views in order."""
         return tuple(shot.view for shot in self.shots)
 
     @property
     def serials(self) -> tuple[str, ...]:
-        """The sensors that are needed, each once."""
+        """Return the serial numbers of the sensors needed, each once."""
         return tuple(dict.fromkeys(shot.serial for shot in self.shots))
 
     def only(self, views: Sequence[str]) -> CapturePlan:
-        """Give the plan that captures some views again.
+        """Return the plan that captures only some of the views again.
 
-        A sensor that is moved by hand may stand anywhere by then, so it has to be put in its place.
+        A sensor that is moved by hand may stand anywhere by then, so it is repositioned first.
         """
         moved = {shot.serial for step in self.steps if step.by_hand for shot in step.shots}
         steps: list[CaptureStep] = []
@@ -123,14 +120,21 @@ def make_plan(
     Parameters
     ----------
     assignment
-        View and serial number, in the order of the capture. A sensor that is named twice is moved
-        by hand in between.
+        Pairs of view and serial number, in the order of the capture. A sensor that is named
+        twice is moved by hand in between.
     frames, color_frames
+        Number of depth and colour pictures of each view.
     simultaneous
-        All views at the same time; for sensors that do not see the same surface.
+        Capture all views at the same time; for sensors that do not see the same surface.
     bursts
-        So many series a view, between which the sensor's motor tilts it by a degree, so that its
-        depth steps fall elsewhere; the further ones are views of their own, ``left_2`` and so on.
+        Number of series per view. The motor tilts the sensor by a degree between them, so that
+        its depth steps fall elsewhere; each further series is a view of its own, ``left_2`` and
+        so on.
+
+    Returns
+    -------
+    CapturePlan
+        With one step per shot, or one per burst if simultaneous.
 
     Raises
     ------
@@ -161,7 +165,12 @@ def make_plan(
 
 
 def parse_assignment(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
-    """Read ``left=SERIAL`` and the like.
+    """Parse assignments such as ``left=SERIAL``.
+
+    Returns
+    -------
+    tuple of (str, str)
+        View and serial number, in the given order.
 
     Raises
     ------
@@ -179,9 +188,19 @@ def parse_assignment(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
 
 
 def view_faces(view: str, system: ReferenceSystem) -> tuple[str, ...]:
-    """Give the marker groups that a view sees: the top one the Achilles tendon's, others the rest.
+    """Return the marker groups that a view sees: for the top view the tendon's, else the others.
 
-    A reference system without such a group is seen as a whole.
+    Every view sees all groups of a reference system that has no group at the Achilles tendon.
+
+    Parameters
+    ----------
+    view
+        Name of the view, or of one of its bursts.
+
+    Returns
+    -------
+    tuple of str
+        Names of marker groups.
     """
     groups = tuple(dict.fromkeys(marker.face for marker in system.markers))
     if _TOP_FACE not in groups or len(groups) == 1:
@@ -199,17 +218,23 @@ def _round(assignment: Sequence[tuple[str, str]], burst: int) -> tuple[Shot, ...
 
 
 def burst_view(view: str, burst: int) -> str:
-    """Name the view of a burst, which is counted from 0: ``left``, ``left_2``, ``left_3`` …"""
+    """Return the name of a burst of a view: ``left``, ``left_2``, ``left_3`` …
+
+    Parameters
+    ----------
+    burst
+        Counted from 0.
+    """
     return f"{view}_{burst + 1}" if burst else view
 
 
 def burst_tilt_deg(burst: int) -> float:
-    """Give the tilt of a burst, which is counted from 0: 0, 1, −1, 2, −2 … degrees."""
+    """Return the tilt of a burst, which is counted from 0: 0, 1, −1, 2, −2 … degrees."""
     return _BURST_STEP_DEG * ((burst + 1) // 2) * (1.0 if burst % 2 else -1.0) + 0.0
 
 
 def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
-    """One sensor after the other; one that has been elsewhere before is moved by hand."""
+    """Return one step per shot; a sensor that took an earlier view is moved by hand."""
     steps: list[CaptureStep] = []
     seen: set[str] = set()
     for shots in bursts_by_view:

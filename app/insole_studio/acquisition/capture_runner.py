@@ -1,4 +1,4 @@
-"""The state machine of a capture: sensor after sensor, with the emitters of the others off."""
+"""The state machine of a capture: one sensor after the other, the emitters of the others off."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from insole_studio.acquisition.view_frames import Beginning, Series, poll_depth
 
 _POLL_S = 0.002
 _IN_FLIGHT_S = 2 / 30
-"""A frame is exposed in one thirtieth of a second, and sent in the next."""
+"""A frame is exposed during one thirtieth of a second and sent during the next."""
 
 
 def _nothing_shown(_serial: str, _image: RawArray | ByteArray) -> None:
-    """Show to nobody."""
+    """Discard the picture."""
 
 
 def _never() -> bool:
@@ -35,18 +35,18 @@ def _never() -> bool:
 
 @dataclass(frozen=True)
 class CaptureCallbacks:
-    """Who follows a capture.
+    """The callbacks through which a capture reports and is controlled.
 
     Parameters
     ----------
     report
-        Is told every new status.
+        Called with every new status.
     is_cancelled
-        Is asked all the time.
+        Polled throughout the capture; true ends it.
     wait_for_hand
-        Returns when somebody has put the sensor of a step in its place.
+        Called before a step that moves a sensor; returns once the sensor is in position.
     show
-        Is given every depth image and colour picture that comes, by serial number.
+        Called with the serial number and every depth image and colour picture that arrives.
     """
 
     report: Callable[[CaptureStatus], None]
@@ -56,12 +56,17 @@ class CaptureCallbacks:
 
 
 def hand_sentence(step: CaptureStep) -> str:
-    """Say what somebody has to do before a step."""
+    """Return the instruction to the user that precedes a step."""
     return Message("Put the sensor in its place for view {views}", views=step.names)
 
 
 def open_sensors(rig: Rig, serials: Iterable[str]) -> dict[str, OpenSensor]:
-    """Take sensors into use, all or none.
+    """Open sensors, all or none.
+
+    Returns
+    -------
+    dict
+        The open sensors by serial number.
 
     Raises
     ------
@@ -78,7 +83,7 @@ def open_sensors(rig: Rig, serials: Iterable[str]) -> dict[str, OpenSensor]:
 
 
 def close_sensors(sensors: Iterable[OpenSensor]) -> None:
-    """Give sensors back, every one, also where one fails to answer."""
+    """Close all sensors, even if one of them does not respond."""
     failures = []
     for sensor in sensors:
         try:
@@ -90,16 +95,12 @@ def close_sensors(sensors: Iterable[OpenSensor]) -> None:
 
 
 class CaptureRunner:
-    """Carries a plan out; a view that is finished stays in the draft, whatever happens later.
+    """Carries out a plan; a finished view stays in the draft, whatever happens later.
 
     Parameters
     ----------
     sensors
-        The open ones by serial number; those that the plan does not name are kept dark.
-    plan
-    setup
-    draft
-    callbacks
+        Open sensors by serial number; the emitters of those not in the plan stay off.
     """
 
     def __init__(
@@ -125,12 +126,12 @@ class CaptureRunner:
         }
 
     def run(self) -> tuple[str, ...]:
-        """Capture every view; give the warnings.
+        """Capture every view and return the warnings.
 
         Raises
         ------
         SensorError
-            When a sensor is lost, silent, or its controller full; says what is kept.
+            When a sensor is lost or silent, or its controller is full; says what is kept.
         OutputError
             When the disk is full.
         Cancelled
@@ -147,13 +148,13 @@ class CaptureRunner:
             raise type(error)(self._told_with_kept(error)) from error
         finally:
             for serial, tilt_deg in tilts.items():
-                with suppress(SensorError):  # it may be the sensor that was lost
+                with suppress(SensorError):  # this sensor may be the one that was lost
                     self._sensors[serial].tilt_to(tilt_deg)
         warnings = (warning for view in self._views.values() for warning in view.warnings)
         return tuple(dict.fromkeys(warnings))
 
     def _check_controllers(self) -> None:
-        """Make sure that every step's streams fit their controllers, before the first frame."""
+        """Check that the streams of every step fit their controllers, before the first frame."""
         steps = {frozenset(shot.serial for shot in step.shots) for step in self._plan.steps}
         for serials in sorted(steps, key=sorted):
             wanted = [self._sensors[serial] for serial in sorted(serials)]
@@ -191,7 +192,7 @@ class CaptureRunner:
         self._tell(CapturePhase.VERIFYING, Message("View {views} is on the disk", views=names))
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
-        """Tilt a sensor where the plan says so; one that was moved starts to stream anew."""
+        """Tilt a sensor as planned; restart the streams of a sensor that was moved."""
         sensor = self._sensors[shot.serial]
         if level_deg is not None:
             self._tell(
@@ -199,10 +200,10 @@ class CaptureRunner:
             )
             sensor.tilt_to(level_deg + shot.tilt_deg)
         if by_hand or level_deg is not None:
-            sensor.stop()  # what is under way was seen from the place before
+            sensor.stop()  # frames in transit were taken at the previous position
 
     def _light_only(self, step: CaptureStep) -> list[Beginning]:
-        """Switch the emitters of all other sensors off and those of a step on."""
+        """Switch on the emitters of one step and off those of all other sensors."""
         own = [self._sensors[shot.serial] for shot in step.shots]
         others = [sensor for sensor in self._sensors.values() if sensor not in own]
         shining = [sensor for sensor in others if sensor.emits]
@@ -217,7 +218,7 @@ class CaptureRunner:
         try:
             self._start(step.shots)
         except BusFullError:
-            for sensor in others:  # colour alone holds a part of the controller
+            for sensor in others:  # colour alone takes part of the controller's bandwidth
                 sensor.stop()
             self._start(step.shots)
         return beginnings
@@ -244,7 +245,7 @@ class CaptureRunner:
                 time.sleep(_POLL_S)
 
     def _advance(self, series: Series) -> bool:
-        """Take what has come from one sensor; tell whether anything has."""
+        """Process what one sensor has delivered; return whether it delivered anything."""
         view, serial = series.shot.view, series.shot.serial
         came = poll_depth(series.sensor)
         if came is not None:

@@ -1,4 +1,4 @@
-"""The capture service: a process of its own that hosts the driver, so that nobody can stall it."""
+"""The capture service: a separate process that hosts the driver, so that nothing can stall it."""
 
 from __future__ import annotations
 
@@ -37,12 +37,22 @@ _IDLE_S = 0.004
 _STATE_PERIOD_S = 0.25
 _FIND_PERIOD_S = 2.0
 _ROLL_DEG = 1.0
-"""A smaller lean is the accelerometer's noise."""
+"""Smaller roll angles are noise of the accelerometer."""
 
 
 def serve(connection: Connection, board: SharedFrameBuffer, source: SensorSource) -> None:
-    """Run the service until the other end says so, or is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window, which tells us
+    """Run the service until the client ends it or disappears.
+
+    Parameters
+    ----------
+    connection
+        To the client: commands arrive on it, events are sent.
+    board
+        Shared memory for the newest pictures.
+    source
+        Provides the sensors and the capture setup.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the window to handle
     try:
         rig, setup = source.rig(), source.setup()
     except InsoleError as error:
@@ -56,7 +66,7 @@ def serve(connection: Connection, board: SharedFrameBuffer, source: SensorSource
 
 
 class _Service:
-    """One loop: orders, frames, and now and then the state of the sensors."""
+    """One loop that handles commands, frames and, at intervals, the state of the sensors."""
 
     def __init__(
         self,
@@ -74,7 +84,7 @@ class _Service:
         self._last: CaptureStatus | None = None
 
     def run(self) -> None:
-        """Stream, and do what is ordered, until the end."""
+        """Stream and carry out commands until told to quit."""
         self._find()
         next_state_s = next_find_s = 0.0
         while not self._quitting:
@@ -93,12 +103,12 @@ class _Service:
                     self._find()
 
     def close(self) -> None:
-        """Switch every emitter off."""
+        """Switch all emitters off."""
         self._live.close()
         self._connection.close()
 
     def _receive(self) -> None:
-        """Take what was ordered; an end that is gone orders to quit."""
+        """Read the waiting commands; a closed connection counts as `Quit`."""
         try:
             while self._connection.poll():
                 self._waiting.append(self._connection.recv())
@@ -108,7 +118,7 @@ class _Service:
     def _send(self, event: Event) -> None:
         try:
             self._connection.send(event)
-        except OSError:  # the window is gone
+        except OSError:  # the window has gone
             self._quitting = True
 
     def _find(self) -> None:
@@ -148,7 +158,7 @@ class _Service:
         self._tell_roll(command.serial, abs(sensor.roll_deg()))
 
     def _tell_roll(self, serial: str, roll_deg: float) -> None:
-        """Say what the motor cannot mend."""
+        """Warn about a roll, which the motor cannot correct."""
         if roll_deg >= _ROLL_DEG:
             self._send(
                 Message(
@@ -160,7 +170,7 @@ class _Service:
             )
 
     def _capture(self, order: Start) -> None:
-        """Carry a plan out; whatever happens, one last status says how it ended."""
+        """Carry out a plan; the last status always says how the capture ended."""
         self._last = None
         try:
             warnings = self._carry_out(order)
@@ -205,7 +215,7 @@ class _Service:
         return self._quitting
 
     def _wait_for_hand(self, step: CaptureStep) -> None:
-        """Stream on until somebody says that the sensor stands."""
+        """Keep streaming until the user confirms that the sensor is in position."""
         self._live.start()
         while not any(isinstance(command, Placed) for command in self._waiting):
             if self._is_cancelled():

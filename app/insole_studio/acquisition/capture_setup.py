@@ -1,4 +1,4 @@
-"""What a capture knows of the room: the reference system, where the foot is, the calibrations."""
+"""The setup of a capture: reference system, volume of interest and sensor calibrations."""
 
 from __future__ import annotations
 
@@ -23,25 +23,24 @@ Origin = Literal["settings", "recording", "factory"]
 
 
 class SensorFiles(Protocol):
-    """Where calibrated sensors are kept by serial number."""
+    """The store of calibrated sensors by serial number."""
 
     def load(self, serial: str) -> Sensor | None:
-        """Read a sensor; None when it was never saved."""
+        """Read a sensor; None if it was never saved."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Calibrated:
-    """A sensor ready for a session.
+    """A calibrated sensor, ready for a session.
 
     Parameters
     ----------
-    sensor
     origin
-        Where its calibration comes from: measured and kept here, the recording that an emulated
-        sensor plays, or the device.
+        Where its calibration comes from: stored on this computer, the recording that an
+        emulated sensor plays, or the device itself.
     warnings
-        Sentences for the user.
+        Sentences shown to the user.
     """
 
     sensor: Sensor
@@ -51,17 +50,18 @@ class Calibrated:
 
 @dataclass(frozen=True, eq=False)
 class CaptureSetup:
-    """The room.
+    """The surroundings of a capture that are known beforehand.
 
     Parameters
     ----------
     system
         The markers around the foot.
     stored
+        Calibrations kept on this computer.
     volume_of_interest
-        None lets the reconstruction find it.
+        Reference frame; None lets the reconstruction find it.
     recorded
-        Sensors of the session that is emulated, by view.
+        Sensors of the emulated session, by view.
     """
 
     system: ReferenceSystem
@@ -70,12 +70,22 @@ class CaptureSetup:
     recorded: dict[str, Sensor] = field(default_factory=dict)
 
     def calibrated(self, opened: OpenSensor, view: str) -> Calibrated:
-        """Give the calibration of a sensor for a view: the stored one, or the device's own.
+        """Return the calibration of a sensor for a view: the stored one, else the device's own.
+
+        Parameters
+        ----------
+        view
+            Determines which markers the sensor sees.
+
+        Returns
+        -------
+        Calibrated
+            With the warnings for the user.
 
         Raises
         ------
         InputError, CalibrationError
-            When the stored one cannot be used.
+            When the stored calibration cannot be used.
         """
         known = self.known(opened.serial, view)
         if known is not None:
@@ -89,7 +99,17 @@ class CaptureSetup:
         return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
 
     def known(self, serial: str, view: str) -> Calibrated | None:
-        """Give the calibration of a serial number for a view, as far as this room knows it.
+        """Return the calibration for a serial number and view; None where this setup has none.
+
+        Parameters
+        ----------
+        view
+            Determines which markers the sensor sees.
+
+        Returns
+        -------
+        Calibrated or None
+            None if nothing is stored or recorded.
 
         Raises
         ------
@@ -102,7 +122,7 @@ class CaptureSetup:
         return None if recorded is None else Calibrated(recorded, "recording")
 
     def _recorded(self, serial: str, view: str) -> Sensor | None:
-        """Give the sensor of a recorded view; for another view, with the markers this one sees."""
+        """Return the sensor of a recorded view; for another view, with the markers it sees."""
         same = self.recorded.get(view)
         if same is not None and same.serial == serial:
             return same
@@ -118,13 +138,14 @@ def _checked(sensor: Sensor) -> Calibrated:
 
 
 def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSetup:
-    """Give the room of this computer.
+    """Return the capture setup of this computer.
 
     Parameters
     ----------
     stored
+        Calibrations kept on this computer.
     system_file
-        Of the reference system; None is the one that comes with the product.
+        File of the reference system; None selects the bundled one.
 
     Raises
     ------
@@ -135,7 +156,15 @@ def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSe
 
 
 def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
-    """Give the room in which a session was recorded, for its emulated sensors."""
+    """Return the setup in which a session was recorded, for its emulated sensors.
+
+    Parameters
+    ----------
+    stored
+        Calibrations kept on this computer.
+    session
+        The emulated session.
+    """
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
     return CaptureSetup(manifest.reference_system, stored, manifest.volume_of_interest, recorded)

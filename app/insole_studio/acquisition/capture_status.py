@@ -1,4 +1,4 @@
-"""What is known of sensors and of a running capture: values that go from process to process."""
+"""The state of sensors and of a running capture, as values that pass between processes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class DetectedSensor:
     model
         ``1414``, ``1473`` or ``K4W``; None where only the motor answers.
     bus, place
-        Number of its USB controller; its place there as the system writes it.
+        Number of its USB controller, and its port path as the operating system writes it.
     problem
         Why it cannot be used, in one sentence; None where it can.
     """
@@ -30,7 +30,7 @@ class DetectedSensor:
 
 
 class CapturePhase(Enum):
-    """Where a sensor stands, then where a capture does."""
+    """The phase of a sensor, then those of a capture."""
 
     FOUND = "found"
     WARMING_UP = "warming up"
@@ -46,25 +46,24 @@ class CapturePhase(Enum):
 
     @property
     def is_end(self) -> bool:
-        """Whether nothing follows without a new order."""
+        """Whether nothing follows without a new command."""
         return self in (CapturePhase.DONE, CapturePhase.FAILED, CapturePhase.CANCELLED)
 
 
 @dataclass(frozen=True)
 class ViewStatus:
-    """How far one view is.
+    """The progress of one view.
 
     Parameters
     ----------
-    view, serial
     frames, wanted
-        Depth frames that are taken, and asked for.
+        Depth frames taken, and requested.
     finished
-        Whether the view is on the disk, whole.
+        Whether the view is complete on the disk.
     warnings
         Sentences about what was captured.
     place
-        Where the sensor stands for it: the view without the number of the burst.
+        Position of the sensor: the view's name without the number of the burst.
     """
 
     view: str
@@ -78,16 +77,14 @@ class ViewStatus:
 
 @dataclass(frozen=True)
 class CaptureStatus:
-    """How far a capture is.
+    """The progress of a capture.
 
     Parameters
     ----------
-    phase
-    views
     sentence
-        What goes on, what is to be done, or why it ended.
+        What is going on, what the user has to do, or why the capture ended.
     names
-        The views that it is about.
+        The views that `sentence` is about.
     """
 
     phase: CapturePhase
@@ -97,6 +94,6 @@ class CaptureStatus:
 
     @property
     def fraction(self) -> float:
-        """The share that is done."""
+        """Return the fraction that is done, 0 to 1."""
         wanted = sum(view.wanted for view in self.views)
         return sum(view.frames for view in self.views) / wanted if wanted else 0.0

@@ -1,4 +1,4 @@
-"""A session while it is captured: a folder that holds every finished view, whatever happens."""
+"""A session during its capture: a folder that keeps every finished view, whatever happens."""
 
 from __future__ import annotations
 
@@ -28,25 +28,24 @@ from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
 
 _FACTS = "capture"
-"""The key of the manifest that tells of the capture of each view."""
+"""The manifest's key for the capture details of each view."""
 _WRITERS = 2
 _DEPTH_BYTES, _COLOR_BYTES = 120_000, 2_600_000
-"""What a compressed picture takes, generously."""
+"""Upper estimate of the size of a compressed picture."""
 
 
 @dataclass(frozen=True)
 class ViewFacts:
-    """What the manifest tells of the capture of a view.
+    """The capture details of a view that the manifest records.
 
     Parameters
     ----------
     settled_after_s
-        From the switching of the emitters to the first frame.
+        Time from switching the emitters to the first frame used.
     discarded
-        Frames that arrived damaged meanwhile, and were left out.
+        Frames that arrived damaged and were left out.
     warm_s
-        How long the sensor had been in use.
-    warnings
+        How long the sensor had been on.
     """
 
     settled_after_s: float
@@ -56,24 +55,24 @@ class ViewFacts:
 
 
 def drafts_folder_of_user() -> Path:
-    """Give the folder for captures that are not finished."""
+    """Return the folder for unfinished captures."""
     return platformdirs.user_data_path("insole-studio", appauthor=False) / "captures"
 
 
 class Draft:
-    """Takes frames as they come, and writes them beside the coming frames.
+    """Writes frames to the disk as they arrive, in the background.
 
-    At any time the folder is a session of the views that are finished. A view that is captured
-    again replaces the one before when it is whole.
+    At any time the folder is a valid session of the finished views. A view that is captured again
+    replaces the earlier one once it is complete.
 
     Parameters
     ----------
     folder
-        Created where it is missing; finished views in it are kept.
+        Created if missing; finished views in it are kept.
     manifest
-        Without views.
+        The session's manifest without views.
     order
-        The views' order in the manifest.
+        Order of the views in the manifest.
     """
 
     def __init__(self, folder: Path, manifest: Manifest, order: Sequence[str]) -> None:
@@ -90,12 +89,17 @@ class Draft:
 
     @classmethod
     def reopen(cls, folder: Path, order: Sequence[str] = ()) -> Draft:
-        """Go on with a draft that a capture has left; without an order, in the one it had.
+        """Reopen the draft of an earlier capture; without `order`, its views keep their order.
+
+        Parameters
+        ----------
+        order
+            Order of the views, including those still to come.
 
         Raises
         ------
         InputError
-            When the folder is none.
+            When the folder is not a draft.
         """
         manifest = read_session(folder).manifest
         facts = manifest.extra.get(_FACTS)
@@ -111,24 +115,32 @@ class Draft:
 
     @property
     def manifest(self) -> Manifest:
-        """What is known of the whole capture, without its views."""
+        """The manifest of the whole capture, without its views."""
         return self._manifest
 
     @property
     def views(self) -> tuple[str, ...]:
-        """The finished views, in order."""
+        """Return the finished views in order."""
         return tuple(view for view in self._order if view in self._facts)
 
     def expect(self, order: Sequence[str]) -> None:
-        """Take other views in too, in another order."""
+        """Put the views of `order` first; the others keep their order behind them."""
         self._order = [*order, *(view for view in self._order if view not in order)]
 
     def check_room(self, frames: int, color_frames: int, views: int) -> None:
-        """Check that the disk has room for so much.
+        """Check that the disk has space for a number of frames.
+
+        Parameters
+        ----------
+        frames, color_frames
+            Number of depth and colour pictures of each view.
+        views
+            Number of views.
 
         Raises
         ------
         OutputError
+            When it has not.
         """
         needed = views * (frames * _DEPTH_BYTES + color_frames * _COLOR_BYTES)
         if shutil.disk_usage(self.folder).free < needed:
@@ -143,20 +155,41 @@ class Draft:
         self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
-        """Store depth frame number `index`."""
+        """Store depth frame number `index`.
+
+        Parameters
+        ----------
+        index
+            From 0.
+        image : (480, 640) uint16, raw
+        """
         self._store(view, f"depth_{index:03d}.png", image)
 
     def add_color(self, view: str, index: int, picture: ByteArray) -> None:
-        """Store colour frame number `index`."""
+        """Store colour frame number `index`.
+
+        Parameters
+        ----------
+        index
+            From 0.
+        picture : (height, width, 3) uint8, RGB
+        """
         self._store(view, f"color_{index:03d}.png", picture)
 
     def finish_view(self, view: str, calibrated: Calibrated, facts: ViewFacts) -> None:
-        """Wait until a view is on the disk, and let it count.
+        """Wait until a view is on the disk, and make it part of the session.
+
+        Parameters
+        ----------
+        calibrated
+            The sensor that recorded it.
+        facts
+            Written to the manifest.
 
         Raises
         ------
         OutputError
-            When it could not be written; the view as it was before still counts.
+            When it could not be written; an earlier version of the view remains valid.
         """
         target = self.folder / "views" / view
         try:
@@ -178,14 +211,19 @@ class Draft:
         self._write_manifest()
 
     def publish(self, path: Path, progress: Progress = SILENT) -> None:
-        """Put the session where it belongs, as a folder or a zip archive, and remove the draft.
+        """Move the session to its destination, as a folder or a zip archive, and remove the draft.
+
+        Parameters
+        ----------
+        path
+            A folder, or a zip archive by its suffix.
 
         Raises
         ------
         InputError
-            When what is on the disk is not what was written.
+            When the files on the disk are not what was written.
         OutputError
-            When the place cannot be written; the draft stays.
+            When the destination cannot be written; the draft stays.
         """
         session = read_session(self.folder)
         if path.suffix.lower() == ".zip":
@@ -196,12 +234,12 @@ class Draft:
         self.discard()
 
     def discard(self) -> None:
-        """Remove the folder with everything in it."""
+        """Remove the folder and everything in it."""
         self.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def close(self) -> None:
-        """End the writing; what is finished stays, what is not is removed."""
+        """Stop writing; finished views stay, unfinished ones are removed."""
         self._pool.shutdown(wait=True)
         for unfinished in self.folder.glob(".taking-*"):
             shutil.rmtree(unfinished, ignore_errors=True)

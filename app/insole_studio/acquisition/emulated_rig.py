@@ -1,4 +1,4 @@
-"""A recorded session as live sensors: its frames go through packets and the whole driver."""
+"""A recorded session as live sensors: its frames pass through packets and the whole driver."""
 
 from __future__ import annotations
 
@@ -21,21 +21,20 @@ from kinect_v1.pixels import mosaic
 
 _INFRARED_SIZE = (640, 488)
 _CUT_ROWS = 32
-"""A picture of 1280 × 960 is one of 1280 × 1024 without so many rows at top and bottom."""
+"""Rows that a picture of 1280 × 960 lacks at top and bottom compared with 1280 × 1024."""
 
 
 class EmulatedRig:
-    """A sensor for each serial number of a session, each with a USB controller of its own.
+    """One emulated sensor for each serial number of a session, each on its own USB controller.
 
-    A sensor that gave several views was tilted by its motor, where the views are named like bursts
-    (``left``, ``left_2``), or moved by hand. So it plays what belongs to its tilt, at the place it
-    was put in last; first the one of its first view.
+    A sensor that recorded several views was either tilted by its motor, if the views are named like
+    bursts (``left``, ``left_2``), or moved by hand. The emulated sensor therefore plays the view of
+    its present tilt at its present position, which initially is that of its first view.
 
     Parameters
     ----------
-    session
     speed
-        Of the sensors' time; 1 = real.
+        Factor on the sensors' clock; 1 = real time.
     """
 
     def __init__(self, session: Session, speed: float = 1.0) -> None:
@@ -52,24 +51,30 @@ class EmulatedRig:
         self.bus = EmulatedBus(list(self._kinects.values()), speed=speed)
 
     def put(self, serial: str, place: str) -> None:
-        """Put a sensor where it gave a view, as somebody would by hand."""
+        """Move a sensor to the position of a view, as somebody would by hand.
+
+        Parameters
+        ----------
+        place
+            Name of the view without the number of the burst.
+        """
         if self._serials.get(place) == serial:
             self._kinects[serial].face(self._scenes[place])
 
 
 def emulated_views(session: Session) -> tuple[tuple[str, str], ...]:
-    """Give view and serial number of each place, without the further bursts."""
+    """Return view and serial number of each position, without further bursts."""
     places = _bursts_by_place(session).items()
     return tuple((place, views[0].sensor.serial) for place, views in places)
 
 
 def emulated_bursts(session: Session) -> int:
-    """Tell how many bursts every view has."""
+    """Return how many bursts every view has."""
     return min(MOST_BURSTS, *map(len, _bursts_by_place(session).values()))
 
 
 def _bursts_by_place(session: Session) -> dict[str, list[View]]:
-    """Give the views of each place, the further bursts behind the first."""
+    """Return the views of each position, further bursts after the first."""
     left = {view.name: view for view in session.views}
     places: dict[str, list[View]] = {}
     for view in session.views:
@@ -98,7 +103,7 @@ def _footage(view: View) -> dict[str, list[bytes]]:
 
 
 def _in_grey(color: ByteArray) -> RawArray:
-    """Let the colour picture stand for an infrared one, (488, 640), which no session holds."""
+    """Return a colour picture as an infrared one, (488, 640), which no session contains."""
     grey = cv2.resize(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY), _INFRARED_SIZE)
     return 4 * grey.astype(np.uint16)
 
@@ -110,11 +115,10 @@ def _whole(color: ByteArray) -> ByteArray:
 
 
 def factory_calibration(sensor: Sensor) -> Calibration:
-    """Give the factory values of a device that measures as a sensor does.
+    """Return the factory values of a device that measures as a sensor does.
 
-    With the constant shift held (the device stores a whole number), focal length, slope and
-    offset of 1 / Z over the raw number determine the other three: D, p = D / (2 f), and the
-    baseline b.
+    With the constant shift fixed (the device stores an integer), focal length, slope and offset
+    of 1 / Z over the raw number determine the other three: D, p = D / (2 f), and the baseline b.
     """
     slope_offset = _inverse_depth(sensor.disparity)
     if slope_offset is None:
@@ -133,7 +137,7 @@ def factory_calibration(sensor: Sensor) -> Calibration:
 
 
 def _inverse_depth(model: DisparityModel) -> tuple[float, float] | None:
-    """Give slope and offset of 1 / Z over the raw number; None where it is no straight line."""
+    """Return slope and offset of 1 / Z over the raw number; None if it is not a straight line."""
     if not isinstance(model, FactoryDisparity | LinearInverseDisparity):
         return None
     low, high = 400.0, 900.0

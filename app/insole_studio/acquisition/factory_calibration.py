@@ -1,4 +1,4 @@
-"""The calibration that the device itself carries, as the core's type."""
+"""The calibration stored in the device, converted to the core's type."""
 
 from __future__ import annotations
 
@@ -19,10 +19,17 @@ def factory_sensor(
     faces: tuple[str, ...],
     color_size: tuple[int, int] = (1280, 1024),
 ) -> Sensor:
-    """Give the sensor as the factory measured it, with the usual values where it did not.
+    """Return the sensor as the factory calibrated it, with nominal values for what it did not.
 
-    The depth camera is the device's own pinhole: f = D / (2 p), its centre that of the image. Of
-    the colour camera the device says nothing that describes it apart from the depth camera.
+    The depth camera is the device's own pinhole: f = D / (2 p), principal point at the centre of
+    the image. Of the colour camera alone, apart from the depth camera, the device stores nothing.
+
+    Parameters
+    ----------
+    faces
+        Marker groups that the sensor sees.
+    color_size
+        Width and height of the colour pictures, px.
     """
     plane = calibration.zero_plane
     focal_px = calibration.focal_length_px
@@ -39,7 +46,15 @@ def factory_sensor(
 
 
 def usual_sensor(serial: str, faces: tuple[str, ...], color_size: tuple[int, int]) -> Sensor:
-    """Give a sensor of which nothing was measured."""
+    """Return a sensor with nominal values, nothing measured.
+
+    Parameters
+    ----------
+    faces
+        Marker groups that the sensor sees.
+    color_size
+        Width and height of the colour pictures, px.
+    """
     sensor = nominal_kinect(serial)
     return replace(
         sensor, faces=faces, color_camera=resized_camera(sensor.color_camera, color_size)
@@ -47,7 +62,13 @@ def usual_sensor(serial: str, faces: tuple[str, ...], color_size: tuple[int, int
 
 
 def resized_camera(camera: PinholeCamera, size: tuple[int, int]) -> PinholeCamera:
-    """Give the same camera for smaller pictures, which are scaled and cut at top and bottom."""
+    """Return the camera for pictures scaled to `size` and cropped at top and bottom.
+
+    Parameters
+    ----------
+    size
+        Width and height of the smaller pictures, px.
+    """
     width, height = size
     scale = width / camera.width
     cut = (camera.height * scale - height) / 2

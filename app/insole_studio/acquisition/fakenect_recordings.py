@@ -32,13 +32,13 @@ _UNKNOWN = "unknown"
 
 @dataclass(frozen=True)
 class _Pictures:
-    """The files of a view; colour as it was received, where that was kept."""
+    """The image files of a view; colour as it was received, where that was kept."""
 
     depth: tuple[RecordedFile, ...]
     color: tuple[RecordedFile, ...]
 
     def read_depth(self, index: int) -> RawArray:
-        """Give depth frame number `index`."""
+        """Read depth frame number `index`."""
         path = self.depth[index].path
         with translating():
             image = read_depth(self.depth[index])
@@ -50,7 +50,7 @@ class _Pictures:
         return image
 
     def read_color(self, index: int) -> ByteArray:
-        """Give colour frame number `index`."""
+        """Read colour frame number `index`."""
         file = self.color[index]
         with translating():
             if file.kind == "r":
@@ -59,20 +59,24 @@ class _Pictures:
 
 
 def read_view(name: str, folder: Path, system: ReferenceSystem) -> View:
-    """Read a recording; its frames are read when asked for.
+    """Read a recording; its frames are read on demand.
 
     Parameters
     ----------
     name
-        Of the view.
-    folder
+        Name of the view.
     system
-        Tells which markers the view sees.
+        Determines which markers the view sees.
+
+    Returns
+    -------
+    View
+        Its frames are read on demand.
 
     Raises
     ------
     InputError, SensorError
-        When the folder is no recording, or lacks depth or colour.
+        When the folder is not a recording, or lacks depth or colour.
     """
     with translating():
         recording = read_recording(folder)
@@ -111,7 +115,7 @@ def _sensor(recording: Recording, faces: tuple[str, ...], color_size: tuple[int,
 
 
 def recorded_at(folder: Path) -> str:
-    """Give date and time of a recording's first picture.
+    """Return date and time of a recording's first picture.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What the live pictures of a sensor say to the person who sets it up."""
+"""Hints from the live pictures of a sensor to the person who sets it up."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ from insole_studio.acquisition.factory_calibration import resized_camera
 from insole_studio.acquisition.light import Light, judge_light
 
 NEAREST_MM, FARTHEST_MM = 550.0, 1000.0
-"""Nearer the sensor measures little; farther its depth steps exceed 3 mm."""
+"""Closer, the sensor measures little; farther away, its depth steps exceed 3 mm."""
 DEPTH_RANGE_MM = (500.0, 1200.0)
-"""What the colours of a depth picture show."""
+"""Depth range that the colours of a depth picture cover."""
 _CENTRE_PX = 12
 _MOVING_RAW = 8.0
 _MOVING_SHARE = 0.05
 _LEAST_VALID_SHARE = 0.01
 _FOOT_POINTS = 1500
-"""Pixels on a foot at 1 m, at the least."""
+"""Minimum number of pixels on a foot at 1 m."""
 
 
 class HintKind(Enum):
-    """What there is to change; its words are the window's."""
+    """What needs to be changed; the window supplies the wording."""
 
     NOTHING_MEASURED = "nothing measured"
     TOO_NEAR = "too near"
@@ -50,13 +50,12 @@ class HintKind(Enum):
 
 @dataclass(frozen=True)
 class Hint:
-    """Something to change.
+    """One thing to change.
 
     Parameters
     ----------
-    kind
     found, wanted
-        Numbers, where the kind has any: mm, or markers.
+        Actual and required value, where the kind has any: mm, or number of markers.
     """
 
     kind: HintKind
@@ -66,13 +65,14 @@ class Hint:
 
 @dataclass(frozen=True)
 class Guidance:
-    """What one sensor sees.
+    """What one sensor sees, and what to improve.
 
     Parameters
     ----------
     valid_share
-        Of the pixels that measure.
+        Fraction of the pixels that have a reading.
     markers_seen, markers_wanted
+        Number of markers recognised, and required.
     hints
         What to change, the most urgent first; empty when all is well.
     """
@@ -90,7 +90,7 @@ class FrameSnapshot:
     Parameters
     ----------
     depth, depth_before : (480, 640) uint16, raw
-        The newest, and one from a moment ago.
+        The newest image, and one from a moment ago.
     color : (height, width, 3) uint8, RGB
         Of any size.
     """
@@ -103,15 +103,12 @@ class FrameSnapshot:
 def guide(
     sensor: Sensor, system: ReferenceSystem, volume: Box, snapshot: FrameSnapshot
 ) -> Guidance:
-    """Judge the pictures of one sensor.
+    """Evaluate the pictures of one sensor.
 
     Parameters
     ----------
-    sensor
-    system
     volume
-        Where the foot should be, reference frame.
-    snapshot
+        Box that the foot should be in, reference frame.
     """
     depth, color = snapshot.depth, snapshot.color
     depth_mm = sensor.depth_mm(np.where(depth == NO_READING, np.nan, depth.astype(float)))
@@ -129,7 +126,7 @@ def guide(
 
 
 def depth_colors(disparity: DisparityModel) -> ByteArray:
-    """Give the colour of every raw number by its mm: (2048, 3) uint8, RGB; no reading is grey."""
+    """Return the colour of every raw number, (2048, 3) uint8, RGB; no reading is grey."""
     near, far = DEPTH_RANGE_MM
     raw = np.arange(NO_READING + 1.0)
     raw[NO_READING] = np.nan
@@ -141,7 +138,12 @@ def depth_colors(disparity: DisparityModel) -> ByteArray:
 
 
 def centre_depth_mm(disparity: DisparityModel, depth: RawArray) -> float | None:
-    """Give the depth in the middle of a raw image; None where nothing is measured."""
+    """Return the depth in the middle of a raw image; None if nothing is measured there.
+
+    Parameters
+    ----------
+    depth : (480, 640) uint16, raw
+    """
     middle = _middle(depth)
     measured = middle[middle != NO_READING]
     if not measured.size:
@@ -157,7 +159,7 @@ def _middle(image: RawArray) -> RawArray:
 
 
 def _for_picture(sensor: Sensor, color: ByteArray) -> Sensor:
-    """Give the sensor with the colour camera of a picture that was made smaller."""
+    """Return the sensor with the colour camera scaled to a smaller picture."""
     height, width = color.shape[:2]
     return replace(sensor, color_camera=resized_camera(sensor.color_camera, (width, height)))
 
@@ -165,7 +167,7 @@ def _for_picture(sensor: Sensor, color: ByteArray) -> Sensor:
 def _locate(
     sensor: Sensor, system: ReferenceSystem, volume: Box, depth_mm: FloatArray, color: ByteArray
 ) -> tuple[int, int | None]:
-    """Count the markers that are recognised and the points inside the volume; None = unknown."""
+    """Count the recognised markers and the points inside the volume; None = unknown."""
     points = sensor.points(depth_mm)
     sightings = locate_blobs(find_blobs(color), points, sensor)
     try:

@@ -1,4 +1,4 @@
-"""Whether a colour picture is well lit."""
+"""Judge whether a colour picture is well lit."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _STEP_PX = 4
 
 
 class Light(Enum):
-    """How much light there is."""
+    """The brightness of a picture."""
 
     DARK = "dark"
     GOOD = "good"
@@ -23,7 +23,7 @@ class Light(Enum):
 
 
 def judge_light(picture: ByteArray) -> Light:
-    """Judge a colour picture (height, width, 3), RGB, by its brightest parts."""
+    """Judge a colour picture (height, width, 3) uint8, RGB, by its brightest parts."""
     brightest = picture[::_STEP_PX, ::_STEP_PX].max(axis=2)
     if np.mean(brightest >= _BRIGHT_LEVEL) > _BRIGHT_SHARE:
         return Light.BRIGHT

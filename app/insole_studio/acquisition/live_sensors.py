@@ -1,4 +1,4 @@
-"""The sensors of a rig, all open and streaming, with what is known of each."""
+"""The sensors of a rig, all open and streaming, with the state of each."""
 
 from __future__ import annotations
 
@@ -20,13 +20,12 @@ _RATE_FRAMES = 16
 
 
 class LiveSensors:
-    """Opens what is found, streams it, and drops what is lost.
+    """Opens the sensors that are found, streams them, and drops those that are lost.
 
     Parameters
     ----------
-    rig
     show
-        Is given every depth image, and colour preview or infrared picture, by slot.
+        Called with the slot and every depth image, colour preview or infrared picture.
     """
 
     def __init__(self, rig: Rig, show: Callable[[int, RawArray | ByteArray], None]) -> None:
@@ -41,19 +40,19 @@ class LiveSensors:
 
     @property
     def summary(self) -> Sensors:
-        """The sensors now."""
+        """Return the present state of the sensors."""
         return Sensors(tuple(self._state(serial) for serial in self._states), self._problem)
 
     @property
     def is_time_to_find(self) -> bool:
-        """Whether nothing is in use, or something was plugged in or out since the last time."""
+        """Whether no sensor is open, or one was plugged in or out since the last search."""
         try:
             return not self.opened or self._rig.places() != self._places
         except SensorError:
             return True
 
     def find(self) -> None:
-        """Take every sensor into use that is there and is not in use yet."""
+        """Open every sensor that is plugged in and not open yet."""
         try:
             self._places = self._rig.places()
             found = self._rig.require()
@@ -67,7 +66,7 @@ class LiveSensors:
                 self._open(sensor.serial, sensor.model or "", sensor.bus)
 
     def start(self) -> None:
-        """Stream every open sensor; one whose controller is full waits dark for its turn."""
+        """Stream every open sensor; one whose controller is full waits with its emitter off."""
         for serial, sensor in self.opened.items():
             self._note(serial, None)
             try:
@@ -79,7 +78,7 @@ class LiveSensors:
                 self._note(serial, str(error))
 
     def watch_infrared(self, serial: str, on: bool) -> None:
-        """Stream infrared pictures of a sensor in place of colour, or colour again."""
+        """Stream infrared pictures of a sensor instead of colour, or colour again."""
         if on:
             self._infrared.add(serial)
         else:
@@ -87,24 +86,30 @@ class LiveSensors:
         self.start()
 
     def pump(self) -> bool:
-        """Show what has come; tell whether anything has."""
+        """Show the frames that have arrived; return whether there were any."""
         came = [self._advance(sensor) for sensor in tuple(self.opened.values())]
         return any(came)
 
     def show(self, serial: str, image: RawArray | ByteArray) -> None:
-        """Show a picture of a sensor and count it; colour is made small."""
+        """Count a picture of a sensor and show it; colour is reduced in size.
+
+        Parameters
+        ----------
+        image
+            Raw depth or infrared (height, width), or colour (height, width, 3) uint8, RGB.
+        """
         if image.ndim == 2:
             self._times[serial].append(time.monotonic())
         self._show(self._states[serial].slot, image if image.ndim == 2 else image[::2, ::2])
 
     def drop_lost(self) -> None:
-        """Give back the sensors that do not answer any more."""
+        """Close the sensors that no longer respond."""
         for serial, state in tuple(self._states.items()):
             if state.problem is not None and serial in self.opened:
                 self._close(serial)
 
     def close(self) -> None:
-        """Give every sensor back."""
+        """Close every sensor."""
         for serial in tuple(self.opened):
             self._close(serial)
 
@@ -160,7 +165,7 @@ class LiveSensors:
 
 
 def preview(mosaic: NDArray[np.uint8]) -> ByteArray:
-    """Give a colour picture of half the size: each square of a Bayer mosaic is one pixel."""
+    """Return a colour picture of half the size: each square of a Bayer mosaic is one pixel."""
     return np.stack([mosaic[0::2, 1::2], mosaic[0::2, 0::2], mosaic[1::2, 0::2]], axis=-1)
 
 

@@ -1,4 +1,4 @@
-"""What the window and the capture service say to each other."""
+"""The messages between the window and the capture service."""
 
 from __future__ import annotations
 
@@ -11,22 +11,23 @@ from insole_studio.acquisition.capture_plan import CapturePlan
 from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 
 WARM_UP_S = 15 * 60.0
-"""So long depth drifts after a sensor was switched on (docs/calibration.md); captures may begin."""
+"""Depth drifts for this long after a sensor was switched on (docs/calibration.md); captures
+may begin earlier.
+"""
 
 
 @dataclass(frozen=True)
 class Start:
-    """Carry a plan out.
+    """Carry out a plan.
 
     Parameters
     ----------
-    plan
     folder
-        Of the draft; one that exists goes on, and views in it are replaced.
+        Folder of the draft; an existing one is continued, and views in it are replaced.
     manifest
-        Without views.
+        The session's manifest without views.
     order
-        Of all views.
+        Order of all views.
     """
 
     plan: CapturePlan
@@ -37,22 +38,22 @@ class Start:
 
 @dataclass(frozen=True)
 class Cancel:
-    """End the running capture; finished views stay."""
+    """Cancel the running capture; finished views stay."""
 
 
 @dataclass(frozen=True)
 class Placed:
-    """The sensor that was to be moved by hand is in its place."""
+    """Confirm that the sensor that was to be moved by hand is in position."""
 
 
 @dataclass(frozen=True)
 class Find:
-    """Look for sensors again."""
+    """Search for sensors again."""
 
 
 @dataclass(frozen=True)
 class Tilt:
-    """Tilt a sensor: by so many degrees, or, without a number, level by its accelerometer."""
+    """Tilt a sensor by a number of degrees; without one, level it by its accelerometer."""
 
     serial: str
     by_deg: float | None
@@ -60,7 +61,7 @@ class Tilt:
 
 @dataclass(frozen=True)
 class Identify:
-    """Let a sensor's light blink, or shine again."""
+    """Make a sensor's LED blink, or light steadily again."""
 
     serial: str
     on: bool
@@ -68,7 +69,7 @@ class Identify:
 
 @dataclass(frozen=True)
 class Infrared:
-    """Let a sensor send infrared pictures in place of colour, or colour again."""
+    """Make a sensor send infrared pictures instead of colour, or colour again."""
 
     serial: str
     on: bool
@@ -84,23 +85,22 @@ Command = Start | Cancel | Placed | Find | Tilt | Identify | Infrared | Quit
 
 @dataclass(frozen=True)
 class SensorState:
-    """A sensor as the service has it.
+    """The state of a sensor in the service.
 
     Parameters
     ----------
-    serial, model
     bus
         Number of its USB controller.
     slot
-        Its number on the frame board.
+        Its index in the shared frame buffer.
     fps
-        Depth frames a second, lately.
+        Depth frames per second, recently.
     discarded
-        Depth frames that arrived damaged since it was started.
+        Depth frames that arrived damaged since the start.
     warm_s
-        How long it has been in use.
+        How long it has been on.
     problem
-        Why it sends nothing, in one sentence; None where it sends.
+        Why it sends nothing, in one sentence; None if it does.
     """
 
     serial: str
@@ -114,7 +114,7 @@ class SensorState:
 
     @property
     def phase(self) -> CapturePhase:
-        """Whether it was found, warms up, or is live."""
+        """Whether it was found, is warming up, or is live."""
         if self.fps == 0:
             return CapturePhase.FOUND
         return CapturePhase.WARMING_UP if self.warm_s < WARM_UP_S else CapturePhase.LIVE
@@ -122,13 +122,12 @@ class SensorState:
 
 @dataclass(frozen=True)
 class Sensors:
-    """The sensors now, those that cannot be used among them.
+    """The state of all sensors, including those that cannot be used.
 
     Parameters
     ----------
-    states
     problem
-        Why there are none.
+        Why there are no sensors.
     """
 
     states: tuple[SensorState, ...]
@@ -136,4 +135,4 @@ class Sensors:
 
 
 Event = Sensors | CaptureStatus | Message
-"""A `Message` says why an order could not be carried out."""
+"""A `Message` says why a command could not be carried out."""

@@ -1,4 +1,4 @@
-"""What a plan was made from, kept in the manifest, so that a capture can be gone on with later."""
+"""The request behind a plan, kept in the manifest so that a capture can be resumed later."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from insole_core.errors import UsageError
 from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
 
 _KEY = "capture_plan"
-"""Of the manifest."""
+"""Key in the manifest."""
 
 
 @dataclass(frozen=True)
 class PlanRequest:
-    """What was asked for.
+    """The arguments that a plan is made from.
 
     Parameters
     ----------
     assignment, frames, color_frames, simultaneous, bursts
-        As `make_plan` takes them.
+        As in `make_plan`.
     """
 
     assignment: tuple[tuple[str, str], ...]
@@ -45,12 +45,18 @@ class PlanRequest:
         )
 
     def as_extra(self) -> dict[str, Any]:
-        """Give it as the manifest keeps it."""
+        """Return the request in the form that the manifest keeps."""
         return {_KEY: asdict(self)}
 
 
 def kept_request(extra: Mapping[str, Any]) -> PlanRequest | None:
-    """Give the request that a manifest keeps; None where it keeps none that can be carried out."""
+    """Return the request that a manifest keeps; None if it keeps none that can be carried out.
+
+    Parameters
+    ----------
+    extra
+        The additional entries of the manifest.
+    """
     try:
         kept = extra[_KEY]
         pairs = tuple((str(view), str(serial)) for view, serial in kept["assignment"])

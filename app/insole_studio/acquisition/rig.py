@@ -1,4 +1,4 @@
-"""The sensors at this computer, or emulated ones: the driver's values become the core's here."""
+"""The sensors of this computer, or emulated ones; converts the driver's values to the core's."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ class Rig:
     Parameters
     ----------
     bus
-        The computer's own, or an emulated one; nothing else tells the two apart.
+        The computer's own bus, or an emulated one; the only difference between the two.
     """
 
     def __init__(self, bus: UsbBus) -> None:
         self._bus = bus
 
     def find(self) -> tuple[DetectedSensor, ...]:
-        """List what is plugged in; no sensor is disturbed.
+        """List the sensors that are plugged in, without disturbing any.
 
         Raises
         ------
@@ -60,7 +60,12 @@ class Rig:
             return tuple(_found(info) for info in list_sensors(self._bus))
 
     def places(self) -> frozenset[tuple[int, int]]:
-        """Tell where something is plugged in, without asking the sensors; changes at each plug.
+        """Return where sensors are plugged in, without querying them; a replug changes it.
+
+        Returns
+        -------
+        frozenset of (int, int)
+            Bus and address.
 
         Raises
         ------
@@ -70,7 +75,7 @@ class Rig:
             return self._bus.places()
 
     def require(self) -> tuple[DetectedSensor, ...]:
-        """List what is plugged in; nothing at all is an error.
+        """List the sensors that are plugged in, and raise if there are none.
 
         Raises
         ------
@@ -84,27 +89,26 @@ class Rig:
         return found
 
     def open(self, serial: str) -> OpenSensor:
-        """Take a sensor into use.
+        """Open a sensor.
 
         Raises
         ------
         SensorError
-            When it is not there, has no power or no permission, or another program uses it.
+            When it is not plugged in, has no power or no permission, or another program uses it.
         """
         with translating():
             return OpenSensor(open_camera(serial, _SETTINGS, self._bus))
 
 
 class OpenSensor:
-    """A sensor in use. Close it, or use it as a context.
+    """An open sensor. Close it, or use it as a context manager.
 
     Attributes
     ----------
-    serial, model
     bus
         Number of its USB controller.
     opened_s
-        Since when it is in use, `time.monotonic()`.
+        When it was opened, `time.monotonic()`.
     """
 
     def __init__(self, camera: KinectCamera) -> None:
@@ -130,7 +134,13 @@ class OpenSensor:
         self.close()
 
     def factory_sensor(self, faces: tuple[str, ...]) -> Sensor:
-        """Give the calibration that the device itself carries."""
+        """Return the calibration stored in the device.
+
+        Parameters
+        ----------
+        faces
+            Marker groups that the sensor sees.
+        """
         return factory_sensor(self._camera.calibration, self.serial, faces)
 
     @property
@@ -139,7 +149,7 @@ class OpenSensor:
         return self._depth is not None
 
     def start(self, color_size: ColorSize = FULL_COLOR) -> None:
-        """Stream depth, which switches the emitter on, and colour; what runs goes on.
+        """Stream depth, which switches the emitter on, and colour; running streams continue.
 
         Raises
         ------
@@ -153,7 +163,7 @@ class OpenSensor:
             self._start_depth()
 
     def start_infrared(self) -> None:
-        """Stream infrared pictures in place of colour, and depth; `start` brings colour back.
+        """Stream infrared pictures instead of colour, and depth; `start` brings colour back.
 
         Raises
         ------
@@ -175,12 +185,12 @@ class OpenSensor:
 
     @property
     def streams(self) -> bool:
-        """Whether depth and colour run."""
+        """Whether depth and colour are streaming."""
         return self._depth is not None and self._color is not None
 
     @contextmanager
     def reserving(self) -> Iterator[None]:
-        """Hold the bandwidth of depth and colour meanwhile, and switch nothing on.
+        """Reserve the bandwidth of depth and colour within a context; switch nothing on.
 
         Raises
         ------
@@ -203,7 +213,7 @@ class OpenSensor:
             self._camera.stop_depth()
 
     def stop(self) -> None:
-        """Stop everything, which gives the controller its bandwidth back.
+        """Stop everything, which frees the controller's bandwidth.
 
         Raises
         ------
@@ -215,7 +225,7 @@ class OpenSensor:
             self._camera.stop_video()
 
     def poll_depth(self) -> Frame | None:
-        """Give the next depth frame if one waits.
+        """Return the next depth frame if one is waiting.
 
         Raises
         ------
@@ -225,9 +235,9 @@ class OpenSensor:
         return _poll(self._depth)
 
     def poll_color(self) -> Frame | None:
-        """Give the next colour frame if one waits; `color_picture` makes it a picture.
+        """Return the next colour frame if one is waiting; `color_picture` decodes it.
 
-        An infrared one after `start_infrared`; `infrared_picture` makes it a picture.
+        After `start_infrared` it is an infrared frame, which `infrared_picture` decodes.
 
         Raises
         ------
@@ -237,16 +247,16 @@ class OpenSensor:
         return _poll(self._color)
 
     def color_picture(self, frame: Frame) -> ByteArray:
-        """Give the colour picture (height, width, 3) uint8, RGB, of a frame."""
+        """Return the colour picture (height, width, 3) uint8, RGB, of a frame."""
         return demosaic(_cropped(frame.image, self._color_size[1]))
 
     @property
     def discarded(self) -> int:
-        """Depth frames that arrived damaged since it was opened."""
+        """Return the number of depth frames that arrived damaged since it was opened."""
         return self._discarded + (self._depth.counts.discarded if self._depth is not None else 0)
 
     def tilt_deg(self) -> float:
-        """Tell how far it is tilted, relative to gravity.
+        """Return the tilt relative to gravity.
 
         Raises
         ------
@@ -255,7 +265,7 @@ class OpenSensor:
         return self._wait_until_still(lambda posture: not posture.moving).tilt_deg or 0.0
 
     def tilt_to(self, tilt_deg: float) -> None:
-        """Tilt it and wait until it stands still.
+        """Tilt the sensor and wait until it stands still.
 
         Raises
         ------
@@ -266,7 +276,7 @@ class OpenSensor:
         self._wait_until_still(lambda posture: _arrived(posture, tilt_deg))
 
     def roll_deg(self) -> float:
-        """Tell by how much it leans to a side, by its accelerometer; its motor cannot mend that.
+        """Return the roll angle by the accelerometer, which the motor cannot correct.
 
         Raises
         ------
@@ -286,7 +296,7 @@ class OpenSensor:
                 time.sleep(_TILT_POLL_S)
 
     def blink(self, on: bool) -> None:
-        """Let its light blink, so that somebody can see which one it is; or shine.
+        """Make its LED blink, so that the user can identify the sensor, or light steadily.
 
         Raises
         ------
@@ -296,7 +306,7 @@ class OpenSensor:
             self._camera.motor.set_led(Led.BLINK_GREEN if on else Led.GREEN)
 
     def close(self) -> None:
-        """Stop everything and give the sensor back; also when it has been unplugged.
+        """Stop everything and release the sensor, also when it has been unplugged.
 
         Raises
         ------
@@ -307,7 +317,7 @@ class OpenSensor:
 
 
 def _arrived(posture: Posture, tilt_deg: float) -> bool:
-    """Tell whether a motor stands; where the model does not say, whether it is where it should."""
+    """Return whether a motor has stopped; if unknown, whether it is at its target."""
     if posture.moving is not None:
         return not posture.moving
     return posture.tilt_deg is not None and abs(posture.tilt_deg - tilt_deg) < 1.0
@@ -326,7 +336,7 @@ def _poll(stream: Stream | None) -> Frame | None:
 
 
 def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
-    """Keep the middle rows; an even number is cut, so that the colours keep their places."""
+    """Keep the middle rows; an even number is cut, so that the Bayer pattern stays the same."""
     cut = (len(mosaic) - height) // 4 * 2
     return np.ascontiguousarray(mosaic[cut : cut + height])
 
@@ -337,11 +347,11 @@ def _found(info: SensorInfo) -> DetectedSensor:
 
 
 def infrared_picture(frame: Frame) -> ByteArray | None:
-    """Give the infrared picture (480, 640) uint8 of a frame; None when it is one of colour.
+    """Return the infrared picture (480, 640) uint8 of a frame; None for a colour frame.
 
-    Of its 488 rows the upper 480, which the known shift to the depth image holds for; its darkest
-    black and its brightest white, because with the emitter covered a board fills a few of the ten
-    bits only.
+    Of the 488 rows the upper 480 are kept, for which the known shift to the depth image holds. The
+    contrast is stretched from the darkest to the brightest pixel, because with the emitter covered
+    a board uses only a few of the ten bits.
     """
     if frame.mode is not IR_640:
         return None
@@ -351,5 +361,5 @@ def infrared_picture(frame: Frame) -> ByteArray | None:
 
 
 def raw_image(frame: Frame) -> RawArray:
-    """Give the raw numbers (480, 640) of a depth frame."""
+    """Return the raw numbers (480, 640) uint16 of a depth frame."""
     return np.asarray(frame.image, np.uint16)

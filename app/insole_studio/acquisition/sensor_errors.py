@@ -1,4 +1,4 @@
-"""What can go wrong with sensors, in the words of the driver."""
+"""Errors of sensors, with the driver's messages."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
 
 
 class SensorError(InsoleError):
-    """A sensor is not there, cannot be used, or stopped working."""
+    """A sensor is missing, cannot be used, or stopped working."""
 
 
 class NoSensorFoundError(SensorError):
-    """No sensor is plugged in, or not the one that was asked for."""
+    """No sensor is plugged in, or not the requested one."""
 
 
 class BusFullError(SensorError):
@@ -29,7 +29,7 @@ _KINDS: tuple[tuple[type[KinectError], type[SensorError]], ...] = (
 
 @contextmanager
 def translating() -> Iterator[None]:
-    """Turn the driver's errors, whose texts are sentences already, into the application's."""
+    """Convert the driver's errors, whose messages are sentences already, to the application's."""
     try:
         yield
     except KinectError as error:

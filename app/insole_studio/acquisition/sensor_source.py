@@ -1,4 +1,4 @@
-"""Where one captures: at this computer's own sensors, or at those that a session plays."""
+"""Where captures come from: the sensors of this computer, or those that a session plays."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from kinect_v1.usb_bus import UsbBus, system_bus
 
 @dataclass(frozen=True)
 class SensorSource:
-    """Makes rig and workplace; small enough to go to another process.
+    """Creates rig and capture setup; small enough to be passed to another process.
 
     Parameters
     ----------
     stored
-        The calibrated sensors of this computer.
+        Calibrations kept on this computer.
     emulate
-        A recorded session whose frames play as live sensors; None for the real ones.
+        A recorded session whose frames are played as live sensors; None for real ones.
     system_file
-        Of the reference system; None is the usual one.
+        File of the reference system; None selects the bundled one.
     """
 
     stored: SensorFiles
@@ -41,23 +41,23 @@ class SensorSource:
 
     @cached_property
     def session(self) -> Session | None:
-        """The session that is emulated."""
+        """Return the emulated session, if any."""
         return None if self.emulate is None else read_session(self.emulate)
 
     @cached_property
     def emulated_rig(self) -> EmulatedRig | None:
-        """The emulated sensors."""
+        """Return the emulated sensors, if any."""
         return None if self.session is None else EmulatedRig(self.session)
 
     def rig(self) -> Rig:
-        """Find the sensors' bus, or make the emulated one.
+        """Find the sensors' bus, or create the emulated one.
 
         Raises
         ------
         InputError
             When the session cannot be read.
         SensorError
-            When there is no libusb.
+            When libusb is missing.
         """
         if self.emulated_rig is not None:
             return Rig(UsbBus(self.emulated_rig.bus))
@@ -65,7 +65,7 @@ class SensorSource:
             return Rig(system_bus())
 
     def setup(self) -> CaptureSetup:
-        """Describe the room.
+        """Return the capture setup.
 
         Raises
         ------
@@ -76,15 +76,15 @@ class SensorSource:
         return own_setup(self.stored, self.system_file)
 
     def usual_views(self) -> tuple[tuple[str, str], ...]:
-        """Give view and serial number of each emulated view; nothing for real sensors."""
+        """Return view and serial number of each emulated view; empty for real sensors."""
         return () if self.session is None else emulated_views(self.session)
 
     def usual_bursts(self) -> int:
-        """Give how many series a view emulated sensors have; one for real sensors."""
+        """Return the number of bursts per view of emulated sensors; one for real sensors."""
         return 1 if self.session is None else emulated_bursts(self.session)
 
     def put(self, step: CaptureStep) -> None:
-        """Put emulated sensors where a step wants them; real ones somebody has put there."""
+        """Move emulated sensors to the positions of a step; the user has moved real ones."""
         if self.emulated_rig is not None:
             for shot in step.shots:
                 self.emulated_rig.put(shot.serial, shot.place)

@@ -1,4 +1,4 @@
-"""The window's end of the capture service."""
+"""The window's client of the capture service."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ _PATIENCE_S = 5.0
 
 
 class CaptureService:
-    """Starts the service, sends it orders, and gives its news and the newest pictures.
+    """Starts the service, sends it commands, and receives its events and the newest pictures.
 
     Parameters
     ----------
     source
-        Where the sensors are.
+        Provides the sensors; used in the service's process.
     """
 
     def __init__(self, source: SensorSource) -> None:
-        # Not forked: a copy of a program with threads and a window would not be safe.
+        # Not forked: forking a program with threads and a window is not safe.
         context = multiprocessing.get_context("spawn")
         self._connection, theirs = context.Pipe()
         self._board = SharedFrameBuffer(context)
@@ -38,7 +38,7 @@ class CaptureService:
         self._ended = self._closed = False
 
     def send(self, command: Command) -> None:
-        """Give an order; a service that is gone takes none."""
+        """Send a command; does nothing if the service has ended."""
         if not self._ended:
             try:
                 self._connection.send(command)
@@ -46,7 +46,7 @@ class CaptureService:
                 self._ended = True
 
     def news(self) -> list[Event]:
-        """Give what has happened since the last time; never waits."""
+        """Return the events since the last call, without waiting."""
         events: list[Event] = []
         try:
             while not self._ended and self._connection.poll():
@@ -60,11 +60,19 @@ class CaptureService:
         return events
 
     def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
-        """Give the newest picture of a sensor if it is newer than number `after`."""
+        """Return the newest picture of a sensor if its number is larger than `after`.
+
+        Parameters
+        ----------
+        slot
+            Index of the sensor in the shared frame buffer.
+        after
+            Number of the last picture that was seen.
+        """
         return self._board.read(slot, kind, after)
 
     def close(self) -> None:
-        """End the service; it switches every emitter off first. Does nothing the second time."""
+        """End the service, which first switches every emitter off; a second call does nothing."""
         if self._closed:
             return
         self._closed = True

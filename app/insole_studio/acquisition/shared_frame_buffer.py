@@ -1,7 +1,7 @@
-"""The newest pictures of every sensor in shared memory: written by one process, read by another.
+"""The newest pictures of every sensor in shared memory: one process writes, another reads.
 
-Each picture has three places that are written in turn, so the reader always finds a whole one and
-neither side ever waits for the other.
+Each picture has three slots that are written in turn, so the reader always finds a complete one
+and neither side ever waits for the other.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _COUNT, _HEIGHT, _WIDTH = range(3)
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture from the board.
+    """A picture from the buffer.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class Picture:
         (height, width) uint16 raw numbers, (height, width, 3) uint8, RGB, or (height, width) uint8,
         infrared.
     number
-        Grows with every picture.
+        Increases with every picture.
     """
 
     image: NDArray[Any]
@@ -44,12 +44,12 @@ class Picture:
 
 
 class SharedFrameBuffer:
-    """Shared memory; give it to the other process when that is started.
+    """Shared memory for pictures; pass it to the other process when that is started.
 
     Parameters
     ----------
     context
-        Of multiprocessing.
+        The `multiprocessing` context.
     """
 
     def __init__(self, context: BaseContext) -> None:
@@ -60,17 +60,30 @@ class SharedFrameBuffer:
         )
 
     def write(self, sensor: int, image: RawArray | ByteArray) -> None:
-        """Show a picture of sensor number `sensor`; of what, its shape and numbers say."""
+        """Write a picture of sensor number `sensor`; shape and dtype determine its kind.
+
+        Parameters
+        ----------
+        image
+            Depth (480, 640) uint16 raw, colour (height, width, 3) uint8, RGB, or infrared
+            (height, width) uint8.
+        """
         kind = _kind(image)
         head = self._heads()[sensor, _KINDS.index(kind)]
         count = int(head[_COUNT]) + 1
         place = self._place(sensor, kind, count)
         place[: image.nbytes] = np.ascontiguousarray(image).reshape(-1).view(np.uint8)
         head[_HEIGHT], head[_WIDTH] = image.shape[:2]
-        head[_COUNT] = count  # at last: only now does the reader look there
+        head[_COUNT] = count  # last: only now does the reader look there
 
     def read(self, sensor: int, kind: Kind, after: int = 0) -> Picture | None:
-        """Give a copy of the newest picture if its number is larger than `after`."""
+        """Return a copy of the newest picture if its number is larger than `after`, else None.
+
+        Parameters
+        ----------
+        after
+            Number of the last picture that was seen.
+        """
         head = self._heads()[sensor, _KINDS.index(kind)]
         while True:
             count = int(head[_COUNT])
@@ -79,7 +92,7 @@ class SharedFrameBuffer:
             height, width = int(head[_HEIGHT]), int(head[_WIDTH])
             size = height * width * _BYTES_PER_PX[kind]
             copied = self._place(sensor, kind, count)[:size].copy()
-            if int(head[_COUNT]) < count + _PLACES - 1:  # else it was written over meanwhile
+            if int(head[_COUNT]) < count + _PLACES - 1:  # otherwise it was overwritten meanwhile
                 return Picture(_shaped(copied, kind, height, width), count)
 
     def _heads(self) -> NDArray[np.int64]:

@@ -1,4 +1,4 @@
-"""When the depth of a sensor is steady after emitters were switched."""
+"""Detects when the depth of a sensor is steady after emitters were switched."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from insole_core.sensing.disparity import NO_READING
 
 @dataclass(frozen=True)
 class StabilisationRule:
-    """When the count of valid pixels is steady.
+    """The rule for when the count of valid pixels is steady.
 
-    The time that a projector needs is not documented, so it is measured each time. The frames by
-    which steadiness is noticed are good frames themselves, and are kept.
+    The time that a projector needs is not documented, so it is measured each time. The frames that
+    prove the depth steady are good frames themselves and are kept.
 
     Parameters
     ----------
     frames
-        Over so many consecutive frames …
+        Number of consecutive frames over which the count is compared.
     tolerance
-        … the count changes by no more than this share.
+        Largest relative change of the count over these frames.
     most_s
-        The longest wait; then the frames are taken as they are, with a warning.
+        The longest wait; after it the frames are used as they are, with a warning.
     """
 
     frames: int = 5
@@ -43,13 +43,12 @@ class _Held(NamedTuple):
 
 
 class Stabilisation:
-    """Holds frames back until they are steady, then gives every one.
+    """Holds frames back until they are steady, then returns every one.
 
     Parameters
     ----------
-    rule
     started_s
-        On the clock of the frames: earlier ones saw other emitters and are left out.
+        On the clock of the frames; earlier frames saw other emitters and are dropped.
     """
 
     def __init__(self, rule: StabilisationRule, started_s: float) -> None:
@@ -57,11 +56,18 @@ class Stabilisation:
         self._started_s = started_s
         self._held: deque[_Held] = deque(maxlen=rule.frames)
         self.settled_after_s: float | None = None
-        """From the start to the first frame that is used; None before."""
+        """Time from the start to the first frame used; None before that."""
         self.timed_out = False
 
     def add(self, image: RawArray, time_s: float) -> list[RawArray]:
-        """Take the next frame; give those that can be used now, the oldest first."""
+        """Add a frame; return those that can be used now, the oldest first.
+
+        Parameters
+        ----------
+        image : (480, 640) uint16, raw
+        time_s
+            When the frame arrived, on the clock of `started_s`.
+        """
         if self.settled_after_s is not None:
             return [image]
         if time_s <= self._started_s:

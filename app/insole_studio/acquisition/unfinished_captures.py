@@ -1,4 +1,4 @@
-"""Captures that were not brought to an end: what they kept is offered again."""
+"""Captures that were not completed: their views are offered again."""
 
 from __future__ import annotations
 
@@ -14,15 +14,14 @@ from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 @dataclass(frozen=True, eq=False)
 class UnfinishedCapture:
-    """What a capture has left.
+    """What an unfinished capture left behind.
 
     Parameters
     ----------
-    folder
     manifest
-        With the views that are finished.
+        The manifest with the finished views.
     request
-        What was to be captured.
+        What was to be captured, as requested at the start.
     """
 
     folder: Path
@@ -31,16 +30,16 @@ class UnfinishedCapture:
 
     @property
     def order(self) -> tuple[str, ...]:
-        """All views that were wanted."""
+        """Return all requested views in order."""
         return self.request.plan().views
 
     def discard(self) -> None:
-        """Remove it for ever."""
+        """Remove it permanently."""
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
 def newest_unfinished_capture(folder: Path) -> UnfinishedCapture | None:
-    """Find what the last unfinished capture has left in the folder for drafts."""
+    """Return the latest unfinished capture in the folder for drafts; None if there is none."""
     found = [draft for path in folder.glob("*/manifest.json") if (draft := _read(path.parent))]
     return max(found, key=lambda draft: draft.manifest.recorded_at, default=None)
 

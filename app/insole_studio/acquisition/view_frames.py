@@ -1,4 +1,4 @@
-"""The frames of one view as they come, and what they say of themselves when they are there."""
+"""The frames of one view as they arrive, and checks on them once complete."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from insole_studio.acquisition.stabilisation import Stabilisation
 
 _LEAST_VALID_SHARE = 0.01
 _MOVED_RAW = 4.0
-"""Twice the depth steps at 1 m, and far above the noise of a median of some frames."""
+"""Twice the depth step at 1 m, and far above the noise of a median of several frames."""
 _MOVED_SHARE = 0.1
 _CHECK_STEP_PX = 3
-"""Every ninth pixel tells whether something moved."""
+"""Every ninth pixel shows whether something moved."""
 
 
 class Beginning(NamedTuple):
-    """What is known when a series begins.
+    """The state when a series begins.
 
     Parameters
     ----------
     switched_s
         When the emitters were switched, `time.monotonic()`.
     clear_s
-        Until when frames were still exposed by the emitters as they were before.
+        Until when frames were still exposed with the previous emitters on.
     discarded
-        Frames of the sensor that had arrived damaged before.
+        Number of frames of the sensor that had arrived damaged before.
     """
 
     switched_s: float
@@ -43,15 +43,7 @@ class Beginning(NamedTuple):
 
 
 class Series:
-    """Collects the frames of one shot.
-
-    Parameters
-    ----------
-    shot
-    sensor
-    plan
-    beginning
-    """
+    """Collects the frames of one shot."""
 
     def __init__(
         self, shot: Shot, sensor: OpenSensor, plan: CapturePlan, beginning: Beginning
@@ -68,22 +60,29 @@ class Series:
 
     @property
     def settled(self) -> bool:
-        """Whether frames are used by now."""
+        """Whether the depth is steady and frames are being used."""
         return self.stabilisation.settled_after_s is not None
 
     @property
     def complete(self) -> bool:
-        """Whether all frames are there."""
+        """Whether all frames have arrived."""
         plan = self._plan
         return len(self.depth) >= plan.frames and self.color_count >= plan.color_frames
 
     @property
     def discarded(self) -> int:
-        """Depth frames that arrived damaged since the start."""
+        """Return the number of depth frames that arrived damaged since the start."""
         return self.sensor.discarded - self._beginning.discarded
 
     def take_depth(self, image: RawArray, time_s: float) -> list[tuple[int, RawArray]]:
-        """Take a depth frame; give the ones that are used now, with their numbers."""
+        """Add a depth frame; return the numbers and images of the frames that can be used now.
+
+        Parameters
+        ----------
+        image : (480, 640) uint16, raw
+        time_s
+            When it arrived, `time.monotonic()`.
+        """
         if time_s <= self._beginning.clear_s:
             return []
         missing = self._plan.frames - len(self.depth)
@@ -93,11 +92,19 @@ class Series:
         return list(enumerate(used, start=first))
 
     def wants_color(self, time_s: float) -> bool:
-        """Whether a colour frame of some time is used; no emitter disturbs colour."""
+        """Return whether a colour frame of that time is used; emitters do not disturb colour."""
         return time_s > self._beginning.switched_s and self.color_count < self._plan.color_frames
 
     def status(self, finished: bool = False, warnings: tuple[str, ...] = ()) -> ViewStatus:
-        """Say how far it is."""
+        """Return the progress of the view.
+
+        Parameters
+        ----------
+        finished
+            Whether the view is complete on the disk.
+        warnings
+            Sentences about what was captured.
+        """
         shot = self.shot
         return ViewStatus(
             shot.view,
@@ -110,7 +117,7 @@ class Series:
         )
 
     def check(self) -> tuple[str, ...]:
-        """Say what is doubtful about the frames, a sentence each."""
+        """Return what is doubtful about the frames, one sentence each."""
         view, warnings = self.shot.view, []
         if self.stabilisation.timed_out:
             warnings.append(
@@ -162,13 +169,13 @@ class Series:
 
 
 def poll_depth(sensor: OpenSensor) -> tuple[RawArray, float] | None:
-    """Give the next depth image of a sensor with the time of its arrival, if one waits."""
+    """Return the next depth image of a sensor and its arrival time, if one is waiting."""
     frame = sensor.poll_depth()
     return None if frame is None else (raw_image(frame), frame.host_time_s)
 
 
 def _moved_share(frames: list[RawArray]) -> float:
-    """Share of the pixels that measured in both halves of a series and changed between them."""
+    """Return the fraction of pixels valid in both halves of a series that changed between them."""
     half = len(frames) // 2
     if half < 2:
         return 0.0

@@ -1,4 +1,4 @@
-"""The board that pictures show, as arguments of a command."""
+"""Arguments that describe the calibration board in the pictures."""
 
 from __future__ import annotations
 
@@ -15,7 +15,13 @@ _SIZE = re.compile(r"(\d{1,3})[x×](\d{1,3})")
 
 
 def add_board_arguments(parser: argparse.ArgumentParser, required: bool = True) -> None:
-    """Declare the board."""
+    """Add the arguments that describe the board.
+
+    Parameters
+    ----------
+    required
+        Whether the board must be described.
+    """
     parser.add_argument(
         "--board", required=required, metavar="10x7",
         help="inner corners of the chequerboard, a row has one less than squares; "
@@ -33,12 +39,12 @@ def add_board_arguments(parser: argparse.ArgumentParser, required: bool = True) 
 
 
 def board_of(arguments: argparse.Namespace) -> Board:
-    """Give the board of a call.
+    """Return the board that the arguments describe.
 
     Raises
     ------
     UsageError
-        When its size cannot be read, or cannot be.
+        When its size cannot be parsed, or is impossible.
     """
     from insole_core.calibration.boards.board import Charuco, Chequerboard
 

@@ -1,4 +1,4 @@
-"""``insole-studio calibrate``: turn a sensor from the box into a measuring device."""
+"""``insole-studio calibrate``: calibrate a new sensor."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ STEPS: tuple[Command, ...] = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the steps, in the order in which a technician does them."""
+    """Add the steps, in the order in which a technician performs them."""
     add_steps(parser, STEPS, "STEP")
 
 

@@ -1,4 +1,4 @@
-"""``insole-studio capture``: from the sensors to a session on the disk."""
+"""``insole-studio capture``: record a session with the sensors."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ HELP = "capture a foot with the sensors, one after the other or all at once, as 
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("--out", type=Path, required=True, metavar="SESSION", help="folder or .zip")
     parser.add_argument(
         "--views", nargs="+", metavar="VIEW=SERIAL",
@@ -59,7 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Capture every view, then put the session in its place."""
+    """Capture every view, then move the session to its destination."""
     _check_out(arguments.out)
     from insole_studio.acquisition.capture_runner import (
         CaptureCallbacks,
@@ -114,7 +114,7 @@ def _left_draft(folder: Path) -> Draft:
 def _request(
     arguments: argparse.Namespace, source: SensorSource, found: int, left: Draft | None
 ) -> PlanRequest:
-    """Give what is to be captured: as the call says, else as it was begun, else as it is played."""
+    """Return what to capture: by the arguments, else as begun, else as in the emulated session."""
     from insole_studio.acquisition.capture_plan import parse_assignment
     from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
@@ -176,7 +176,7 @@ def _manifest(arguments: argparse.Namespace, source: SensorSource, setup: Captur
 
 
 def _wait_for_hand(source: SensorSource, step: CaptureStep) -> None:
-    """Ask for a sensor to be moved; emulated ones need no hand."""
+    """Ask the user to move a sensor; emulated sensors need nobody."""
     from insole_studio.acquisition.capture_runner import hand_sentence
 
     if source.emulated_rig is not None:
@@ -191,7 +191,7 @@ def _wait_for_hand(source: SensorSource, step: CaptureStep) -> None:
 
 
 def _with_draft(error: InsoleError, draft: Draft) -> InsoleError:
-    """Say where the finished views are, if there are any."""
+    """Add to the error where the finished views are, if there are any."""
     if not draft.views:
         return error
     return type(error)(f"{error} Go on with --resume {draft.folder}")

@@ -1,4 +1,4 @@
-"""``insole-studio compare``: how far two surfaces differ, without a window."""
+"""``insole-studio compare``: measure how far two surfaces differ, without a window."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ HELP = "measure how far two surfaces differ: feet, insoles, scans of moulds"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     for name in "ab":
         parser.add_argument(
             name,
@@ -44,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read both, lay B on A, measure, write."""
+    """Read both surfaces, align B with A, measure the difference and write it."""
     _check_call(arguments)
     from insole_core.compare.comparison import compare_surfaces
     from insole_core.compare.comparison_paper import write_report

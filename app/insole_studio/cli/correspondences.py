@@ -1,4 +1,4 @@
-"""Points that both images show: corners of a board, or a file of marked points."""
+"""Points seen in both images: corners of a board, or a file of marked points."""
 
 from __future__ import annotations
 
@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 def read_correspondences(
     arguments: argparse.Namespace, sensor: Sensor, progress: Progress
 ) -> list[Correspondence]:
-    """Read the points that a call names.
+    """Read the points that the arguments name.
+
+    Returns
+    -------
+    list of Correspondence
+        Pairs of a colour and a depth point.
 
     Raises
     ------

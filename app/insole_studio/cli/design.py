@@ -1,4 +1,4 @@
-"""``insole-studio design``: a foot becomes an insole, without a window."""
+"""``insole-studio design``: build an insole from a foot, without a window."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HELP = "make the insole of a session or a scanned foot, for the shop"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument(
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the foot, build the insole, write it."""
+    """Read the foot, build the insole and write it."""
     from insole_core.export.solid_file import check_suffix
 
     check_suffix(arguments.out)
@@ -72,7 +72,7 @@ def _insole(
     arguments: argparse.Namespace,
     progress: Progress,
 ) -> Insole:
-    """Read a foot and build its insole, saying what is remarkable about both."""
+    """Read a foot and build its insole, printing the warnings about both."""
     from insole_core.insole.build import build_insole
 
     design = _read_prescription(prescription)
@@ -90,7 +90,7 @@ def _read_prescription(path: Path | None) -> InsoleDesign | None:
 
 
 def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
-    """Give the side that the call and the prescription name, if they name one."""
+    """Return the side that the arguments and the prescription agree on, if they name one."""
     if design is None:
         return side
     if side not in (None, design.side):
@@ -102,7 +102,7 @@ def _agreed_side(side: Side | None, design: InsoleDesign | None) -> Side | None:
 
 
 def _print_warnings(insole: Insole) -> None:
-    """Say what is unusual in the prescription, by the rules of the clinic."""
+    """Print what is unusual in the prescription, by the rules of the clinic."""
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.insole.prescription.clinic_rules import design_warnings, load_rules
 

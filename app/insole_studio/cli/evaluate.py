@@ -1,4 +1,4 @@
-"""``insole-studio evaluate``: prove what a sensor measures, and judge it by limits."""
+"""``insole-studio evaluate``: measure a sensor's accuracy and check it against limits."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ KINDS: tuple[Command, ...] = (wall, resolution, alignment, known_object, artefac
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the kinds of evaluation."""
+    """Add the kinds of evaluation."""
     add_steps(parser, KINDS, "KIND")
 
 

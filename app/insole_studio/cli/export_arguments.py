@@ -1,4 +1,4 @@
-"""What `insole-studio design` hands to the shop: the solid, checked, with its papers."""
+"""What `insole-studio design` delivers to the workshop: the checked solid with its documents."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare how the solid is made and what comes with it."""
+    """Add the options of the solid and of the files that accompany it."""
     shape = parser.add_argument_group("make")
     shape.add_argument("--draft", type=float, default=3.0, metavar="DEG", help="lean of the walls")
     shape.add_argument("--chamfer", type=float, default=0.0, metavar="MM", help="bevel of the rim")
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def places(arguments: argparse.Namespace) -> ExportPaths:
-    """Give the places that the call names."""
+    """Return the paths that the arguments name."""
     from insole_core.solids.export_job import ExportPaths
 
     return ExportPaths(
@@ -63,7 +63,7 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
 
 
 def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths]:
-    """Open every place before the work begins; nothing stays if it fails."""
+    """Open every output file before the work begins; if the work fails, none is kept."""
     from insole_core.solids.export_job import outputs as open_places
 
     if arguments.layers and arguments.out.suffix.lower() != ".3mf":
@@ -77,7 +77,13 @@ def deliver(
     beside: ExportPaths,
     progress: Progress,
 ) -> None:
-    """Make the solids, check them, and write everything that is wanted."""
+    """Build the solids, check them, and write everything that was requested.
+
+    Parameters
+    ----------
+    beside
+        Paths of the files that accompany the solid.
+    """
     from insole_core.solids import export_job
     from insole_core.solids.shop import read_shop
 

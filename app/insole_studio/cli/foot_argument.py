@@ -1,4 +1,4 @@
-"""FOOT of the command line: a session, or a mesh and its side."""
+"""The argument FOOT: a session, or a mesh and its side."""
 
 from __future__ import annotations
 
@@ -14,7 +14,14 @@ if TYPE_CHECKING:
 
 
 def read_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> Foot:
-    """Give the foot of a session or a mesh; what is to be said about it goes to stderr.
+    """Return the foot of a session or a mesh; warnings about it go to stderr.
+
+    Parameters
+    ----------
+    side
+        Needed for a mesh; for a session it has to agree.
+    force
+        Continue even if the shape is that of the other foot.
 
     Raises
     ------

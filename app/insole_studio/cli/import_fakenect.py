@@ -1,4 +1,4 @@
-"""``insole-studio import-fakenect``: recordings of libfreenect as a session."""
+"""``insole-studio import-fakenect``: turn recordings of libfreenect into a session."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _VIEW = re.compile(r"(?:([a-z0-9_]{1,32})=)?(.+)")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument(
         "recordings", nargs="+", metavar="[VIEW=]DIR",
         help="a folder with INDEX.txt; by default the views are named left, right, top",
@@ -57,7 +57,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _named(texts: list[str]) -> list[tuple[str, Path]]:
-    """Give view and folder of each recording."""
+    """Return view and folder of each recording."""
     usual = iter(("left", "right", "top"))
     named: list[tuple[str, Path]] = []
     for text in texts:

@@ -1,7 +1,7 @@
-"""The command line: the window without arguments, and commands that need no display.
+"""The command line: without arguments the window, and commands that need no display.
 
 Progress goes to stderr; on failure the last line there says what is wrong, where, and what to do.
-Exit codes: 0 success, 2 a wrong call, 1 anything else.
+Exit codes: 0 success, 2 usage error, 1 any other error.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ COMMANDS: tuple[Command, ...] = (
 
 
 def run(arguments: list[str]) -> int:
-    """Run one call and give its exit code."""
+    """Run one command and return its exit code."""
     signal.signal(signal.SIGTERM, _interrupt)
     try:
         parsed = _parser().parse_args(arguments)
@@ -92,5 +92,5 @@ def _print_progress(fraction: float, text: str) -> None:
 
 
 def _interrupt(_signal: int, _frame: object) -> NoReturn:
-    """End like Ctrl-C does, so that half-written files are taken away."""
+    """Stop as on Ctrl-C, so that partly written files are removed."""
     raise KeyboardInterrupt

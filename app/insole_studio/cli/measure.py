@@ -1,4 +1,4 @@
-"""``insole-studio measure``: the measures and landmarks of a foot, without a window."""
+"""``insole-studio measure``: measurements and landmarks of a foot, without a window."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ HELP = "measure a session or a scanned foot, and find its landmarks"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument(
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the foot, measure it, write the report."""
+    """Read the foot, measure it and write the report."""
     if arguments.report.suffix.lower() != ".json":
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
     if arguments.csv is not None and arguments.csv.suffix.lower() != ".csv":
@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[Foot]:
-    """Read the foot and, where it is wanted, the other one."""
+    """Read the foot and, if requested, the other one."""
     side = None if arguments.side is None else Side(arguments.side)
     if arguments.other is None:
         return [read_foot(arguments.foot, side, arguments.force, progress)]
@@ -107,7 +107,7 @@ def _rounded(value: float | None) -> float | None:
 
 
 def report(foot: Foot) -> dict[str, Any]:
-    """Measures in mm and degrees; landmarks in the frame that the scan came in."""
+    """Return measurements in mm and degrees, and landmarks in the frame of the input scan."""
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.foot.measures import DEFINITIONS, MISSING, deviations_mm, doubts, measure
     from insole_core.geometry.transforms import inverse, transform

@@ -1,4 +1,4 @@
-"""``insole-studio reconstruct``: a recorded session becomes a coloured foot."""
+"""``insole-studio reconstruct``: turn a recorded session into a coloured foot."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LIMITS = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("session", type=Path, metavar="SESSION", help="folder or .zip")
     parser.add_argument("--out", type=Path, required=True, metavar="foot.ply")
     parser.add_argument(
@@ -38,11 +38,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read, reconstruct, write."""
+    """Read the session, reconstruct the foot and write it."""
     if arguments.out.suffix.lower() != ".ply":
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
     start = time.perf_counter()
-    # Imported here, so that a wrong call answers at once.
+    # Imported here, so that usage errors are reported at once.
     from insole_core.export.atomic import replacing_file
     from insole_core.export.ply import write_ply
     from insole_core.foot.side_check import side_doubt
@@ -70,7 +70,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _given_limits(arguments: argparse.Namespace) -> dict[str, Any]:
-    """Give the limits that the call names, by their names in the core."""
+    """Return the limits that the arguments set, by their names in the core."""
     given = {}
     for name, _unit, _what in LIMITS:
         value = getattr(arguments, f"largest_{name.replace('-', '_')}")

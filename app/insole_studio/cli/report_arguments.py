@@ -1,4 +1,4 @@
-"""Where the reports of a command go, and the limits that judge them."""
+"""Arguments for the reports of a command and the limits that they are judged by."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from insole_core.evaluation.report import ReportSection
 
 BUNDLED = Path()
-"""Stands for the limits that come with the product."""
+"""Stands for the bundled limits."""
 
 
 def add_report_argument(parser: argparse.ArgumentParser) -> None:
-    """Declare the reports."""
+    """Add the reports."""
     parser.add_argument(
         "--report", type=Path, nargs="+", default=[], metavar="report.html",
         help="write a report, as .html, .pdf or .json by its name; several may be named",
@@ -25,7 +25,13 @@ def add_report_argument(parser: argparse.ArgumentParser) -> None:
 
 
 def add_limit_arguments(parser: argparse.ArgumentParser, judged_by_default: bool) -> None:
-    """Declare the limits; an acceptance test is judged even when none are named."""
+    """Add the limits.
+
+    Parameters
+    ----------
+    judged_by_default
+        Whether the bundled limits apply if none are named, as in an acceptance test.
+    """
     parser.add_argument(
         "--limits", type=Path, nargs="?", const=BUNDLED, metavar="limits.json",
         default=BUNDLED if judged_by_default else None,
@@ -38,7 +44,7 @@ def add_limit_arguments(parser: argparse.ArgumentParser, judged_by_default: bool
 
 
 def check_reports(arguments: argparse.Namespace) -> None:
-    """Refuse names in which no report is written, before any work is done.
+    """Reject report names of an unknown format, before any work is done.
 
     Raises
     ------
@@ -50,12 +56,17 @@ def check_reports(arguments: argparse.Namespace) -> None:
 
 
 def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace) -> None:
-    """Print an evaluation, write its reports, and judge it.
+    """Print an evaluation, write its reports, and check it against the limits.
+
+    Parameters
+    ----------
+    serial
+        Of the evaluated sensor.
 
     Raises
     ------
     CalibrationError
-        When a limit is not kept; the reports are written all the same.
+        When a limit is exceeded; the reports are written nevertheless.
     InsoleError
     """
     from insole_core.evaluation.acceptance_limits import judged

@@ -1,4 +1,4 @@
-"""Which sensors a command works with."""
+"""Arguments that choose the sensors of a command."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 def add_rig_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare what takes the place of sensors, and where the stored calibrations are."""
+    """Add the session that replaces the sensors, and the folder of stored calibrations."""
     add_emulate_argument(parser)
     add_store_argument(parser)
 
 
 def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
-    """Declare the recorded session that takes the place of sensors."""
+    """Add the recorded session that replaces the sensors."""
     parser.add_argument(
         "--emulate", type=Path, metavar="SESSION", default=argparse.SUPPRESS,
         help="play a recorded session as live sensors; no device is needed",
@@ -29,7 +29,13 @@ def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
 def sensor_source_of(
     arguments: argparse.Namespace, system_file: Path | None = None
 ) -> SensorSource:
-    """Give the place of a call."""
+    """Return the sensor source that the arguments select.
+
+    Parameters
+    ----------
+    system_file
+        File of the reference system; None selects the bundled one.
+    """
     from insole_studio.acquisition.sensor_source import SensorSource
 
     return SensorSource(store_of(arguments), arguments.emulate, system_file)

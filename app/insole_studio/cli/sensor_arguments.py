@@ -1,4 +1,4 @@
-"""Which sensor a command is about, and where its calibration is kept."""
+"""Arguments that choose the sensor of a command, and where its calibration is stored."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def add_store_argument(parser: argparse.ArgumentParser) -> None:
-    """Declare where the sensors are kept."""
+    """Add the folder of calibrated sensors."""
     parser.add_argument(
         "--sensors", type=Path, metavar="FOLDER",
         help="holds a folder for each serial number (by default in the user's application data)",
@@ -24,7 +24,7 @@ def add_store_argument(parser: argparse.ArgumentParser) -> None:
 
 
 def add_evaluated_sensor(parser: argparse.ArgumentParser) -> None:
-    """Declare the sensor that an evaluation is about."""
+    """Add the sensor to be evaluated."""
     parser.add_argument("--serial", help="of a calibrated sensor")
     parser.add_argument(
         "--sensor", type=Path, metavar="FOLDER",
@@ -41,14 +41,14 @@ def add_evaluated_sensor(parser: argparse.ArgumentParser) -> None:
 
 
 def store_of(arguments: argparse.Namespace) -> SensorStore:
-    """Give the store of a call."""
+    """Return the sensor store that the arguments select."""
     from insole_core.workflows.calibration.sensor_store import SensorStore, sensors_folder_of_user
 
     return SensorStore(arguments.sensors or sensors_folder_of_user())
 
 
 def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
-    """Give the sensor of an evaluation, with the correction it is to be used with.
+    """Return the sensor to be evaluated, with the selected correction.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""``insole-studio sensors``: which sensors are plugged in, and whether they can be used."""
+"""``insole-studio sensors``: list the sensors that are plugged in, and whether they are usable."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ HELP = "list the sensors: a line each with serial number, model, USB bus, and st
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
     add_rig_arguments(parser)
 
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
-    """Print a line a sensor."""
+    """Print one line for each sensor."""
     rig = sensor_source_of(arguments).rig()
     found = rig.find()
     if arguments.json:

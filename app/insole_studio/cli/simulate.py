@@ -1,4 +1,4 @@
-"""``insole-studio simulate``: write a recorded session of a foot that was never there."""
+"""``insole-studio simulate``: simulate a recorded session."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HELP = "write a simulated session with its true surface and poses"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("out", type=Path, metavar="OUT", help="folder or .zip to write")
     parser.add_argument("--seed", type=int, default=0, help="same seed, same session (default 0)")
     parser.add_argument("--side", choices=[side.value for side in Side], default="left")
@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Simulate and write."""
+    """Simulate a session and write it."""
     from insole_core.recording.writer import write_session
     from insole_core.simulate import SimulationOptions, simulate_session
 

@@ -1,4 +1,4 @@
-"""``insole-studio open``: the window."""
+"""``insole-studio open``: open the window."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ HELP = "open the window, on a case, a session or a scan where one is named (the 
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("path", nargs="?", type=Path, help="a case, a session, or a mesh")
     add_emulate_argument(parser)
 
 
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
-    """Open the window and stay until it is closed."""
+    """Open the window and return when it is closed."""
     from insole_studio.app.bootstrap import run_application
 
     paths = [arguments.path] if arguments.path else []

@@ -1,7 +1,7 @@
-"""A copy of the open case on the disk at any time, and its recovery after a crash.
+"""An autosaved copy of the open case, and its recovery after a crash.
 
-Every running window holds a lock beside its copy. A copy whose lock is free was left by a program
-that did not end on its own: it is offered at the next start.
+Every running window holds a lock file beside its copy. A copy whose lock is free was left by a
+program that crashed: it is offered at the next start.
 """
 
 from __future__ import annotations
@@ -30,15 +30,14 @@ DELAY_MS = 800
 
 @dataclass(frozen=True, eq=False)
 class Recovered:
-    """A case that a dead program left.
+    """A case left behind by a crashed program.
 
     Parameters
     ----------
-    record
     path
-        The file it was open from; None for a case never saved.
+        The file it was opened from; None for a case never saved.
     copies
-        What to remove once the case is safe.
+        The files to remove once the case is safe.
     """
 
     record: CaseRecord
@@ -52,7 +51,7 @@ class Recovered:
 
 
 class Autosave(QObject):
-    """Writes the case a moment after each change, beside the window."""
+    """Writes the case to disk in the background, a moment after each change."""
 
     failed = Signal(object)
 
@@ -74,21 +73,21 @@ class Autosave(QObject):
         case.saved_changed.connect(self._forget_if_saved)
 
     def write_now(self) -> None:
-        """Write at once, in this thread."""
+        """Write at once, in the calling thread."""
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
             _write_copy(self._stem, self._case.record, self._case.path)
 
     def forget(self) -> None:
-        """Remove the copy for good: the user has saved the case, or does not want it."""
+        """Remove the copy permanently: the user has saved the case, or does not want it."""
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         self._wanted = False
 
     def close(self) -> None:
-        """End, once the jobs have ended; unsaved work that nobody gave up stays on the disk."""
-        # A field that loses its focus while the window goes still changes the case.
+        """Stop, after the jobs have ended; unsaved work stays on the disk unless discarded."""
+        # A field that loses focus while the window closes still changes the case.
         self._case.changed.disconnect(self._timer.start)
         self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
@@ -123,7 +122,7 @@ class Autosave(QObject):
 
 
 def find_recovered(folder: Path) -> list[Recovered]:
-    """Give the cases that programs which are not running any more have left, newest first."""
+    """Return the cases left by programs that no longer run, newest first."""
     if not folder.is_dir():
         return []
     found = []
@@ -164,5 +163,5 @@ def _copies(stem: Path) -> tuple[Path, Path]:
 
 def _lock(stem: Path) -> QLockFile:
     lock = QLockFile(str(stem.with_suffix(".lock")))
-    lock.setStaleLockTime(0)  # a lock is stale only when its process is gone
+    lock.setStaleLockTime(0)  # a lock is stale only if its process has ended
     return lock

@@ -1,4 +1,4 @@
-"""The open case: the one place that holds it, changes it and says that it has changed."""
+"""The open case: the one place that holds it, changes it and announces changes."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ class Case(QObject):
     """The record of the open case with its undo history.
 
     `apply` is the only way to change the record; `preview` shows a change that is not made yet,
-    while the hand still moves. Everything else listens.
+    during a drag. Everything else listens.
     """
 
     opened = Signal()
-    """Another case is there."""
+    """Another case was opened."""
     foot_changed = Signal()
-    """Another foot is at hand: of another case, or the other foot of this one."""
+    """Another foot is active: of another case, or the other foot of this one."""
     changed = Signal()
-    """The record is another one: applied, undone, redone."""
+    """The record has changed: applied, undone, redone."""
     preview_changed = Signal()
     """The shown design or annotations changed without a change of the record."""
     selection_changed = Signal()
@@ -47,67 +47,67 @@ class Case(QObject):
         self._selection: str | None = None
         self.path: Path | None = None
         self.author = ""
-        """Who prescribes."""
+        """The prescriber."""
 
     @property
     def record(self) -> CaseRecord:
-        """What is true: what would be saved now."""
+        """Return the record as it would be saved now."""
         return self._record
 
     @property
     def shown(self) -> CaseRecord:
-        """What the views show: the record, or the preview while the hand moves."""
+        """Return what the views show: the record, or the preview during a drag."""
         return self._record if self._shown is None else self._shown
 
     @property
     def foot(self) -> Foot | None:
-        """The foot, once there is one."""
+        """Return the active foot, if there is one."""
         return self._record.foot
 
     @property
     def side(self) -> Side | None:
-        """Which foot."""
+        """Return the side of the active foot."""
         return self._record.side
 
     @property
     def history(self) -> History[CaseRecord]:
-        """For the texts of undo and redo."""
+        """Return the undo history, for the texts of undo and redo."""
         return self._history
 
     @property
     def has_unsaved_changes(self) -> bool:
-        """Whether the record differs from the file; which foot is at hand is no difference."""
+        """Whether the record differs from the file; which foot is active makes no difference."""
         return not self._record.holds_the_same(self._saved_record)
 
     @property
     def is_empty(self) -> bool:
-        """Whether nothing would be lost by leaving this case."""
+        """Whether nothing would be lost by closing this case."""
         return not self._record.feet and self._record.patient == Patient()
 
     def stamped(self, correction: Prescribed) -> Prescribed:
-        """Note who prescribes a correction, and when."""
+        """Return the correction with prescriber and date."""
         now = datetime.now(UTC).isoformat(timespec="seconds")
         return replace(correction, author=self.author, created_at=now)
 
     def apply(self, value: Changeable, sentence: str, merge_key: str = "") -> None:
-        """Change the case and make it one step of undo; ends a preview.
+        """Change the case as one undo step; ends a preview.
 
         Parameters
         ----------
         value
-            The new design or annotations of the foot at hand, the new patient; or a foot, which is
-            added or replaced and comes to hand; or the whole record.
+            The new design or annotations of the active foot; the new patient; a foot, which is
+            added or replaced and becomes active; or the whole record.
         sentence
-            What was done, for the menu: "Move the pelott".
+            What was done, for the undo menu: "Move the pelott".
         merge_key
-            Steps of the same non-empty key that follow each other are one.
+            Consecutive steps with the same non-empty key are merged into one.
         """
         self._shown = None
         after = _with(self._record, value)
         if after is self._record:
             self.preview_changed.emit()
             return
-        # Undo leads to the foot that was changed, also when another was at hand.
+        # Undo returns to the foot that was changed, even if another was active.
         before = self._record if after.at_hand is None else self._record.at(after.at_hand)
         self._history.push(before, after, sentence, merge_key)
         self._set(after)
@@ -125,33 +125,41 @@ class Case(QObject):
             self.preview_changed.emit()
 
     def take_foot(self, side: Side) -> None:
-        """Take the foot of a side to hand; that is no change of the case."""
+        """Make the foot of a side active; that does not change the case."""
         if self._record.at(side) is not self._record:
             self._shown = None
             self._history.end_merging()
             self._put(self._record.at(side))
 
     def undo(self) -> None:
-        """Take the last step back."""
+        """Undo the last step."""
         self._step_to(self._history.undo())
 
     def redo(self) -> None:
-        """Do the last undone step again."""
+        """Redo the step undone last."""
         self._step_to(self._history.redo())
 
     @property
     def selection(self) -> str | None:
-        """The id of the selected correction, the same in all views."""
+        """Return the id of the selected correction, which all views share."""
         return self._selection
 
     def select(self, correction_id: str | None) -> None:
-        """Select a correction, or nothing."""
+        """Select a correction, or none."""
         if correction_id != self._selection:
             self._selection = correction_id
             self.selection_changed.emit()
 
     def open(self, record: CaseRecord, path: Path | None, unsaved: bool = False) -> None:
-        """Put another case here; its history begins anew."""
+        """Replace the case by another one, with an empty history.
+
+        Parameters
+        ----------
+        path
+            The file it was opened from; None for a case never saved.
+        unsaved
+            Whether the record already differs from the file.
+        """
         self._history.clear()
         self._shown = None
         self._selection = None
@@ -164,12 +172,18 @@ class Case(QObject):
         self.saved_changed.emit()
 
     def open_foot(self, foot: Foot, source: ScanSource) -> None:
-        """Begin a design on a new foot alone; the patient stays."""
+        """Begin a design on a new foot alone; the patient stays.
+
+        Parameters
+        ----------
+        source
+            The scan that the foot was made from.
+        """
         record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
         self.open(record, self.path, unsaved=True)
 
     def mark_saved(self, record: CaseRecord, path: Path) -> None:
-        """Note that `record` is what the file holds."""
+        """Note that the file contains `record`."""
         self.path = path
         self._saved_record = record
         self.saved_changed.emit()
@@ -198,7 +212,7 @@ class Case(QObject):
 
 
 def _with(record: CaseRecord, value: Changeable) -> CaseRecord:
-    """Put `value` into the record; the same record when nothing differs."""
+    """Return the record with `value` in it; the same record if nothing differs."""
     match value:
         case CaseRecord():
             return value

@@ -1,4 +1,4 @@
-"""What the open case is called: in the title, as a file, and whose it is."""
+"""Names of the open case: for the title, as a file name, and whose it is."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from insole_studio.texts import tr
 
 
 def case_name(case: Case) -> str:
-    """Call the open case by its file, or its patient."""
+    """Return the name of the case's file, or of its patient."""
     if case.path is not None:
         return case.path.stem
     return case.record.patient.name or tr("New case")
 
 
 def file_stem(case: Case) -> str:
-    """Propose the name of a file, with the side of the foot at hand."""
+    """Return a suggested file name, with the side of the active foot."""
     name = case_name(case) if case.record.patient.name or case.path else "insole"
     side = case.side
     return f"{name}-{side.value}" if side is not None and side.value not in name else name
 
 
 def whose(record: CaseRecord) -> str:
-    """Say whose case it is, and which foot."""
+    """Return whose case it is, and which foot."""
     side = {Side.LEFT: tr("LEFT foot"), Side.RIGHT: tr("RIGHT foot")}
     foot = record.current
     words = (

@@ -1,4 +1,4 @@
-"""Keeps the insole of the open case built: pads at once, everything heavier beside the window."""
+"""Keeps the insole of the open case up to date: pads at once, the rest in the background."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ CHANNEL = "insole"
 
 
 class InsolePreview(QObject):
-    """The insole derived from the shown design, and what keeps it from being made.
+    """The insole derived from the shown design, and the problem that prevents building it.
 
-    A change of a pad is followed at once. What lies below is computed in the background; while
-    that runs, newer wishes wait, and only the newest is computed next.
+    A change of a pad is applied at once. The surface below is computed in the background; while
+    that runs, newer requests wait, and only the newest is computed next.
     """
 
     changed = Signal()
     failed = Signal(object)
-    """The problem is another one; empty when there is none any more."""
+    """The problem has changed; empty if there is none any more."""
 
     def __init__(self, case: Case, jobs: Jobs, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -39,7 +39,7 @@ class InsolePreview(QObject):
         self._jobs = jobs
         self._insole: EditedInsole | None = None
         self.builder = InsoleBuilder()
-        """For all that builds insoles of the open case."""
+        """Shared by all that build insoles of the open case."""
         self.problem = ""
         case.opened.connect(self.builder.forget)
         case.foot_changed.connect(self._forget)
@@ -48,7 +48,7 @@ class InsolePreview(QObject):
 
     @property
     def is_current(self) -> bool:
-        """Whether what is shown is all that the design asks for."""
+        """Whether the shown insole matches the design completely."""
         design, foot = self._case.shown.design, self._case.foot
         if design is None or foot is None:
             return True
@@ -57,59 +57,77 @@ class InsolePreview(QObject):
 
     @property
     def base(self) -> ContactBase | None:
-        """The contact surface before pads and strokes."""
+        """Return the contact surface before pads and strokes."""
         return None if self._insole is None else self._insole.bare.base
 
     @property
     def contact(self) -> HeightField | None:
-        """The contact surface."""
+        """Return the contact surface."""
         return None if self._insole is None else self._insole.contact
 
     @property
     def mesh(self) -> TriangleMesh | None:
-        """What the preview shows; its vertices are written to by the next change of a pad."""
+        """Return the preview mesh; the next change of a pad modifies its vertices in place."""
         return None if self._insole is None else self._insole.mesh
 
     @property
     def normals(self) -> FloatArray | None:
-        """(n, 3) of the mesh's vertices."""
+        """Return the (n, 3) normals of the mesh's vertices."""
         return None if self._insole is None else self._insole.normals
 
     @property
     def moved(self) -> IntArray | None:
-        """The vertices that the last change moved; None when the mesh is another one."""
+        """Return the vertices that the last change moved; None if the mesh was replaced."""
         return None if self._insole is None else self._insole.moved
 
     @property
     def bottom_heights_mm(self) -> FloatArray | None:
-        """(n,) heights of the bottom below the top's vertices."""
+        """Return the (n,) heights of the bottom below the top's vertices."""
         return None if self._insole is None else self._insole.bottom_heights_mm
 
     @property
     def skins(self) -> tuple[TriangleMesh, TriangleMesh] | None:
-        """Top (without pads) and bottom of the trimmed insole."""
+        """Return top (without pads) and bottom of the trimmed insole."""
         return None if self._insole is None else self._insole.bare.skins
 
     @property
     def standing_foot(self) -> TriangleMesh | None:
-        """The foot as the insole holds it: turned by the posting, on the least thickness."""
+        """Return the foot standing on the insole: turned by the posting, at the least thickness."""
         return None if self._insole is None else self._insole.standing_foot
 
     def values_everywhere(self, top: FloatArray, bottom: FloatArray) -> FloatArray:
-        """Give numbers of the top's and the bottom's vertices to all vertices of the mesh."""
+        """Extend values at the top's and the bottom's vertices to all vertices of the mesh.
+
+        Parameters
+        ----------
+        top, bottom : (n,)
+            One value for each vertex.
+        """
         assert self._insole is not None
         return self._insole.values_everywhere(top, bottom)
 
     def height_mm(self, x_mm: float, y_mm: float) -> float:
-        """Height of the contact surface, as near as the grid has it; 0 before there is one."""
+        """Return the height of the contact surface near a place; 0 before one exists.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Place in the insole's plane.
+        """
         return float(self.heights_mm(np.array([x_mm, y_mm])))
 
     def heights_mm(self, xy: FloatArray) -> FloatArray:
-        """Heights at places (..., 2), as near as the grid has them; 0 before there is one."""
+        """Return the heights of the contact surface near places (..., 2); 0 before one exists."""
         return np.zeros(xy.shape[:-1]) if self._insole is None else self._insole.heights_mm(xy)
 
     def covers(self, x_mm: float, y_mm: float) -> bool:
-        """Whether the insole lies under a place."""
+        """Return whether the insole covers a place.
+
+        Parameters
+        ----------
+        x_mm, y_mm
+            Place in the insole's plane.
+        """
         return self._insole is not None and self._insole.covers(x_mm, y_mm)
 
     def _forget(self) -> None:
@@ -154,7 +172,7 @@ class InsolePreview(QObject):
             return self.builder.bare(foot, design, progress)
 
         def take(bare: BareInsole) -> None:
-            self._show(bare, design)  # on the way, if need be: the picture follows the hand
+            self._show(bare, design)  # on the way, if need be: the picture follows the pointer
             self._refresh()
 
         def fail(error: Exception) -> None:
@@ -162,7 +180,7 @@ class InsolePreview(QObject):
                 raise error
             self._set_problem(str(error))
             if self._case.shown.design != design:
-                self._refresh()  # a newer wish has waited
+                self._refresh()  # a newer request has waited
 
         self._jobs.start(CHANNEL, build, take, fail)
 

@@ -1,4 +1,4 @@
-"""The section plane that one looks at the insole through, and what it cuts."""
+"""The section plane through the insole, and the profile that it cuts."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from insole_studio.document.insole_preview import InsolePreview
 
 @dataclass(frozen=True)
 class SectionPlane:
-    """An upright plane through the insole.
+    """A vertical plane through the insole.
 
     Parameters
     ----------
     origin_mm
-        A place (x, y) it passes through; distances along it count from there.
+        A point (x, y) on the plane; the origin of distances along it.
     turn_deg
-        0 cuts across the foot, 90 along it.
+        Rotation about the vertical: 0 cuts across the foot, 90 along it.
     """
 
     origin_mm: tuple[float, float]
@@ -30,20 +30,20 @@ class SectionPlane:
 
     @property
     def along(self) -> FloatArray:
-        """(2,) unit vector in the plane, to the right of its picture."""
+        """Return the (2,) unit vector in the plane, to the right in its picture."""
         angle = np.radians(self.turn_deg)
         return np.array([np.cos(angle), np.sin(angle)])
 
     @property
     def normal(self) -> FloatArray:
-        """(3,) unit vector across the plane."""
+        """Return the (3,) unit normal of the plane."""
         x, y = self.along
         return np.array([-y, x, 0.0])
 
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """What the plane cuts; distances along the plane and heights, mm.
+    """The profile that the plane cuts; distances along the plane and heights, mm.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class Profile:
 
 
 class SectionModel(QObject):
-    """The plane of now, or None; it belongs to the look, not to the case."""
+    """The current section plane, or None; part of the view, not of the case."""
 
     changed = Signal()
 
@@ -68,14 +68,25 @@ class SectionModel(QObject):
         self.plane: SectionPlane | None = None
 
     def show(self, plane: SectionPlane | None) -> None:
-        """Look through another plane."""
+        """Set the section plane; None removes it."""
         if plane != self.plane:
             self.plane = plane
             self.changed.emit()
 
 
 def cut_profile(surface: InsolePreview, plane: SectionPlane) -> Profile | None:
-    """Cut insole and foot; None where the plane misses the insole."""
+    """Cut insole and foot by the plane; return None if it misses the insole.
+
+    Parameters
+    ----------
+    surface
+        The insole and the standing foot.
+
+    Returns
+    -------
+    Profile or None
+        Distances along the plane and heights, mm.
+    """
     line, skins, standing = section_line(surface, plane), surface.skins, surface.standing_foot
     if line is None or skins is None or standing is None:
         return None
@@ -87,7 +98,13 @@ def cut_profile(surface: InsolePreview, plane: SectionPlane) -> Profile | None:
 
 
 def section_line(surface: InsolePreview, plane: SectionPlane) -> FloatArray | None:
-    """Give the cut through the contact surface, (n, 3) mm; None where there is none."""
+    """Return the (n, 3) line, mm, in which the plane cuts the contact surface, or None.
+
+    Returns
+    -------
+    (n, 3) float64, mm, or None
+        None if the plane misses the surface.
+    """
     field, skins = surface.contact, surface.skins
     if field is None or skins is None:
         return None
@@ -105,6 +122,6 @@ def _cut(mesh: TriangleMesh, plane: SectionPlane) -> FloatArray:
 
 
 def _in_plane(points: FloatArray, plane: SectionPlane) -> FloatArray:
-    """Distance along the plane and height of points (..., 3)."""
+    """Return distance along the plane and height of points (..., 3)."""
     distance = (points[..., :2] - np.array(plane.origin_mm)) @ plane.along
     return np.stack([distance, points[..., 2]], axis=-1)

@@ -1,4 +1,4 @@
-"""What stands beside the foot at hand, to be seen and compared: the other foot, or a variant."""
+"""What is shown beside the active foot for comparison: the other foot, or a variant."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _SOLE_PITCH_MM, _SOLE_TO_MM, _SEEN_MM = 1.0, 30.0, 1.5
 
 
 class Beside(StrEnum):
-    """What stands beside the foot at hand."""
+    """The kinds of counterpart."""
 
     NOTHING = "nothing"
     FOOT = "foot"
@@ -36,17 +36,14 @@ class Beside(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Built:
-    """A foot with one of its designs, built to be looked at.
+    """A foot with one of its designs, built for display.
 
     Parameters
     ----------
-    foot
-    design
     contact
-        The upper side of the insole.
-    solid
+        The contact surface of the insole.
     sole
-        Heights of the foot seen from below; NaN where there is none.
+        Heights of the foot seen from below; NaN outside it.
     """
 
     foot: Foot
@@ -57,7 +54,7 @@ class Built:
 
 
 class SideBySide(QObject):
-    """Keeps built, beside the window, what stands beside the foot at hand."""
+    """Builds the counterpart of the active foot in the background and keeps it up to date."""
 
     changed = Signal()
     failed = Signal(object)
@@ -74,13 +71,13 @@ class SideBySide(QObject):
         self._laid: tuple[object, Built, FloatArray] | None = None
         self.kind = Beside.NOTHING
         self.built: Built | None = None
-        """None while it is being built, and where there is nothing to build."""
+        """None while it is being built, and if there is nothing to build."""
         case.foot_changed.connect(self._refresh)
         case.changed.connect(self._refresh)
 
     @property
     def variant(self) -> str:
-        """Name of the variant that stands beside the chosen one; empty for none."""
+        """Return the name of the variant shown beside the chosen one; empty for none."""
         foot = self._case.record.current
         if foot is None or self.kind is not Beside.VARIANT:
             return ""
@@ -91,22 +88,46 @@ class SideBySide(QObject):
 
     @property
     def is_mirrored(self) -> bool:
-        """Whether it has to be mirrored to lie on the foot at hand."""
+        """Whether it has to be mirrored to match the active foot."""
         return self.built is not None and self.built.foot.side is not self._case.side
 
     def show(self, kind: Beside) -> None:
-        """Let something else stand beside the foot at hand."""
+        """Show another counterpart beside the active foot."""
         self.kind = kind
         self.built = None
         self._refresh()
         self.changed.emit()
 
     def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
-        """Heights of the counterpart at places (n, 2) of the foot at hand; NaN beyond it."""
+        """Return the counterpart's heights at places (n, 2) of the active foot; NaN outside it.
+
+        Parameters
+        ----------
+        field
+            Heights of the counterpart.
+        xy : (n, 2)
+            Places of the active foot, mm.
+
+        Returns
+        -------
+        (n,) float64, mm
+            NaN outside the counterpart.
+        """
         return field.height_at(xy * [-1.0, 1.0] if self.is_mirrored else xy)
 
     def heights_under(self, surface: InsolePreview, xy: FloatArray) -> FloatArray:
-        """Heights of the counterpart at the top of the shown insole; kept while pads move."""
+        """Return the counterpart's heights at the vertices of the shown insole's top; cached.
+
+        Parameters
+        ----------
+        xy : (n, 2)
+            Places of the top's vertices, mm.
+
+        Returns
+        -------
+        (n,) float64, mm
+            NaN outside the counterpart.
+        """
         assert self.built is not None
         laid = self._laid
         if laid is None or laid[0] is not surface.base or laid[1] is not self.built:
@@ -115,7 +136,7 @@ class SideBySide(QObject):
         return laid[2]
 
     def sole_of(self, foot: Foot) -> HeightField:
-        """Give the heights of a foot as seen from below; kept, as they take a while."""
+        """Return the heights of a foot as seen from below; cached, as computing them is slow."""
         return foot.derived.get("heights from below", (), lambda: sole_heights(foot))
 
     def _refresh(self) -> None:
@@ -170,18 +191,23 @@ class SideBySide(QObject):
 
 
 def sole_heights(foot: Foot) -> HeightField:
-    """Give the heights of a foot as seen from below."""
+    """Return the heights of a foot as seen from below."""
     grid = grid_over(foot.mesh, _SOLE_PITCH_MM)
     heights = height_map(foot.mesh, grid, from_above=False)
-    heights[heights > _SOLE_TO_MM] = np.nan  # flanks and ankle, seen past the sole
+    heights[heights > _SOLE_TO_MM] = np.nan  # flanks and ankle, visible beyond the sole
     return HeightField(*grid.first_mm, grid.pitch_mm, heights)
 
 
 def insole_difference(surface: InsolePreview, counterpart: SideBySide) -> FloatArray | None:
-    """Height of the shown insole's top over the counterpart's, mm, at the vertices of the top.
+    """Return the height of the shown insole's top over the counterpart's, mm, at its vertices.
 
-    Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN where the
-    counterpart does not reach. None while there is nothing to compare with.
+    Both lie on the same bottom plane, heel on heel and foot axis on foot axis; NaN outside the
+    counterpart. None while there is nothing to compare with.
+
+    Returns
+    -------
+    (n,) float64, mm, or None
+        One difference for each vertex of the top.
     """
     bottom, built = surface.bottom_heights_mm, counterpart.built
     if surface.mesh is None or bottom is None or built is None:
@@ -191,16 +217,21 @@ def insole_difference(surface: InsolePreview, counterpart: SideBySide) -> FloatA
 
 
 def foot_difference(foot: Foot, counterpart: SideBySide) -> FloatArray | None:
-    """Height of the foot's sole over the counterpart's, mm, at its vertices; NaN beside the sole.
+    """Return the height of the sole over the counterpart's, mm, at the vertices; NaN beside it.
 
-    None where the same foot stands beside, or nothing.
+    None if the counterpart is the same foot, or there is none.
+
+    Returns
+    -------
+    (n,) float64, mm, or None
+        One difference for each vertex of the foot.
     """
     built = counterpart.built
     if built is None or built.foot is foot:
         return None
     vertices = foot.mesh.vertices
     over = vertices[:, 2] - counterpart.heights_mm(built.sole, vertices[:, :2])
-    # What lies behind something else is not seen from below.
+    # What is hidden behind something else is not seen from below.
     behind = vertices[:, 2] - counterpart.sole_of(foot).height_at(vertices[:, :2])
     is_sole = (foot.mesh.vertex_normals[:, 2] < -STEEPEST) & (behind < _SEEN_MM)
     return np.where(is_sole, over, np.nan)

@@ -1,4 +1,4 @@
-"""What an action is."""
+"""The definition of an action."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Feature = TypeVar("Feature")
 
 @dataclass(frozen=True)
 class ActionRecord(Generic[Feature]):
-    """One thing the user can do, contributed by the feature that does it.
+    """One action of the user, contributed by the feature that performs it.
 
     Parameters
     ----------
@@ -20,15 +20,15 @@ class ActionRecord(Generic[Feature]):
     text
         For the menu, in the language of the window when called; likewise `tip`.
     run
-        What it does with its feature; toggles and choices get their new state.
+        Called when the action is triggered; toggles and choices receive their new state.
     icon
         Name in `widgets.icons`; empty for none.
     shortcut
         Qt's portable form; empty for none.
     checkable
-        Whether it is on or off.
+        Whether it can be on or off.
     group
-        Of the actions of one group exactly one is on.
+        Exactly one action of a group is on.
     needs_foot
         Whether it makes sense only with an open foot.
     needs_both

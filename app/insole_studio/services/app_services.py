@@ -1,4 +1,4 @@
-"""What all features of the window share."""
+"""The services shared by all features of the window."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, eq=False)
 class AppServices:
-    """The open case, the work beside the window, what is said to the user, and the settings."""
+    """The open case, background jobs, messages to the user, and settings."""
 
     case: Case
     jobs: Jobs
@@ -40,11 +40,17 @@ class AppServices:
         return is_dark(self.settings.theme)
 
     def run(self, channel: str, task: Task[Result], done: Callable[[Result], None]) -> None:
-        """Do long work, then `done` with its result; errors are shown."""
+        """Run a task in the background, then call `done` with its result; errors are shown.
+
+        Parameters
+        ----------
+        channel
+            A new task cancels the earlier one in the same channel.
+        """
         self.jobs.start(channel, task, done, self.messages.show_error)
 
     def save_settings(self) -> None:
-        """Write the settings; a place that cannot be written costs a warning only."""
+        """Write the settings; failing to write costs only a warning."""
         try:
             save_settings(self.settings, self.paths.settings_file)
         except OutputError as error:

@@ -9,7 +9,7 @@ from insole_studio.settings import Theme
 
 
 def is_dark(theme: Theme) -> bool:
-    """Decide by the setting, or by the system where it says so."""
+    """Return whether the theme, or the system if the theme follows it, is dark."""
     if theme == "system":
         return QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
     return theme == "dark"

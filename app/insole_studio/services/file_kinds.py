@@ -1,4 +1,4 @@
-"""Kinds of files as dialogs name them."""
+"""File kinds for file dialogs."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ TEMPLATE_SUFFIX = ".insole-template"
 
 
 def case_kinds() -> str:
-    """Name the files of cases."""
+    """Return the filter for case files."""
     return tr("Insole Studio case") + f" (*{CASE_SUFFIX})"
 
 
 def template_kinds() -> str:
-    """Name the files of templates."""
+    """Return the filter for template files."""
     return tr("Template of a prescription") + f" (*{TEMPLATE_SUFFIX})"
 
 
 def scan_kinds() -> str:
-    """Name archives and meshes."""
+    """Return the filter for archives and meshes."""
     patterns = " ".join(f"*{suffix}" for suffix in (".zip", *MESH_SUFFIXES))
     return tr("Session or mesh") + f" ({patterns})"

@@ -1,4 +1,4 @@
-"""The notices that stand now, and what their buttons do."""
+"""The current notices, and what their buttons do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from insole_studio.widgets.notice_bar import Notice, NoticeBar
 
 
 class Notices(QObject):
-    """Keeps the bar; a notice of a known key takes the place of the one before."""
+    """Maintains the notice bar; a notice replaces an earlier one with the same key."""
 
     def __init__(self, bar: NoticeBar, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -21,23 +21,31 @@ class Notices(QObject):
 
     @property
     def notices(self) -> list[Notice]:
-        """What is shown."""
+        """Return the shown notices."""
         return [notice for notice, _ in self._shown.values()]
 
     def put(
         self, key: str, text: str, offer: str = "", run: Callable[[], object] | None = None
     ) -> None:
-        """Show a notice, with a button that does `run`."""
+        """Show a notice, with a button labelled `offer` that calls `run`.
+
+        Parameters
+        ----------
+        key
+            A later notice with the same key replaces this one.
+        offer
+            Label of the button; without one there is no button.
+        """
         self._shown[key] = Notice(key, text, offer), run
         self._bar.show_notices(self.notices)
 
     def drop(self, key: str) -> None:
-        """Show a notice no more."""
+        """Remove a notice."""
         if self._shown.pop(key, None) is not None:
             self._bar.show_notices(self.notices)
 
     def take(self, key: str) -> None:
-        """Do what a notice offers; it has served then."""
+        """Carry out what a notice offers, and remove it."""
         _, run = self._shown[key]
         self.drop(key)
         if run is not None:

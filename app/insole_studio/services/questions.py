@@ -1,4 +1,4 @@
-"""What the window asks; asked through one object, so that tests can answer."""
+"""Questions to the user; all go through one object, so that tests can answer."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Answer(Enum):
 
 
 class SameSide(Enum):
-    """What to do with a scan of a foot that the case has already."""
+    """What to do with a scan of a foot that the case already has."""
 
     REPLACE = auto()
     NEW_CASE = auto()
@@ -29,7 +29,7 @@ class SameSide(Enum):
 
 
 class Questions:
-    """Every question has verbs on its buttons; None is "never mind"."""
+    """Questions with verbs on their buttons; None means cancelled."""
 
     def __init__(self, parent: QWidget) -> None:
         self._parent = parent
@@ -44,7 +44,7 @@ class Questions:
         return {left: Side.LEFT, right: Side.RIGHT}.get(box.clickedButton())  # type: ignore[call-overload]
 
     def open_anyway(self, sentence: str) -> bool:
-        """Ask whether to go on although the shape is that of the other foot."""
+        """Ask whether to continue although the shape is that of the other foot."""
         box = self._box(sentence)
         anyway = box.addButton(tr("Open anyway"), QMessageBox.ButtonRole.AcceptRole)
         stop = box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
@@ -53,7 +53,7 @@ class Questions:
         return box.clickedButton() is anyway
 
     def about_unsaved(self, name: str) -> Answer:
-        """Ask what to do with work that is not in the file yet."""
+        """Ask what to do with unsaved work."""
         box = self._box(tr("{name} has changes that are not saved.").format(name=name))
         save = box.addButton(tr("Save"), QMessageBox.ButtonRole.AcceptRole)
         discard = box.addButton(tr("Discard changes"), QMessageBox.ButtonRole.DestructiveRole)
@@ -85,14 +85,25 @@ class Questions:
         return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
 
     def text(self, title: str, question: str, value: str) -> str | None:
-        """Ask for a line of text."""
+        """Ask for a line of text.
+
+        Parameters
+        ----------
+        value
+            The initial text.
+
+        Returns
+        -------
+        str or None
+            None if the user cancelled.
+        """
         text, is_given = QInputDialog.getText(
             self._parent, title, question, QLineEdit.EchoMode.Normal, value
         )
         return text.strip() if is_given else None
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
-        """Ask whether files that are there may be replaced."""
+        """Ask whether existing files may be replaced."""
         names = ", ".join(path.name for path in paths)
         box = self._box(tr("These files are there already: {names}").format(names=names))
         replace = box.addButton(tr("Replace them"), QMessageBox.ButtonRole.AcceptRole)
@@ -112,7 +123,15 @@ class Questions:
         return Path(name) if name else None
 
     def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
-        """Ask for a place to write to."""
+        """Ask for a path to write to.
+
+        Parameters
+        ----------
+        suggestion
+            The proposed file name.
+        kinds
+            Filter of the file dialog.
+        """
         name, _ = QFileDialog.getSaveFileName(self._parent, tr("Save"), suggestion, kinds)
         return Path(name) if name else None
 

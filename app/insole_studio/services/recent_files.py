@@ -1,4 +1,4 @@
-"""The files that were open lately."""
+"""The recently opened files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from insole_studio.settings import Settings
 
 
 class RecentFiles(QObject):
-    """The list that the settings keep."""
+    """The list of recent files in the settings."""
 
     changed = Signal()
 
@@ -20,7 +20,7 @@ class RecentFiles(QObject):
 
     @property
     def names(self) -> list[str]:
-        """Paths, the latest first."""
+        """Return the paths, the latest first."""
         return self._settings.recent
 
     def remember(self, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""A stage in a window of its own, which is constructed when it is first asked for."""
+"""A stage in a window of its own, constructed when first opened."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class StageWindow(QObject, Generic[Stage]):
         self.stage: Stage | None = None
 
     def open(self) -> None:
-        """Show the stage; one that is open comes to the front.
+        """Show the stage, or raise it if it is open already.
 
         Raises
         ------
@@ -39,11 +39,11 @@ class StageWindow(QObject, Generic[Stage]):
             self.stage.close()
 
     def make_stage(self) -> Stage:
-        """Construct the stage, which has a signal `closed`."""
+        """Construct the stage, which must have a signal `closed`."""
         raise NotImplementedError
 
     def connect_stage(self, stage: Stage) -> None:
-        """Listen to a stage that was just constructed."""
+        """Connect the signals of a newly constructed stage."""
 
     def _forget(self) -> None:
         if self.stage is not None:

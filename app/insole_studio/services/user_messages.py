@@ -1,4 +1,4 @@
-"""What the window says to the user, and what it asks."""
+"""Messages and questions to the user."""
 
 from __future__ import annotations
 
@@ -25,11 +25,17 @@ class UserMessages(QObject):
         self.dialogs: list[ErrorDialog] = []
 
     def say(self, text: str, for_ms: int = BRIEF_MS) -> None:
-        """Say something in the status line."""
+        """Show a text in the status line.
+
+        Parameters
+        ----------
+        for_ms
+            How long it stays, ms.
+        """
         self._window.statusBar().showMessage(text, for_ms)
 
     def show_error(self, error: Exception) -> None:
-        """Show an error; the details only where the sentence was not written for the user."""
+        """Show an error, with details only if its message was not written for the user."""
         if isinstance(error, InsoleError):
             self._show_dialog(str(error), _cause(error))
         else:

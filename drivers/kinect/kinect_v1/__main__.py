@@ -1,4 +1,4 @@
-"""The driver alone: ``python -m kinect_v1 list | info | view | record DIR``."""
+"""The driver on its own: ``python -m kinect_v1 list | info | view | record DIR``."""
 
 from __future__ import annotations
 
@@ -33,7 +33,15 @@ _PATIENT = CameraSettings(watchdog_s=3.0)
 
 
 def main(arguments: list[str] | None = None, find_bus: Callable[[], UsbBus] = system_bus) -> int:
-    """Run a command; give its exit code."""
+    """Run a command and return its exit code.
+
+    Parameters
+    ----------
+    arguments
+        By default those of this process.
+    find_bus
+        Returns the bus to search for sensors.
+    """
     options = _parser().parse_args(arguments)
     try:
         if options.emulate is not None:
@@ -131,7 +139,7 @@ def _drawing(frames: list[Frame]) -> str:
 
 
 def _posture(camera: KinectCamera) -> Posture | None:
-    """Read the accelerometer, where the sensor lets it be read."""
+    """Read the accelerometer, if the sensor allows it."""
     try:
         return camera.motor.posture()
     except UnsupportedError:
@@ -150,7 +158,7 @@ def _record(options: argparse.Namespace, bus: UsbBus) -> None:
         depth, video = _start(camera, options)
         for _ in range(wanted):
             writer.add(depth.read())
-            if video and (frame := video.poll()) is not None:  # colour is never the faster one
+            if video and (frame := video.poll()) is not None:  # colour is never faster than depth
                 writer.add(frame)
         if video and not video.counts.frames:
             writer.add(video.read())

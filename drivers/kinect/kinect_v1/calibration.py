@@ -1,4 +1,4 @@
-"""The factory calibration that a sensor carries: its values, and the bytes they come in."""
+"""The factory calibration stored in a sensor: its values, and their byte encoding."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Any
 from kinect_v1.errors import ProtocolError
 
 RGB_DISTANCE_CM = 2.4
-"""Used in place of the 2.3 that devices report; libfreenect does the same, and it fits better."""
+"""Replaces the 2.3 that devices report; libfreenect does the same, and it fits better."""
 
 _ZERO_PLANE = struct.Struct("<4f")
 _ZERO_PLANE_OFFSET = 92
-"""In the data after the error word; 94 in the payload."""
+"""Offset in the data after the error word; 94 in the payload."""
 _REGISTRATION = struct.Struct("<29i")
 _PADDING = struct.Struct("<3H")
 _SHIFT = struct.Struct("<H")
@@ -21,14 +21,14 @@ _SHIFT = struct.Struct("<H")
 
 @dataclass(frozen=True)
 class ZeroPlane:
-    """The geometry of the depth camera, in cm as the device gives it.
+    """Geometry of the depth camera, in cm as the device reports it.
 
     Parameters
     ----------
     emitter_distance_cm
         Baseline from the infrared camera to its projector.
     rgb_distance_cm
-        From the infrared to the colour camera.
+        Distance from the infrared to the colour camera.
     reference_distance_cm
         Distance of the plane that the reference pattern was recorded on.
     reference_pixel_cm
@@ -78,7 +78,7 @@ class RegistrationInfo:
 
 @dataclass(frozen=True)
 class Padding:
-    """Lines that the colour image is shifted by."""
+    """Number of lines by which the colour image is shifted."""
 
     start_lines: int
     end_lines: int
@@ -87,7 +87,7 @@ class Padding:
 
 @dataclass(frozen=True)
 class Calibration:
-    """All that the factory measured on one device."""
+    """Everything that the factory measured on one device."""
 
     zero_plane: ZeroPlane
     registration: RegistrationInfo
@@ -96,33 +96,33 @@ class Calibration:
 
     @property
     def focal_length_px(self) -> float:
-        """Of the 640 px wide depth image."""
+        """Focal length of the 640 px wide depth image."""
         plane = self.zero_plane
         return plane.reference_distance_cm / (2 * plane.reference_pixel_cm)
 
     def as_dict(self) -> dict[str, Any]:
-        """Plain numbers, for JSON."""
+        """Return plain numbers, for JSON."""
         return asdict(self)
 
 
 def decode_zero_plane(data: bytes) -> ZeroPlane:
-    """Read the reply to the command for fixed parameters, without its error word."""
+    """Decode the reply to the command for fixed parameters, without its error word."""
     emitter, _rgb, distance, pixel = _unpack(_ZERO_PLANE, data, _ZERO_PLANE_OFFSET)
     return ZeroPlane(emitter, RGB_DISTANCE_CM, distance, pixel)
 
 
 def decode_registration(data: bytes) -> RegistrationInfo:
-    """Read the 29 numbers of the registration."""
+    """Decode the 29 numbers of the registration."""
     return RegistrationInfo(*_unpack(_REGISTRATION, data))
 
 
 def decode_padding(data: bytes) -> Padding:
-    """Read the three line counts."""
+    """Decode the three line counts."""
     return Padding(*_unpack(_PADDING, data))
 
 
 def decode_constant_shift(data: bytes) -> int:
-    """Read the constant shift, in quarter pixels of the wide image."""
+    """Decode the constant shift, in quarter pixels of the wide image."""
     (shift,) = _unpack(_SHIFT, data)
     return int(shift)
 
@@ -137,22 +137,28 @@ def _unpack(layout: struct.Struct, data: bytes, offset: int = 0) -> tuple[Any, .
 
 
 def encode_zero_plane(plane: ZeroPlane, total_bytes: int) -> bytes:
-    """Build what `decode_zero_plane` reads; `total_bytes` counts the error word too."""
+    """Encode what `decode_zero_plane` decodes; `total_bytes` counts the error word too.
+
+    Parameters
+    ----------
+    total_bytes
+        Length of the reply, error word included; it depends on the model.
+    """
     data = bytearray(total_bytes - 2)
     _ZERO_PLANE.pack_into(data, _ZERO_PLANE_OFFSET, *astuple(plane))
     return bytes(data)
 
 
 def encode_registration(info: RegistrationInfo) -> bytes:
-    """Build what `decode_registration` reads."""
+    """Encode what `decode_registration` decodes."""
     return _REGISTRATION.pack(*astuple(info))
 
 
 def encode_padding(padding: Padding) -> bytes:
-    """Build what `decode_padding` reads."""
+    """Encode what `decode_padding` decodes."""
     return _PADDING.pack(*astuple(padding))
 
 
 def encode_constant_shift(shift: int) -> bytes:
-    """Build what `decode_constant_shift` reads."""
+    """Encode what `decode_constant_shift` decodes."""
     return _SHIFT.pack(shift)

@@ -23,7 +23,7 @@ class ControlPipe(Protocol):
         ...
 
     def control_in(self, request: int, length: int) -> bytes:
-        """Ask for at most `length` bytes."""
+        """Request at most `length` bytes."""
         ...
 
 
@@ -32,7 +32,6 @@ class CommandChannel:
 
     Parameters
     ----------
-    pipe
     limit_s
         Longest wait for one reply.
     """
@@ -44,17 +43,29 @@ class CommandChannel:
         self._lock = threading.Lock()
 
     def drain(self) -> None:
-        """Discard replies that a killed program has not fetched."""
+        """Discard replies that a killed program left unread."""
         with self._lock:
             for _ in range(_DRAIN_READS):
                 try:
                     if commands.is_pending(self._pipe.control_in(0, commands.REPLY_BYTES)):
                         return
                 except TransferError:
-                    return  # a device that has nothing to say may refuse the request
+                    return  # a device with nothing to report may refuse the request
 
     def send(self, opcode: int, payload: bytes) -> bytes:
-        """Carry out one command and give the data of its reply.
+        """Carry out one command and return the data of its reply.
+
+        Parameters
+        ----------
+        opcode
+            See `Opcode`.
+        payload
+            Of even length.
+
+        Returns
+        -------
+        bytes
+            The reply's data without the error word.
 
         Raises
         ------
@@ -104,7 +115,7 @@ class CommandChannel:
         )
 
     def _read_reply(self) -> bytes:
-        """Read once; a device that holds the request back has not answered yet."""
+        """Read once; return nothing if the device does not answer the request in time."""
         try:
             return self._pipe.control_in(0, commands.REPLY_BYTES)
         except NoAnswerError:

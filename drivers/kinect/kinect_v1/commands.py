@@ -10,7 +10,7 @@ from kinect_v1.errors import CommandRefusedError, ProtocolError
 REQUEST_MAGIC = b"GM"
 REPLY_MAGIC = b"RB"
 REPLY_BYTES = 512
-"""Length that replies are asked with; a reply of just this length means "not yet"."""
+"""Length requested for replies; a reply of exactly this length means "not yet"."""
 
 _HEADER = struct.Struct("<2sHHH")
 HEADER_BYTES = _HEADER.size
@@ -46,7 +46,7 @@ class Opcode(IntEnum):
 
 
 class Algorithm(IntEnum):
-    """What `Opcode.ALGORITHM_PARAMETERS` can be asked for."""
+    """Parameter sets that `Opcode.ALGORITHM_PARAMETERS` can request."""
 
     CONSTANT_SHIFT = 0x00
     REGISTRATION = 0x40
@@ -54,22 +54,28 @@ class Algorithm(IntEnum):
 
 
 def words(*values: int) -> bytes:
-    """Little-endian 16-bit words."""
+    """Return little-endian 16-bit words."""
     return struct.pack(f"<{len(values)}H", *values)
 
 
 def encode_request(opcode: int, tag: int, payload: bytes) -> bytes:
-    """Frame a command; the payload has an even length."""
+    """Encode a command; the payload must have an even length.
+
+    Parameters
+    ----------
+    payload
+        Of even length.
+    """
     return _HEADER.pack(REQUEST_MAGIC, len(payload) // 2, opcode, tag) + payload
 
 
 def decode_request(request: bytes) -> tuple[int, int, bytes]:
-    """Take a command apart: opcode, tag, payload.
+    """Split a command into opcode, tag and payload.
 
     Raises
     ------
     ProtocolError
-        When it is not a command.
+        When `request` is not a command.
     """
     if len(request) < HEADER_BYTES:
         raise ProtocolError(f"A command of {len(request)} bytes is too short; resend it.")
@@ -81,22 +87,30 @@ def decode_request(request: bytes) -> tuple[int, int, bytes]:
 
 
 def encode_reply(opcode: int, tag: int, error: int, data: bytes) -> bytes:
-    """Frame a reply: error word, then data."""
+    """Encode a reply: error word, then data.
+
+    Parameters
+    ----------
+    tag
+        That of the answered command.
+    error
+        0 for success.
+    """
     payload = words(error) + data
     return _HEADER.pack(REPLY_MAGIC, len(payload) // 2, opcode, tag) + payload
 
 
 def is_pending(reply: bytes) -> bool:
-    """Tell whether the device says "not yet".
+    """Return whether a reply means "not yet".
 
-    Nothing, or all 512 bytes: on xHCI controllers a premature read returns a full buffer of
-    garbage.
+    It is empty, or all 512 bytes long: on xHCI controllers a premature read returns a full buffer
+    of garbage.
     """
     return len(reply) in (0, REPLY_BYTES)
 
 
 def answers(reply: bytes) -> tuple[int, int] | None:
-    """Opcode and tag of the command that a reply answers; None where it is no reply at all."""
+    """Return opcode and tag of the command that a reply answers; None if it is not a reply."""
     if len(reply) < HEADER_BYTES or not reply.startswith(REPLY_MAGIC):
         return None
     _magic, _length, opcode, tag = _HEADER.unpack_from(reply)
@@ -104,12 +118,17 @@ def answers(reply: bytes) -> tuple[int, int] | None:
 
 
 def decode_reply(reply: bytes, opcode: int, tag: int) -> bytes:
-    """Check a reply and give its data, without the error word.
+    """Check a reply and return its data, without the error word.
+
+    Parameters
+    ----------
+    opcode, tag
+        Of the command that it must answer.
 
     Raises
     ------
     ProtocolError
-        When it is damaged or answers something else.
+        When the reply is damaged or answers another command.
     CommandRefusedError
         When the device reports an error.
     """

@@ -1,16 +1,16 @@
-"""What can go wrong with a sensor; every message is one sentence with its remedy."""
+"""Errors of sensors; every message is one sentence that includes the remedy."""
 
 
 class KinectError(Exception):
-    """Anything that stops a sensor from doing what was asked."""
+    """A sensor cannot do what was requested."""
 
 
 class LibusbMissingError(KinectError):
-    """No libusb-1.0 on this computer."""
+    """This computer has no libusb-1.0."""
 
 
 class NoSensorError(KinectError):
-    """No sensor, or not the one that was asked for."""
+    """There is no sensor, or not the requested one."""
 
 
 class NoPowerError(NoSensorError):
@@ -26,7 +26,7 @@ class InUseError(KinectError):
 
 
 class UnpluggedError(KinectError):
-    """The device left the bus."""
+    """The device has left the bus."""
 
 
 class BandwidthError(KinectError):
@@ -34,7 +34,7 @@ class BandwidthError(KinectError):
 
 
 class MemoryLimitError(KinectError):
-    """The system grants no memory for USB transfers."""
+    """The system does not grant enough memory for USB transfers."""
 
 
 class TransferError(KinectError):
@@ -46,23 +46,23 @@ class NoAnswerError(TransferError):
 
 
 class ProtocolError(KinectError):
-    """The device answered something that is not the protocol."""
+    """The device's answer does not follow the protocol."""
 
 
 class CommandRefusedError(KinectError):
-    """The device answered a command with an error number."""
+    """The device answered a command with an error code."""
 
 
 class NoFramesError(KinectError):
-    """A running stream delivers nothing."""
+    """A running stream delivers no frames."""
 
 
 class StoppedError(KinectError):
-    """The stream was stopped, so no frame comes any more."""
+    """The stream was stopped, so no more frames arrive."""
 
 
 class UnsupportedError(KinectError):
-    """This model, or the present state of the sensor, cannot do what was asked."""
+    """This model, or the sensor in its present state, cannot do what was requested."""
 
 
 class RecordingError(KinectError):

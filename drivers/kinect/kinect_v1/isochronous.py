@@ -1,13 +1,13 @@
-"""Overlapped isochronous transfers on libusb, which pyusb cannot do.
+"""Overlapping isochronous transfers on libusb, which pyusb does not support.
 
 pyusb's own `iso_read` keeps one transfer in flight and loses the packets' lengths. Here many
-transfers are queued on pyusb's library, context and handle; one thread a context handles events,
-and every transfer is submitted again from its callback.
+transfers are queued on pyusb's library, context and handle; one thread per context handles events,
+and every transfer is resubmitted from its callback.
 
-The interpreter lock is what endangers streams: whoever gives it away beside a busy thread waits
-5 ms for it. So the thread waits for libusb's files without the lock, and then handles all that is
-ready in one call that keeps it (`ctypes.PyDLL`); libusb's own threads never wait for Python with a
-lock that such a call needs.
+The interpreter lock is what endangers streams: a thread that releases it while another thread is
+busy waits 5 ms to get it back. So the event thread waits for libusb's file descriptors without the
+lock, and then handles everything that is ready in one call that keeps it (`ctypes.PyDLL`);
+libusb's own threads never wait for Python while holding a lock that such a call needs.
 """
 
 from __future__ import annotations
@@ -45,10 +45,10 @@ _NO_MEMORY = (
 
 @dataclass(frozen=True)
 class QueueSize:
-    """How much is under way at once.
+    """The number of queued transfers and their packets.
 
-    64 packets (8 ms) a transfer survive a busy interpreter lock; 16 transfers bridge 128 ms.
-    Where the system grants less memory, as many transfers are queued as fit, `least` or more.
+    64 packets (8 ms) per transfer survive a busy interpreter lock; 16 transfers bridge 128 ms.
+    If the system grants less memory, as many transfers are queued as fit, but at least `least`.
     """
 
     packets: int = 64
@@ -58,14 +58,14 @@ class QueueSize:
 
 @dataclass(frozen=True)
 class StreamTarget:
-    """What to read.
+    """The endpoint to read.
 
     Parameters
     ----------
     handle
         libusb's device handle.
     endpoint
-        Address.
+        Its address.
     packet_bytes
         Largest packet of one microframe.
     bus
@@ -110,11 +110,12 @@ class _PollFile(ctypes.Structure):
 
 
 def load_library(name: str, *, keep_lock: bool = False) -> Any:
-    """Load an own copy of the bindings, so that argument types do not clash with pyusb's.
+    """Load a separate copy of the bindings, so that argument types do not clash with pyusb's.
 
     Parameters
     ----------
     name
+        File of the library.
     keep_lock
         Whether calls keep the interpreter lock.
     """
@@ -139,13 +140,12 @@ def load_library(name: str, *, keep_lock: bool = False) -> Any:
 
 
 class EventLoop:
-    """The one thread that handles the events of a libusb context, while any stream runs.
+    """The one thread that handles the events of a libusb context while any stream runs.
 
     Parameters
     ----------
     name
         File of the library.
-    context
     """
 
     def __init__(self, name: str, context: ctypes.c_void_p) -> None:
@@ -157,7 +157,7 @@ class EventLoop:
         self._thread: threading.Thread | None = None
 
     def join_in(self) -> None:
-        """Count one more stream; the first starts the thread."""
+        """Register a stream; the first starts the thread."""
         with self._lock:
             self._streams += 1
             if self._thread is None:
@@ -165,7 +165,7 @@ class EventLoop:
                 self._thread.start()
 
     def leave(self) -> None:
-        """Count one stream less; the last ends the thread."""
+        """Unregister a stream; the last ends the thread."""
         with self._lock:
             self._streams -= 1
             if self._streams == 0 and self._thread is not None:
@@ -182,7 +182,7 @@ class EventLoop:
             )
 
     def _wait(self) -> bool:
-        """Wait until libusb has something to do; False where it has no files to wait for."""
+        """Wait until libusb has events; return False if it has no file descriptors to wait for."""
         files = self.library.libusb_get_pollfds(self._context)
         if not files:
             return False
@@ -210,11 +210,11 @@ class _Slot:
         self._descriptors[:, 0] = packet_bytes
 
     def block(self) -> PacketBlock:
-        """View the packets that came."""
+        """Return a view of the packets that arrived."""
         return PacketBlock(self.buffer, self._descriptors[:, 1], self._descriptors[:, 2] == 0)
 
     def clear(self) -> None:
-        """Forget the last round's lengths, which a controller that skips a packet leaves."""
+        """Clear the lengths of the last round, which a controller that skips a packet leaves."""
         self._descriptors[:, 1:] = 0
 
 
@@ -224,11 +224,9 @@ class IsochronousStream:
     Parameters
     ----------
     loop
-        Of the context that the target's handle belongs to.
-    target
+        Event loop of the context that the target's handle belongs to.
     receiver
-        Gets the packets.
-    size
+        Receives the packets.
 
     Raises
     ------
@@ -246,7 +244,7 @@ class IsochronousStream:
         self._loop = loop
         self._receiver = receiver
         self._target = target
-        self._callback = _Callback(self._completed)  # has to outlive the transfers
+        self._callback = _Callback(self._completed)  # must outlive the transfers
         self._changed = threading.Condition(threading.RLock())
         self._stopping = False
         self._ended = False
@@ -299,7 +297,7 @@ class IsochronousStream:
         return key
 
     def _submit(self, key: int) -> KinectError | None:
-        """Put a transfer under way; to be called with or before the callbacks' lock."""
+        """Submit a transfer; to be called before the callbacks start, or with their lock held."""
         with self._changed:
             self._under_way.add(key)
             ctypes.set_errno(0)
@@ -310,7 +308,7 @@ class IsochronousStream:
             return _submit_error(code, ctypes.get_errno(), self._target.bus)
 
     def _completed(self, pointer: Any) -> None:
-        """Pass on a transfer's packets and queue it again; libusb calls this."""
+        """Pass on a transfer's packets and queue it again; called by libusb."""
         transfer = pointer.contents
         key, status = ctypes.addressof(transfer), transfer.status
         slot = self._slots[key]
@@ -321,7 +319,7 @@ class IsochronousStream:
             self._receiver.end(reason)
 
     def _requeue(self, key: int, slot: _Slot, status: int) -> KinectError | None:
-        """Submit a transfer again, or say why the stream ends here, the first time only."""
+        """Resubmit a transfer; return why the stream ends here, the first time only."""
         with self._changed:
             self._under_way.discard(key)
             error: KinectError | None = None
@@ -338,7 +336,7 @@ class IsochronousStream:
 
 
 def unplugged(bus: int) -> UnpluggedError:
-    """Say that a device left its bus."""
+    """Return the error that a device has left its bus."""
     return UnpluggedError(
         f"A sensor on USB bus {bus} was unplugged or lost its power; check its plugs, then "
         "capture again."
@@ -346,7 +344,15 @@ def unplugged(bus: int) -> UnpluggedError:
 
 
 def _submit_error(code: int, number: int, bus: int) -> KinectError:
-    """Explain why a transfer could not be queued; `number` is the system's errno."""
+    """Return the error that explains why a transfer could not be queued.
+
+    Parameters
+    ----------
+    code
+        libusb's error code.
+    number
+        The system's errno.
+    """
     if code == _ERROR_NO_DEVICE:
         return unplugged(bus)
     if number == errno.ENOSPC:
@@ -360,7 +366,7 @@ def _submit_error(code: int, number: int, bus: int) -> KinectError:
 
 
 def bandwidth_full(bus: int) -> BandwidthError:
-    """Say that a controller is full, and what helps."""
+    """Return the error that a controller is full, with the remedy."""
     return BandwidthError(
         f"The USB controller of bus {bus} is full and cannot carry another stream; plug this "
         "sensor into a controller of its own (for example a PCIe USB card), or stop the other "

@@ -44,14 +44,14 @@ _GAIN_SETTLE_S = 0.1
 
 @dataclass(frozen=True)
 class ColorSettings:
-    """How the colour sensor exposes.
+    """Exposure and white balance of the colour sensor.
 
     Parameters
     ----------
     exposure_us
         Exposure time in µs; None = automatic.
     auto_white_balance
-        Off also where the exposure is fixed, which the sensor needs.
+        Also off if the exposure is fixed, as the sensor requires.
     """
 
     exposure_us: float | None = None
@@ -60,7 +60,7 @@ class ColorSettings:
 
 @dataclass(frozen=True)
 class CameraSettings:
-    """What a camera is opened with.
+    """The settings that a camera is opened with.
 
     Parameters
     ----------
@@ -69,9 +69,9 @@ class CameraSettings:
     near_mode
         Kinect for Windows only.
     watchdog_s
-        The longest silence of a stream that is no error.
+        The longest silence of a stream that is not an error.
     command_limit_s
-        The longest wait for the reply to a command.
+        The longest wait for a reply to a command.
     """
 
     color: ColorSettings | None = None
@@ -89,10 +89,8 @@ def open_camera(
 
     Parameters
     ----------
-    serial
-    settings
     bus
-        The emulated one, in tests and demonstrations; None is the computer's own.
+        An emulated one in tests and demonstrations; None selects the computer's own.
 
     Raises
     ------
@@ -107,12 +105,10 @@ class KinectCamera:
 
     Attributes
     ----------
-    serial
-    model
     bus
-        Number of the USB controller that it hangs on.
+        Number of its USB controller.
     calibration
-        What the factory measured on this very device.
+        The factory calibration of this device.
     """
 
     def __init__(self, found: FoundSensor, serial: str, settings: CameraSettings) -> None:
@@ -145,7 +141,7 @@ class KinectCamera:
         self.close()
 
     def start_depth(self, mode: StreamMode = DEPTH_11, deliver: Deliver | None = None) -> Stream:
-        """Switch the projector on and stream depth; see `Stream` for `deliver`."""
+        """Switch the projector on and stream depth; for `deliver` see `Stream`."""
         if VIDEO in self._running and self._running[VIDEO][1].mode is IR_1280:
             raise UnsupportedError(
                 "Depth cannot run beside the large infrared picture; stop the infrared picture "
@@ -154,7 +150,7 @@ class KinectCamera:
         return self._start(DEPTH, mode, deliver)
 
     def start_video(self, mode: StreamMode = BAYER_640, deliver: Deliver | None = None) -> Stream:
-        """Stream colour or infrared pictures; see `Stream` for `deliver`."""
+        """Stream colour or infrared pictures; for `deliver` see `Stream`."""
         if mode is IR_1280 and DEPTH in self._running:
             raise UnsupportedError(
                 "The large infrared picture cannot run beside depth; stop depth first."
@@ -163,7 +159,7 @@ class KinectCamera:
 
     @contextmanager
     def reserving(self) -> Iterator[None]:
-        """Hold the controller's bandwidth for both streams meanwhile, and switch nothing on.
+        """Reserve the bandwidth for both streams within a context; switch nothing on.
 
         Raises
         ------
@@ -188,7 +184,7 @@ class KinectCamera:
 
     @property
     def motor(self) -> Motor:
-        """Tilt, LED and accelerometer; opened when first asked for.
+        """The motor, LED and accelerometer; opened on first access.
 
         Raises
         ------
@@ -200,7 +196,7 @@ class KinectCamera:
         return self._motor
 
     def set_color(self, color: ColorSettings) -> None:
-        """Set exposure and white balance; takes effect on the running stream too."""
+        """Set exposure and white balance, also of a running stream."""
         flags = self._channel.read_cmos(commands.CMOS_FLAGS)
         automatic = commands.AUTO_EXPOSURE | commands.AUTO_FLICKER
         fixed = color.exposure_us is not None
@@ -213,7 +209,7 @@ class KinectCamera:
             self._channel.write_cmos(commands.CMOS_SHUTTER, max(1, min(0xFFFF, lines)))
 
     def set_near_mode(self, near: bool) -> None:
-        """Measure from 0.4 m instead of 0.8 m on; Kinect for Windows only."""
+        """Measure from 0.4 m on instead of 0.8 m; Kinect for Windows only."""
         if self.model is not Model.WINDOWS:
             raise UnsupportedError(
                 "Only the Kinect for Windows has a near mode; move this sensor further away."
@@ -227,8 +223,8 @@ class KinectCamera:
         self._write(Register.SENSOR_GAIN, max(1, min(50, gain)))
 
     def close(self) -> None:
-        """Stop all streams and give the sensor back; also when it has been unplugged."""
-        with ExitStack() as steps:  # all of them, whatever fails
+        """Stop all streams and release the sensor, also when it has been unplugged."""
+        with ExitStack() as steps:  # each of them, whatever fails
             steps.callback(self._function.close)
             if self._motor is not None:
                 steps.callback(self._motor.close)
@@ -236,7 +232,7 @@ class KinectCamera:
                 steps.callback(self._stop, kind)
 
     def _take_over(self) -> None:
-        """Claim the camera and switch off what a program that died has left on."""
+        """Claim the camera and switch off what a crashed program has left on."""
         self._function.claim()
         if self.model.streaming_alternate:
             self._function.select_alternate(self.model.streaming_alternate)
@@ -246,9 +242,9 @@ class KinectCamera:
         self._light_up()
 
     def _light_up(self) -> None:
-        """Light the LED of the newer models, some of which leave the bus otherwise."""
+        """Switch on the LED of the newer models, some of which otherwise leave the bus."""
         if not self.model.has_motor_function:
-            with suppress(KinectError):  # a sensor whose audio part does not answer still measures
+            with suppress(KinectError):  # depth works without audio
                 self.motor.set_led(Led.GREEN)
 
     def _read_calibration(self) -> Calibration:
@@ -273,7 +269,7 @@ class KinectCamera:
         self._channel.write_register(register, value)
 
     def _start(self, kind: StreamKind, mode: StreamMode, deliver: Deliver | None) -> Stream:
-        """Queue the transfers first, then switch the mode on, as the device wants it."""
+        """Queue the transfers first, then switch the mode on, as the device requires."""
         if mode.kind is not kind:
             raise UnsupportedError(f"{mode.name} is no mode of the {kind.name} stream.")
         self._stop(kind)
@@ -299,12 +295,12 @@ class KinectCamera:
         return self._function.start_stream(endpoint, self.model.streaming_alternate, stream)
 
     def _stop(self, kind: StreamKind) -> None:
-        """Switch the stream off, then end its transfers; all of it also when the device is gone."""
+        """Switch the stream off, then end its transfers, even if the device is gone."""
         if kind not in self._running:
             return
         running, stream = self._running.pop(kind)
         try:
-            with suppress(UnpluggedError):  # there is nothing left to switch off
+            with suppress(UnpluggedError):  # nothing is left to switch off
                 self._write(kind.switch, STREAM_OFF)
         finally:
             running.stop()
@@ -312,8 +308,8 @@ class KinectCamera:
         self._release_if_idle()
 
     def _release_if_idle(self) -> None:
-        """Make the controller forget the reservation, which EHCI keeps even after a close."""
+        """Make the controller release the reservation, which EHCI keeps even after a close."""
         if self._running:
             return
-        with suppress(UnpluggedError, TransferError):  # gone, or a firmware that refuses
+        with suppress(UnpluggedError, TransferError):  # unplugged, or a firmware that refuses
             self._function.select_alternate(0)

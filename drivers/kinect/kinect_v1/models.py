@@ -1,4 +1,4 @@
-"""The three models, and the USB functions they are made of."""
+"""The three models, and their USB functions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _PRODUCT_K4W = 0x02BF
 
 
 class Model(Enum):
-    """Which Kinect v1 it is."""
+    """The models of the Kinect v1."""
 
     XBOX_1414 = "1414"
     XBOX_1473 = "1473"
@@ -23,7 +23,7 @@ class Model(Enum):
 
     @property
     def has_motor_function(self) -> bool:
-        """True where motor, LED and accelerometer are a USB function of their own."""
+        """Whether motor, LED and accelerometer are a USB function of their own."""
         return self is Model.XBOX_1414
 
     @property
@@ -38,14 +38,14 @@ class Model(Enum):
 
 
 def function_name(product: int) -> str:
-    """Say what a USB function is."""
+    """Return a name for a USB function, by its idProduct."""
     if product in CAMERA_PRODUCTS:
         return "camera"
     return "motor" if product == MOTOR_PRODUCT else "audio part"
 
 
 def camera_model(product: int, release: int) -> Model:
-    """Tell the model from the camera's idProduct and bcdDevice."""
+    """Return the model with the camera's idProduct and bcdDevice."""
     if product == _PRODUCT_K4W:
         return Model.WINDOWS
     return Model.XBOX_1414 if release == _RELEASE_1414 else Model.XBOX_1473

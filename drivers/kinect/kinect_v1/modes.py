@@ -1,4 +1,4 @@
-"""The stream modes: what an image looks like on the wire, and how it is switched on and off."""
+"""The stream modes: image format on the wire, and how they are switched on and off."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from enum import Enum, IntEnum
 
 
 class Register(IntEnum):
-    """The camera's parameters that this driver reads or writes."""
+    """The camera parameters that this driver reads or writes."""
 
     VIDEO_STREAM = 0x05
     DEPTH_STREAM = 0x06
@@ -42,13 +42,12 @@ class StreamKind:
 
     Parameters
     ----------
-    name
     endpoint
         Its address.
     flag
         High nibble of the packet flag.
     payload_bytes
-        What every packet but a frame's last carries.
+        Payload of every packet but a frame's last.
     switch
         The register that turns the stream on and off.
     """
@@ -65,7 +64,7 @@ VIDEO = StreamKind("video", 0x81, 0x80, 1908, Register.VIDEO_STREAM)
 
 
 class PixelFormat(Enum):
-    """What the numbers of an image are."""
+    """The meaning of an image's numbers."""
 
     DEPTH = "depth"
     BAYER = "bayer"
@@ -78,9 +77,6 @@ class StreamMode:
 
     Parameters
     ----------
-    name
-    kind
-    pixels
     width, height
         Image size, px.
     bits
@@ -102,12 +98,12 @@ class StreamMode:
 
     @property
     def frame_bytes(self) -> int:
-        """Bytes of one packed frame."""
+        """Size of one packed frame."""
         return self.width * self.height * self.bits // 8
 
     @property
     def packets(self) -> int:
-        """Packets of one frame."""
+        """Number of packets per frame."""
         return -(-self.frame_bytes // self.kind.payload_bytes)
 
     @property
@@ -147,7 +143,7 @@ _WAKE_IR_SENSOR = (
     (Register.DEPTH_STREAM, DEPTH_ON),
     (Register.DEPTH_STREAM, STREAM_OFF),
 )
-"""Without it the large infrared image does not start; so it needs the depth stream at rest."""
+"""Without it the large infrared image does not start, so the depth stream must be off."""
 
 
 def _ir_mode(
@@ -178,7 +174,13 @@ MODES = {mode.name: mode for mode in (DEPTH_11, DEPTH_10, BAYER_640, BAYER_1280,
 
 
 def mode_from_registers(kind: StreamKind, registers: dict[int, int]) -> StreamMode | None:
-    """Tell which mode the registers of a camera select; None where the stream is off."""
+    """Return the mode that a camera's registers select; None if the stream is off.
+
+    Parameters
+    ----------
+    registers
+        Register values by address.
+    """
     switch = registers.get(kind.switch, STREAM_OFF)
     if switch == STREAM_OFF:
         return None

@@ -1,4 +1,4 @@
-"""Tilt, LED and accelerometer: of model 1414 by its motor, of the others by their audio part."""
+"""Tilt, LED and accelerometer: by the motor of model 1414, by the audio function of the others."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _AUDIO_STATE_BYTES, _AUDIO_REPLY_BYTES = 104, 12
 
 
 class Led(Enum):
-    """What the LED can show on every model."""
+    """LED states that every model can show."""
 
     OFF = "off"
     GREEN = "green"
@@ -36,7 +36,7 @@ _AUDIO_LED = {Led.OFF: 1, Led.BLINK_GREEN: 2, Led.GREEN: 3, Led.RED: 4}
 
 @dataclass(frozen=True)
 class Posture:
-    """How the sensor stands.
+    """The orientation of the sensor.
 
     Parameters
     ----------
@@ -54,14 +54,14 @@ class Posture:
 
 
 class Motor(Protocol):
-    """What tilts and lights a sensor."""
+    """The function that tilts a sensor and sets its LED."""
 
     def set_led(self, led: Led) -> None:
-        """Light the LED."""
+        """Set the LED."""
         ...
 
     def set_tilt(self, tilt_deg: float) -> None:
-        """Start to tilt; clamped to what the housing allows."""
+        """Start to tilt, within the limits of the housing."""
         ...
 
     def posture(self) -> Posture:
@@ -69,12 +69,17 @@ class Motor(Protocol):
         ...
 
     def close(self) -> None:
-        """Give the function back."""
+        """Release the function."""
         ...
 
 
 def open_motor(model: Model, companion: UsbFunction | None) -> Motor:
-    """Open the function that moves and lights a sensor.
+    """Open the function that tilts a sensor and sets its LED.
+
+    Parameters
+    ----------
+    companion
+        Motor or audio function in the camera's housing, if there is one.
 
     Raises
     ------
@@ -100,7 +105,7 @@ class MotorFunction:
         self._function.claim()
 
     def set_led(self, led: Led) -> None:
-        """Light the LED."""
+        """Set the LED."""
         self._function.control_out(0x06, _MOTOR_LED[led])
 
     def set_tilt(self, tilt_deg: float) -> None:
@@ -118,15 +123,15 @@ class MotorFunction:
         return Posture(acceleration, tilt, status == 4)
 
     def close(self) -> None:
-        """Give the function back."""
+        """Release the function."""
         self._function.close()
 
 
 class AudioFunction:
-    """The audio part of model 1473 and Kinect for Windows.
+    """The audio function of model 1473 and Kinect for Windows.
 
-    Its firmware, which alone can move the motor, is Microsoft's and not ours to upload; where it is
-    not running, only the LED can be set.
+    Only its firmware can move the motor; it is Microsoft's and not ours to upload. If it is not
+    running, only the LED can be set.
     """
 
     def __init__(self, function: UsbFunction) -> None:
@@ -136,7 +141,7 @@ class AudioFunction:
         self._function.claim()
 
     def set_led(self, led: Led) -> None:
-        """Light the LED."""
+        """Set the LED."""
         self._send(0, 0x10, struct.pack("<I", _AUDIO_LED[led]))
         self._check_reply()
 
@@ -158,7 +163,7 @@ class AudioFunction:
         return Posture((x / COUNTS_PER_G, y / COUNTS_PER_G, z / COUNTS_PER_G), float(tilt), None)
 
     def close(self) -> None:
-        """Give the function back."""
+        """Release the function."""
         self._function.close()
 
     def _require_firmware(self) -> None:

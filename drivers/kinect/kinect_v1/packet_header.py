@@ -13,11 +13,25 @@ _HEADER = struct.Struct("<2sxBxBHI")
 
 
 def packet_flag(mode: StreamMode, index: int) -> int:
-    """Flag of packet `index` of a frame."""
+    """Return the flag of packet `index` of a frame.
+
+    Parameters
+    ----------
+    index
+        From 0.
+    """
     place = {0: FIRST, mode.packets - 1: LAST}.get(index, MIDDLE)
     return mode.kind.flag | place
 
 
 def encode_header(flag: int, sequence: int, length: int, device_time: int) -> bytes:
-    """Build the header of one packet; `length` counts header and payload."""
+    """Encode the header of one packet.
+
+    Parameters
+    ----------
+    length
+        Of header and payload, bytes.
+    device_time
+        The sensor's clock.
+    """
     return _HEADER.pack(MAGIC, flag, sequence & 0xFF, length, device_time & 0xFFFFFFFF)

@@ -1,6 +1,6 @@
-"""Isochronous packets: from transfers to whole frames, or none (PROTOCOL.md, section 3).
+"""Assembly of isochronous packets into whole frames, or none (PROTOCOL.md, section 3).
 
-A frame is delivered only when every one of its packets came, in order, with the right magic, flag,
+A frame is delivered only if every one of its packets arrived, in order, with the right magic, flag,
 length and sequence number. Anything else discards the whole frame: for measurement, a frame with
 stripes of another frame is worse than none.
 """
@@ -29,9 +29,9 @@ class PacketBlock(NamedTuple):
     Parameters
     ----------
     buffer : (n, stride) uint8
-        Packet i lies in row i.
+        Packet i is in row i.
     lengths : (n,) uint32
-        How many bytes of it are valid; 0 = an idle microframe.
+        Number of valid bytes of each packet; 0 = an idle microframe.
     good : (n,) bool
         False where the host controller reports an error.
     """
@@ -42,14 +42,14 @@ class PacketBlock(NamedTuple):
 
 
 class PacketReceiver(Protocol):
-    """Who gets the packets of a stream; called in the event thread, so it has to be quick."""
+    """Receives the packets of a stream; called in the event thread, so it must be quick."""
 
     def receive(self, block: PacketBlock) -> None:
-        """Take the packets of one transfer; they are overwritten afterwards."""
+        """Process the packets of one transfer; they are overwritten afterwards."""
         ...
 
     def end(self, reason: KinectError) -> None:
-        """Hear that the stream ended by itself."""
+        """Handle that the stream ended by itself."""
         ...
 
 
@@ -61,19 +61,19 @@ class PackedFrame(NamedTuple):
 
 
 class FrameAssembler:
-    """Puts the frames of one stream together.
+    """Assembles the frames of one stream.
 
     Parameters
     ----------
     mode
-        What the stream was started with.
+        The mode that the stream was started with.
 
     Attributes
     ----------
     discarded
-        Frames that had begun and were found damaged.
+        Number of frames found damaged.
     lost_packets
-        Packets missing by the sequence numbers.
+        Number of packets missing according to the sequence numbers.
     """
 
     def __init__(self, mode: StreamMode) -> None:
@@ -88,7 +88,7 @@ class FrameAssembler:
         self._sequence: int | None = None
 
     def feed(self, block: PacketBlock) -> list[PackedFrame]:
-        """Take the packets of one transfer; give the frames that they complete."""
+        """Process the packets of one transfer; return the frames that they complete."""
         rows = np.flatnonzero(block.good & (block.lengths >= HEADER_BYTES))
         headers = block.buffer[rows, :HEADER_BYTES]
         genuine = (headers[:, 0] == MAGIC[0]) & (headers[:, 1] == MAGIC[1])
@@ -107,7 +107,7 @@ class FrameAssembler:
         return frames
 
     def interrupt(self) -> None:
-        """Forget the frame in progress: packets may have been lost without a trace."""
+        """Discard the unfinished frame: packets may have been lost without a trace."""
         if self._sequence is not None and self._index:
             self.discarded += 1
         self._sequence = None
@@ -122,7 +122,7 @@ class FrameAssembler:
         genuine: NDArray[np.bool_],
         at: int,
     ) -> int:
-        """Look for a frame's first packet from `at` on; give its place, or the end."""
+        """Return the index of a frame's first packet from `at` on, or the end."""
         first = genuine[at:] & (headers[at:, 3] == self._flags[0])
         first &= lengths[at:] == self._lengths[0]
         if not first.any():
@@ -135,7 +135,7 @@ class FrameAssembler:
     def _count_expected(
         self, headers: ByteArray, lengths: NDArray[np.uint32], genuine: NDArray[np.bool_]
     ) -> int:
-        """Count the packets that follow on each other exactly as they should."""
+        """Count the packets that follow each other exactly as expected."""
         assert self._sequence is not None
         steps = np.arange(len(headers))
         places = (self._index + steps) % self._mode.packets
@@ -148,7 +148,7 @@ class FrameAssembler:
         return len(headers) if expected.all() else int(expected.argmin())
 
     def _take(self, buffer: ByteArray, rows: NDArray[np.intp], frames: list[PackedFrame]) -> None:
-        """Copy packets that are known to be right; finish the frames that they complete."""
+        """Copy valid packets; append the frames that they complete."""
         assert self._sequence is not None
         payload = slice(HEADER_BYTES, HEADER_BYTES + self._mode.kind.payload_bytes)
         self._sequence = (self._sequence + len(rows)) & 0xFF
@@ -168,7 +168,7 @@ class FrameAssembler:
         """Discard what the anomaly before the packet numbered `sequence` has damaged."""
         assert self._sequence is not None
         gap = (sequence - self._sequence) & 0xFF
-        lost = gap if gap < 0x80 else 0  # more is a repeated or late packet, not a loss
+        lost = gap if gap < 0x80 else 0  # a larger gap is a repeated or late packet, not a loss
         self.lost_packets += lost
         self.discarded += max(1, -(-(self._index + lost) // self._mode.packets))
         self._sequence = None

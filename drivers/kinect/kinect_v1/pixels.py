@@ -1,4 +1,4 @@
-"""Packed bits to images, and back."""
+"""Conversion between packed bits and images."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ ByteArray = NDArray[np.uint8]
 RawArray = NDArray[np.uint16]
 
 NO_READING = 2047
-"""The 11-bit depth number that says that nothing was measured."""
+"""The 11-bit depth value for "no reading"."""
 
 
 def unpack(packed: ByteArray, bits: int) -> RawArray:
-    """Read numbers of `bits` (9 to 16) bits each, most significant bit first.
+    """Unpack numbers of `bits` (9 to 16) bits each, most significant bit first.
 
     Eight pixels fill `bits` bytes, and lie in the first and the last eight of these.
 
@@ -43,13 +43,28 @@ def unpack(packed: ByteArray, bits: int) -> RawArray:
 
 
 def pack(pixels: RawArray, bits: int) -> ByteArray:
-    """Invert `unpack`."""
+    """Pack an image; the inverse of `unpack`.
+
+    Parameters
+    ----------
+    bits
+        Bits per pixel, 9 to 16.
+
+    Returns
+    -------
+    (n bits / 8,) uint8
+    """
     wide = pixels.reshape(-1, 1).astype(">u2").view(np.uint8)
     return np.packbits(np.unpackbits(wide, axis=1)[:, 16 - bits :])
 
 
 def decode_image(data: ByteArray, mode: StreamMode) -> ByteArray | RawArray:
-    """Give the image of a packed frame: (height, width), uint8 Bayer mosaic or uint16."""
+    """Return the image of a packed frame: (height, width), uint8 Bayer mosaic or uint16.
+
+    Parameters
+    ----------
+    data : (mode.frame_bytes,) uint8
+    """
     shape = (mode.height, mode.width)
     if mode.pixels is PixelFormat.BAYER:
         return data.reshape(shape)
@@ -57,7 +72,13 @@ def decode_image(data: ByteArray, mode: StreamMode) -> ByteArray | RawArray:
 
 
 def encode_image(image: ByteArray | RawArray, mode: StreamMode) -> bytes:
-    """Invert `decode_image`."""
+    """Return the packed frame of an image; the inverse of `decode_image`.
+
+    Parameters
+    ----------
+    image : (height, width)
+        uint8 Bayer mosaic or uint16.
+    """
     if image.shape != (mode.height, mode.width):
         raise ValueError(f"{mode.name} needs {mode.width} x {mode.height} px, not {image.shape}")
     if mode.pixels is PixelFormat.BAYER:
@@ -80,7 +101,7 @@ def demosaic(mosaic: ByteArray) -> ByteArray:
 
 
 def mosaic(rgb: ByteArray) -> ByteArray:
-    """Keep of an RGB image (height, width, 3) what the colour sensor sees: one colour a pixel."""
+    """Return the Bayer mosaic of an RGB image (height, width, 3): one colour per pixel."""
     one = np.array(rgb[..., 1])
     one[0::2, 1::2] = rgb[0::2, 1::2, 0]
     one[1::2, 0::2] = rgb[1::2, 0::2, 2]

@@ -1,8 +1,8 @@
 """Recordings in the folder format of fakenect (PROTOCOL.md, section 8).
 
-Depth is stored as received. Colour of 640 × 480 is stored as fakenect wants it, interpolated; the
-picture as it was received (Bayer mosaic or infrared, any size) lies beside it as PNG, which
-fakenect's index does not mention.
+Depth is stored as received. Colour of 640 × 480 is stored interpolated, as fakenect requires; the
+picture as received (Bayer mosaic or infrared, any size) is stored beside it as PNG, which is not
+listed in fakenect's index.
 """
 
 from __future__ import annotations
@@ -41,15 +41,12 @@ _UNUSED = ("dx_center", "rollout_blank", "rollout_size", "back_comp1", "back_com
 
 @dataclass(frozen=True)
 class RecordedFile:
-    """One line of a recording.
+    """One file of a recording.
 
     Parameters
     ----------
-    path
     kind
         d depth, r colour, a accelerometer; b Bayer mosaic and i infrared, beside the index.
-    host_time_s
-    device_time
     """
 
     path: Path
@@ -65,7 +62,7 @@ class Recording:
     Parameters
     ----------
     files
-        In the order of time.
+        In chronological order.
     serial, model
         None where the recording does not say.
     calibration
@@ -78,12 +75,12 @@ class Recording:
     calibration: Calibration | None
 
     def of_kind(self, kind: str) -> tuple[RecordedFile, ...]:
-        """Give the files of one kind."""
+        """Return the files of one kind."""
         return tuple(file for file in self.files if file.kind == kind)
 
 
 class RecordingWriter:
-    """Writes frames into a folder as they come; see `recording_folder`."""
+    """Writes frames into a folder as they arrive; see `recording_folder`."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -105,14 +102,20 @@ class RecordingWriter:
         (self._folder / f"{letter}-{stamp}.png").write_bytes(png.tobytes())
 
     def add_posture(self, posture: Posture) -> None:
-        """Store what the accelerometer says."""
+        """Store the reading of the accelerometer."""
         x, y, z = (round(value * COUNTS_PER_G) for value in posture.acceleration_g)
         tilt = -128 if posture.tilt_deg is None else round(2 * posture.tilt_deg)
         status = _MOVING if posture.moving else 0
         self._store(f"a-{time.time():f}-0.dump", _POSTURE.pack(x, y, z, tilt, status))
 
     def finish(self, serial: str, model: str, calibration: Calibration) -> None:
-        """Write the index and the device's calibration."""
+        """Write the index and the device's calibration.
+
+        Parameters
+        ----------
+        model
+            As in `Recording`.
+        """
         (self._folder / INDEX).write_text("".join(f"{line}\n" for line in self._lines), "ascii")
         device = {"serial": serial, "model": model, **_encode_calibration(calibration)}
         (self._folder / _DEVICE).write_text(json.dumps(device, indent=1), "utf-8")
@@ -124,12 +127,12 @@ class RecordingWriter:
 
 @contextmanager
 def recording_folder(folder: Path) -> Iterator[RecordingWriter]:
-    """Write a new recording; it appears as a whole, or not at all.
+    """Write a new recording, which appears complete or not at all.
 
     Raises
     ------
     RecordingError
-        When the folder holds something already, or cannot be written.
+        When the folder is not empty, or cannot be written.
     """
     beside: Path | None = None
     try:
@@ -151,12 +154,12 @@ def recording_folder(folder: Path) -> Iterator[RecordingWriter]:
 
 
 def read_recording(folder: Path) -> Recording:
-    """Read the index of a fakenect folder; the frames are read when asked for.
+    """Read the index of a fakenect folder; the frames are read on demand.
 
     Raises
     ------
     RecordingError
-        When the folder is no recording.
+        When the folder is not a recording.
     """
     index = folder / INDEX
     try:
@@ -202,7 +205,7 @@ def read_color(file: RecordedFile) -> ByteArray:
 
 
 def read_received(file: RecordedFile) -> NDArray[Any]:
-    """Read a mosaic (uint8) or infrared picture (uint16) as it was received."""
+    """Read a mosaic (uint8) or infrared picture (uint16) as received."""
     image = cv2.imdecode(np.fromfile(file.path, np.uint8), cv2.IMREAD_UNCHANGED)
     if image is None:
         raise RecordingError(_unreadable(file.path))
@@ -210,7 +213,7 @@ def read_received(file: RecordedFile) -> NDArray[Any]:
 
 
 def read_posture(file: RecordedFile) -> Posture:
-    """Read what the accelerometer said."""
+    """Read a reading of the accelerometer."""
     data = file.path.read_bytes()
     if len(data) != _POSTURE.size:
         raise RecordingError(_unreadable(file.path))
@@ -220,7 +223,7 @@ def read_posture(file: RecordedFile) -> Posture:
 
 
 def _read_netpbm(path: Path, magic: bytes, largest: bytes) -> tuple[tuple[int, int], bytes]:
-    """Read a picture whose header is one line, as fakenect insists."""
+    """Read a picture whose header is one line, as fakenect requires."""
     header, _newline, data = path.read_bytes().partition(b"\n")
     words = header.split()
     if len(words) != 4 or (words[0], words[3]) != (magic, largest):
@@ -241,7 +244,7 @@ def _unreadable(path: Path) -> str:
 
 
 def _encode_calibration(calibration: Calibration) -> dict[str, Any]:
-    """Name the numbers as libfreenect's recorder does."""
+    """Return the calibration with the names that libfreenect's recorder uses."""
     info = calibration.as_dict()["registration"]
     plane = calibration.zero_plane
     return {

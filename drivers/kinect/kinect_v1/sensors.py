@@ -1,4 +1,4 @@
-"""Which sensors are plugged in: cameras, each with the motor or audio part in the same housing."""
+"""The plugged-in sensors: cameras, each with the motor or audio function in its housing."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from kinect_v1.usb_bus import UsbBus, UsbFunction
 
 @dataclass(frozen=True)
 class SensorInfo:
-    """One sensor as found on the bus.
+    """A sensor as found on the bus.
 
     Parameters
     ----------
     serial
-        None where it could not be read.
+        None if it could not be read.
     model
-        None where only the motor answers.
+        None if only the motor answers.
     bus, place
-        Number of the USB controller; place on it as the kernel writes it.
+        Number of the USB controller, and port path as the kernel writes it.
     problem
-        Why it cannot be used, in one sentence; None where it can.
+        Why it cannot be used, in one sentence; None if it can.
     """
 
     serial: str | None
@@ -47,10 +47,10 @@ class FoundSensor:
     companion: UsbFunction | None
 
     def serial(self) -> str | None:
-        """Give what tells this sensor from all others.
+        """Return what distinguishes this sensor from all others.
 
-        The cameras of 1473 and Kinect for Windows report zeros; there the audio part's number
-        counts, and where that cannot be had, the place it is plugged in.
+        The cameras of 1473 and Kinect for Windows report zeros; for them it is the serial number of
+        the audio function or, if that cannot be read, the port.
         """
         try:
             own = self.camera.serial()
@@ -74,14 +74,14 @@ class FoundSensor:
             self.close()
 
     def close(self) -> None:
-        """Give both functions back."""
+        """Release both functions."""
         self.camera.close()
         if self.companion is not None:
             self.companion.close()
 
 
 def find_sensors(bus: UsbBus) -> tuple[list[FoundSensor], list[UsbFunction]]:
-    """Give the sensors, by place, and the motors whose camera does not answer."""
+    """Return the sensors, sorted by port, and the motors whose camera does not answer."""
     functions = sorted(bus.functions(), key=lambda f: (f.bus, f.ports, f.address))
     cameras = [f for f in functions if f.product in CAMERA_PRODUCTS]
     sensors = []
@@ -100,8 +100,8 @@ def _companion(
 ) -> UsbFunction | None:
     """Find the function in the same housing.
 
-    On the same hub; else the only one on the same bus, or in the computer, where this camera is the
-    only one there too.
+    It is on the same hub; else the only one on the same bus, or in the computer, if this camera is
+    the only one there too.
     """
     for scope in (_same_hub, _same_bus, _anywhere):
         near = [f for f in candidates if scope(f, camera)]
@@ -124,7 +124,7 @@ def _anywhere(_one: UsbFunction, _other: UsbFunction) -> bool:
 
 
 def list_sensors(bus: UsbBus) -> list[SensorInfo]:
-    """Describe every sensor that is plugged in; none that is in use is disturbed."""
+    """Describe every sensor that is plugged in, without disturbing those in use."""
     sensors, motors = find_sensors(bus)
     found = [info for sensor in sensors if (info := _describe(sensor)) is not None]
     return found + [
@@ -133,7 +133,7 @@ def list_sensors(bus: UsbBus) -> list[SensorInfo]:
 
 
 def _describe(sensor: FoundSensor) -> SensorInfo | None:
-    """Describe a sensor; None for a camera that has no serial number at all."""
+    """Describe a sensor; return None for a camera that has no serial number at all."""
     camera = sensor.camera
     serial, problem = None, None
     try:
@@ -147,7 +147,12 @@ def _describe(sensor: FoundSensor) -> SensorInfo | None:
 
 
 def find_sensor(bus: UsbBus, serial: str | None) -> tuple[FoundSensor, str]:
-    """Find the sensor with a serial number; None asks for the only one.
+    """Find the sensor with a serial number; None selects the only one.
+
+    Returns
+    -------
+    tuple of FoundSensor and str
+        The sensor and its serial number.
 
     Raises
     ------
@@ -176,7 +181,7 @@ def find_sensor(bus: UsbBus, serial: str | None) -> tuple[FoundSensor, str]:
 def _named(
     sensors: list[FoundSensor],
 ) -> tuple[list[tuple[FoundSensor, str]], list[KinectError]]:
-    """Read the sensors' numbers; give those that have one, and why others could not be read."""
+    """Return the sensors whose serial number could be read, and the errors of the others."""
     named, unreadable = [], []
     for sensor in sensors:
         try:
@@ -190,7 +195,7 @@ def _named(
 
 
 def no_power_text(motor: UsbFunction) -> str:
-    """Explain a motor without a camera."""
+    """Return the explanation for a motor without a camera."""
     return (
         f"Of the Kinect at {motor.place} only the motor answers; connect its 12 V supply, without "
         "which the camera stays off."

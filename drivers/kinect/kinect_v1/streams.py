@@ -18,7 +18,7 @@ from kinect_v1.pixels import decode_image
 
 WATCHDOG_S = 1.0
 _LONGEST_GAP_S = 1.0
-"""Sequence numbers have 8 bits; after a longer silence they prove nothing."""
+"""Sequence numbers have 8 bits; after a longer silence they are ambiguous."""
 _KEPT_FRAMES = 32
 
 
@@ -32,9 +32,9 @@ class Frame:
         Depth: uint16 raw numbers, 2047 = no reading. Infrared: uint16, 10 bits. Colour: uint8,
         the Bayer mosaic; see `kinect_v1.pixels.demosaic`.
     mode
-        What the stream was started with.
+        The mode that the stream was started with.
     number
-        Counts the stream's delivered frames from 0.
+        Index among the stream's delivered frames, from 0.
     device_time
         The sensor's own clock, about 60 MHz, 32 bits; it wraps.
     host_time_s
@@ -53,17 +53,16 @@ class Frame:
 
 @dataclass(frozen=True)
 class StreamCounts:
-    """What has happened on a stream so far.
+    """The counters of a stream.
 
     Parameters
     ----------
     frames
-        Delivered.
+        Delivered frames.
     discarded
-        Damaged on the way, never delivered.
-    lost_packets
+        Frames damaged in transit, never delivered.
     overrun
-        Delivered, but not fetched in time by `Stream.read`.
+        Frames delivered, but not fetched in time by `Stream.read`.
     """
 
     frames: int
@@ -76,16 +75,15 @@ Deliver = Callable[[Frame], None]
 
 
 class Stream:
-    """Receives the packets of one endpoint and gives frames.
+    """Receives the packets of one endpoint and delivers frames.
 
     Parameters
     ----------
-    mode
     deliver
-        Called with every frame, in the thread that handles USB events: it has to be quick, and must
+        Called with every frame, in the thread that handles USB events: it must be quick, and must
         not stop the stream. Without it frames are kept for `read`.
     watchdog_s
-        The longest silence that is no error.
+        The longest silence that is not an error.
     """
 
     def __init__(
@@ -103,14 +101,14 @@ class Stream:
 
     @property
     def counts(self) -> StreamCounts:
-        """Frames and losses so far."""
+        """Return the frames delivered and lost so far."""
         assembler = self._assembler
         return StreamCounts(
             self._frames, assembler.discarded, assembler.lost_packets, self._overrun
         )
 
     def receive(self, block: PacketBlock) -> None:
-        """Take the packets of one transfer; the USB side calls this."""
+        """Process the packets of one transfer; called by the USB side."""
         now = time.monotonic()
         if now - self._last_block_s > _LONGEST_GAP_S:
             self._assembler.interrupt()
@@ -124,13 +122,13 @@ class Stream:
             self.end(error)
 
     def end(self, reason: BaseException) -> None:
-        """Note why no frame will come any more; the USB side calls this."""
+        """Note why no more frames will arrive; called by the USB side."""
         with self._changed:
             self._failure = self._failure or reason
             self._changed.notify_all()
 
     def check(self) -> None:
-        """Raise what is wrong with the stream, if anything.
+        """Raise the stream's error, if there is one.
 
         Raises
         ------
@@ -151,7 +149,7 @@ class Stream:
         Parameters
         ----------
         timeout_s
-            Default: the watchdog's time.
+            By default the watchdog's time.
 
         Raises
         ------
@@ -167,7 +165,7 @@ class Stream:
         raise self._silent(limit_s)
 
     def read_latest(self) -> Frame:
-        """Like `read`, but skip what came while nobody looked."""
+        """Like `read`, but skip frames that arrived in between."""
         frame = self.read()
         with self._changed:
             if self._kept:
@@ -176,7 +174,7 @@ class Stream:
         return frame
 
     def poll(self) -> Frame | None:
-        """Give the next frame if one waits already."""
+        """Return the next frame if one is waiting, else None."""
         with self._changed:
             return self._kept.popleft() if self._kept else None
 

@@ -1,4 +1,4 @@
-"""Pictures in a terminal, two pixels a character; needs no window, and works over a network."""
+"""Pictures in a terminal, two pixels per character; needs no window and works over a network."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NEAREST, _FARTHEST = 400, 1050
 
 
 def color_picture(frame: Frame) -> ByteArray:
-    """Give any frame in colours: near depth red, far blue, no reading black."""
+    """Return any frame in colour: near depth red, far depth blue, no reading black."""
     if frame.mode.pixels is PixelFormat.BAYER:
         return demosaic(frame.image)
     if frame.mode.pixels is PixelFormat.IR:
@@ -34,7 +34,12 @@ def render(picture: ByteArray, columns: int, lines: int) -> str:
     ----------
     picture : (height, width, 3) uint8, RGB
     columns, lines
-        Room in the terminal.
+        Size of the terminal.
+
+    Returns
+    -------
+    str
+        Lines with ANSI colour codes.
     """
     height, width = picture.shape[:2]
     scale = min(columns / width, 2 * lines / height)
@@ -52,6 +57,12 @@ def render(picture: ByteArray, columns: int, lines: int) -> str:
 
 
 def beside(left: str, right: str) -> str:
-    """Put two drawings next to each other."""
+    """Put two drawings next to each other.
+
+    Parameters
+    ----------
+    left, right
+        Drawings by `render`.
+    """
     pairs = zip(left.split("\n"), right.split("\n"), strict=False)
     return "\n".join(f"{one} {other}" for one, other in pairs)

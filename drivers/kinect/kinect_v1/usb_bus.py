@@ -1,7 +1,7 @@
-"""The USB side of the driver: the only file that knows pyusb.
+"""The USB side of the driver: the only file that uses pyusb.
 
 A `UsbBus` finds the functions of sensors; a `UsbFunction` is one of them, opened and claimed. Both
-stand on a pyusb backend that can also run isochronous streams: libusb's, or the emulated bus.
+use a pyusb backend that can also run isochronous streams: libusb's, or the emulated bus.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from kinect_v1.models import PRODUCTS, VENDOR, function_name
 from kinect_v1.packets import PacketReceiver
 
 UsbError = usb.core.USBError
-"""What backends raise; the emulated bus too."""
+"""Raised by backends, including the emulated bus."""
 
 _DEFAULT_PACKET_BYTES = 1920
 _TIMEOUT_MS = 1000
@@ -49,7 +49,7 @@ class RunningStream(Protocol):
     """An isochronous stream that can be stopped."""
 
     def stop(self) -> None:
-        """End it; when this returns, no packet comes any more."""
+        """Stop; no packet arrives after this returns."""
         ...
 
 
@@ -63,12 +63,18 @@ class StreamingBackend(usb.backend.IBackend):  # type: ignore[misc] # pyusb is u
         packet_bytes: int,
         receiver: PacketReceiver,
     ) -> RunningStream:
-        """Start to read an endpoint of the open device at `place` = (bus, address)."""
+        """Start to read an endpoint of the open device at `place` = (bus, address).
+
+        Parameters
+        ----------
+        packet_bytes
+            Largest packet of one microframe.
+        """
         raise NotImplementedError
 
 
 class LibusbBackend:
-    """pyusb's libusb backend, which remembers who claimed what so that streams can use it."""
+    """pyusb's libusb backend, which records who claimed what so that streams can use it."""
 
     def __init__(self, backend: Any) -> None:
         self._backend = backend
@@ -105,19 +111,27 @@ class LibusbBackend:
         packet_bytes: int,
         receiver: PacketReceiver,
     ) -> RunningStream:
-        """Queue overlapped transfers."""
+        """Queue overlapped transfers.
+
+        Parameters
+        ----------
+        place
+            Bus and address of the device.
+        packet_bytes
+            Largest packet of one microframe.
+        """
         handle = self._claimed[place].handle
         target = StreamTarget(handle, endpoint, packet_bytes, bus=place[0])
         return IsochronousStream(self._loop, target, receiver)
 
 
 def _load_libusb() -> Any:
-    """Load the system's libusb-1.0, else the one of the package libusb-package."""
+    """Load the system's libusb-1.0, else that of the package libusb-package."""
     backend = usb.backend.libusb1.get_backend()
     if backend is not None:
         return backend
     try:
-        import libusb_package  # noqa: PLC0415 - only where the system has none
+        import libusb_package  # noqa: PLC0415 - only if the system has none
     except ImportError:
         return None
     return libusb_package.get_libusb1_backend()
@@ -136,17 +150,17 @@ class UsbBus:
         self._backend = backend
 
     def functions(self) -> list[UsbFunction]:
-        """Give the cameras, motors and audio functions that are plugged in now."""
+        """Return the cameras, motors and audio functions that are plugged in now."""
         found = usb.core.find(find_all=True, backend=self._backend, idVendor=VENDOR)
         return [UsbFunction(d, self._backend) for d in found if d.idProduct in PRODUCTS]
 
     def places(self) -> frozenset[tuple[int, int]]:
-        """Give bus and address of each function; a sensor that is plugged in again has new ones."""
+        """Return bus and address of each function; replugging a sensor changes them."""
         return frozenset((function.bus, function.address) for function in self.functions())
 
 
 def system_bus() -> UsbBus:
-    """Give the real bus of this computer.
+    """Return the real bus of this computer.
 
     Raises
     ------
@@ -162,7 +176,7 @@ def system_bus() -> UsbBus:
 
 
 class UsbFunction:
-    """One USB function of a sensor: its camera, its motor, or its audio part.
+    """One USB function of a sensor: its camera, its motor, or its audio function.
 
     Attributes
     ----------
@@ -171,7 +185,7 @@ class UsbFunction:
     bus, address
         Where it is now; both change when it is plugged in again.
     ports : tuple of int
-        The way from the root hub.
+        The path from the root hub.
     """
 
     def __init__(self, device: Any, backend: LibusbBackend | StreamingBackend) -> None:
@@ -184,7 +198,7 @@ class UsbFunction:
         self.ports: tuple[int, ...] = tuple(device.port_numbers or ())
 
     def serial(self) -> str | None:
-        """Read the serial number; None where the function has none."""
+        """Read the serial number; None if the function has none."""
         index = self._device.iSerialNumber
         if not index:
             return None
@@ -195,7 +209,7 @@ class UsbFunction:
             )
 
     def _read_string(self, index: int, language: int) -> bytes:
-        """Read a string descriptor without its head; pyusb's own reader hides what went wrong."""
+        """Read a string descriptor without its header; pyusb's reader hides the cause of errors."""
         raw = usb.control.get_descriptor(
             self._device, 255, usb.util.DESC_TYPE_STRING, index, language
         )
@@ -203,23 +217,23 @@ class UsbFunction:
 
     @property
     def place(self) -> str:
-        """Where it is plugged in, as the kernel writes it: bus-port.port."""
+        """Port path as the kernel writes it: bus-port.port."""
         return f"{self.bus}-{'.'.join(map(str, self.ports)) or '?'}"
 
     @property
     def interface_count(self) -> int:
-        """Interfaces of the active configuration; an audio part without firmware has one."""
+        """Number of interfaces in the active configuration; one in audio without firmware."""
         with _translating(self):
             return int(self._device[0].bNumInterfaces)
 
     def claim(self) -> None:
-        """Take the function from the kernel's driver."""
+        """Claim the function, detaching the kernel's driver."""
         with _translating(self):
             self._detach_kernel_driver()
             self._claim()
 
     def check_free(self) -> None:
-        """Check that no other program holds the function, which the kernel's driver may keep.
+        """Check that no other program holds the function; the kernel's driver may keep it.
 
         Raises
         ------
@@ -242,7 +256,7 @@ class UsbFunction:
             ) from error
 
     def _kernel_driver_active(self) -> bool:
-        """Tell whether the kernel's driver has it; False where the system cannot say."""
+        """Return whether the kernel's driver holds it; False if the system cannot say."""
         return bool(_where_possible(self._device.is_kernel_driver_active))
 
     def _detach_kernel_driver(self) -> None:
@@ -250,7 +264,7 @@ class UsbFunction:
             _where_possible(self._device.detach_kernel_driver)
 
     def select_alternate(self, alternate: int) -> None:
-        """Select an alternate setting; setting it again gives reserved bandwidth back."""
+        """Select an alternate setting; selecting it again frees reserved bandwidth."""
         with _translating(self):
             self._device.set_interface_altsetting(_INTERFACE, alternate)
 
@@ -262,7 +276,7 @@ class UsbFunction:
             raise TransferError(f"Only {sent} of {len(data)} bytes reached {self._name}; {_REPLUG}")
 
     def control_in(self, request: int, length: int) -> bytes:
-        """Ask for at most `length` bytes."""
+        """Request at most `length` bytes."""
         with _translating(self):
             return bytes(self._device.ctrl_transfer(0xC0, request, 0, 0, length, _TIMEOUT_MS))
 
@@ -272,7 +286,13 @@ class UsbFunction:
             self._device.write(endpoint, data, timeout_ms)
 
     def bulk_in(self, endpoint: int, length: int, timeout_ms: int) -> bytes:
-        """Read from a bulk endpoint."""
+        """Read from a bulk endpoint.
+
+        Returns
+        -------
+        bytes
+            At most `length`.
+        """
         with _translating(self):
             return bytes(self._device.read(endpoint, length, timeout_ms))
 
@@ -285,7 +305,7 @@ class UsbFunction:
             return self._backend.start_stream((self.bus, self.address), endpoint, size, receiver)
 
     def _packet_bytes(self, endpoint: int, alternate: int) -> int:
-        """Bytes of one microframe: bits 11 and 12 count additional transactions."""
+        """Return the bytes per microframe: bits 11 and 12 count additional transactions."""
         interface = self._device[0][(_INTERFACE, alternate)]
         for candidate in interface:
             if candidate.bEndpointAddress == endpoint:
@@ -297,7 +317,7 @@ class UsbFunction:
         )
 
     def close(self) -> None:
-        """Give the function back; does nothing when it is closed or gone already."""
+        """Release the function; does nothing if it is closed or gone already."""
         try:
             usb.util.dispose_resources(self._device)
         except UsbError as error:
@@ -314,7 +334,7 @@ _REPLUG = "unplug the sensor and plug it in again."
 
 @contextmanager
 def _translating(function: UsbFunction) -> Iterator[None]:
-    """Turn pyusb's errors into this driver's."""
+    """Convert pyusb's errors to this driver's."""
     try:
         yield
     except UsbError as error:
@@ -326,7 +346,7 @@ def _translating(function: UsbFunction) -> Iterator[None]:
 
 
 def _where_possible(ask: Callable[[int], object]) -> object:
-    """Ask about the kernel's driver; None where a system cannot, whose claim will tell."""
+    """Query the kernel's driver; None if the system cannot, as claiming will show."""
     try:
         return ask(_INTERFACE)
     except (NotImplementedError, UsbError) as error:
@@ -336,7 +356,7 @@ def _where_possible(ask: Callable[[int], object]) -> object:
 
 
 def _translated(error: Any, function: UsbFunction) -> KinectError:
-    """Say in one sentence what a USB error means and what to do."""
+    """Return the error that explains a USB error and its remedy in one sentence."""
     name = function._name
     if error.errno in (errno.EACCES, errno.EPERM):
         return NoPermissionError(

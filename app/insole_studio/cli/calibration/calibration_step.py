@@ -1,4 +1,4 @@
-"""What every step of a calibration has in common: its sensor, its report, and keeping both."""
+"""What all calibration steps share: the sensor, the report, and saving both."""
 
 from __future__ import annotations
 
@@ -18,7 +18,13 @@ if TYPE_CHECKING:
 
 
 def add_step_arguments(parser: argparse.ArgumentParser, holds: str) -> None:
-    """Declare the folder of images, the sensor and the reports."""
+    """Add the folder of images, the sensor and the reports.
+
+    Parameters
+    ----------
+    holds
+        Help text: what the folder contains.
+    """
     parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
     parser.add_argument("--serial", required=True, help="of the sensor, from its label")
     add_store_argument(parser)
@@ -31,15 +37,14 @@ def run_step(
     work: Callable[[Sensor, Progress], StepResult],
     insist: bool = False,
 ) -> None:
-    """Take the sensor as it is known so far, make it better, and keep it with its reports.
+    """Load the sensor, improve its calibration, and save it with its reports.
 
     Parameters
     ----------
-    arguments
-    progress
     work
+        Fits the step's part of the calibration of the sensor as known so far.
     insist
-        Keep a result that can hardly be right; the warning says so.
+        Save even an implausible result, which a warning points out.
 
     Raises
     ------

@@ -14,7 +14,7 @@ from insole_studio.cli.calibration.lens_arguments import add_lens_arguments, opt
 
 @dataclass
 class CameraStep:
-    """The step of one camera: its name and help, and what its folder holds."""
+    """The step for one camera: its name and help, and what its folder contains."""
 
     NAME: str
     HELP: str
@@ -22,13 +22,13 @@ class CameraStep:
     holds: str
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
-        """Declare the arguments."""
+        """Add the arguments."""
         add_step_arguments(parser, self.holds)
         add_board_arguments(parser)
         add_lens_arguments(parser)
 
     def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
-        """Find the boards, fit the camera, keep it."""
+        """Detect the boards, fit the camera and save it."""
         board, options = board_of(arguments), options_of(arguments)
         from insole_core.workflows.calibration.camera_step import calibrate_camera_step
 

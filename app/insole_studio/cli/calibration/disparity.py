@@ -12,7 +12,7 @@ HELP = "raw number to mm, from captures of a wall at measured distances"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_step_arguments(parser, "a sub-folder of raw depth images for each wall, or one image each")
     parser.add_argument(
         "--distances", type=float, nargs="+", required=True, metavar="MM",
@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the walls, fit the model, keep it."""
+    """Read the walls, fit the model and save it."""
     from insole_core.workflows.calibration.wall_steps import calibrate_disparity_step, read_walls
 
     captures = read_walls(arguments.folder, arguments.distances, progress.part(0, 0.5))

@@ -18,7 +18,7 @@ HELP = "the distortion of the depth, from captures of a flat wall at several dis
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_step_arguments(
         parser, "a sub-folder of raw depth images for each wall, or one image each; with --board, "
         "a colour picture color_000 of the board on the wall in each sub-folder",
@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the walls, fit the map, keep it."""
+    """Read the walls, fit the map and save it."""
     from insole_core.workflows.calibration.wall_steps import (
         calibrate_distortion_step,
         place_walls,

@@ -1,4 +1,4 @@
-"""Which parameters of a camera are fitted, as arguments of a command."""
+"""Arguments that choose which camera parameters are fitted."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ if TYPE_CHECKING:
 
 
 def add_lens_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the parameters that are held by default."""
+    """Add the parameters that are fixed by default."""
     parser.add_argument("--fit-k3", action="store_true", help="free the sixth order of the lens")
     parser.add_argument("--fit-skew", action="store_true", help="free the skew of the axes")
 
 
 def options_of(arguments: argparse.Namespace) -> IntrinsicsOptions:
-    """Give the options of a call."""
+    """Return the options that the arguments select."""
     from insole_core.calibration.boards.intrinsics import IntrinsicsOptions
 
     return IntrinsicsOptions(fit_k3=arguments.fit_k3, fit_skew=arguments.fit_skew)

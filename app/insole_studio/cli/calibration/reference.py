@@ -1,4 +1,4 @@
-"""``insole-studio calibrate reference``: check a reference system, and measure a built one."""
+"""``insole-studio calibrate reference``: check a reference system, and survey one as built."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HELP = "check a reference system; with sessions, measure where its markers reall
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument(
         "system", type=Path, nargs="?", metavar="SYSTEM.json",
         help="by default the 20-marker system of the product",
@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Check the system; survey it where there are sessions."""
+    """Check the system, and survey it if sessions are given."""
     check_reports(arguments)
     if bool(arguments.sessions) != bool(arguments.length):
         raise UsageError("Measuring a built system needs both --sessions and --length.")

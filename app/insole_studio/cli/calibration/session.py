@@ -14,7 +14,7 @@ HELP = "write a copy of a session whose sensors are calibrated as they are kept 
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     parser.add_argument("session", type=Path, metavar="SESSION", help="folder or .zip")
     parser.add_argument("--out", type=Path, required=True, metavar="SESSION")
     parser.add_argument(
@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read, calibrate, write."""
+    """Read the session, calibrate it and write it."""
     from insole_core.recording.reader import read_session
     from insole_core.recording.writer import write_session
     from insole_core.sensing.correction import load_correction

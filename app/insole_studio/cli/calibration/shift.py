@@ -1,4 +1,4 @@
-"""``insole-studio calibrate shift``: colour on depth by a constant shift (thesis 5.4)."""
+"""``insole-studio calibrate shift``: map colour to depth by a constant shift (thesis 5.4)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HELP = "colour on depth by a constant pixel shift, as the thesis did; stereo is 
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_step_arguments(
         parser, "color_000 … and ir_000 … of a board in the same positions, or is such a file of "
         "marked points as docs/calibration.md describes",
@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Find or read the points, shift, keep it."""
+    """Detect or read the points, fit the shift and save it."""
     from insole_core.workflows.calibration.stereo_steps import shift_color_step
     from insole_studio.cli.correspondences import read_correspondences
 

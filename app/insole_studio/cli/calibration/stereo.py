@@ -1,4 +1,4 @@
-"""``insole-studio calibrate stereo``: where the colour camera stands beside the depth camera."""
+"""``insole-studio calibrate stereo``: the pose of the colour camera to the depth camera."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HELP = "the colour camera beside the depth camera, from a board that both see"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_step_arguments(
         parser,
         "color_000 … of the board, and of the same positions ir_000 … (emitter covered) or "
@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Fit the pose between the cameras and keep it."""
+    """Fit the pose between the cameras and save it."""
     board = board_of(arguments)
     from insole_core.workflows.calibration.stereo_steps import calibrate_stereo_step
 

@@ -1,4 +1,4 @@
-"""``insole-studio evaluate alignment``: how well colour lies on depth."""
+"""``insole-studio evaluate alignment``: how well colour is aligned with depth."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HELP = "misalignment of colour and depth at several distances (thesis table 2)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(
         parser, "color_000 … and ir_000 … of a board in the same positions, or is such a file of "
         "marked points as docs/calibration.md describes",
@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Find or read the points, measure, judge."""
+    """Detect or read the points, measure, and check the limits."""
     check_reports(arguments)
     from insole_core.evaluation.alignment import evaluate_alignment
     from insole_core.evaluation.evaluation_sections import alignment_section

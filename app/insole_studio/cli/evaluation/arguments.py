@@ -1,4 +1,4 @@
-"""What every evaluation has in common: its sensor, its limits and its reports."""
+"""What all evaluations share: the sensor, the limits and the reports."""
 
 from __future__ import annotations
 
@@ -12,7 +12,15 @@ from insole_studio.cli.sensor_arguments import add_evaluated_sensor
 def add_evaluation_arguments(
     parser: argparse.ArgumentParser, holds: str, judged_by_default: bool = False
 ) -> None:
-    """Declare the folder of images, the sensor, the limits and the reports."""
+    """Add the folder of images, the sensor, the limits and the reports.
+
+    Parameters
+    ----------
+    holds
+        Help text: what the folder contains.
+    judged_by_default
+        Whether limits apply even if none are named.
+    """
     parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
     add_evaluated_sensor(parser)
     add_limit_arguments(parser, judged_by_default)

@@ -1,4 +1,4 @@
-"""``insole-studio evaluate artefact``: acceptance with two spheres and a plate."""
+"""``insole-studio evaluate artefact``: acceptance test with two spheres and a plate."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HELP = "acceptance with a bar of two spheres and a plate, in the manner of VDI/V
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(
         parser,
         "bar_000 … and plate_000 …, each a sub-folder of raw depth images or one image",
@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Find spheres and plates, measure them, judge."""
+    """Detect spheres and plates, measure them, and check the limits."""
     check_reports(arguments)
     from insole_core.calibration.walls.captures import read_captures
     from insole_core.evaluation.artefact import evaluate_artefact

@@ -24,7 +24,7 @@ HELP = "distances between points of a known object against their true values (th
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(
         parser, "color_000 … and depth_000.png … of a board or of an object with coloured "
         "spots, which are found; or, with marked --points, the raw depth images of the object",
@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Find or read the points, measure their distances, judge."""
+    """Detect or read the points, measure their distances, and check the limits."""
     check_reports(arguments)
     if (arguments.board is None) == (arguments.points is None):
         raise UsageError(
@@ -99,7 +99,7 @@ def _measure_points(
 def _measure_spots(
     arguments: argparse.Namespace, sensor: Sensor, points: ObjectPoints, progress: Progress
 ) -> ObjectEvaluation:
-    """Find the spots in every position of the object; a position without them is left out."""
+    """Detect the spots in every position of the object; skip positions without them."""
     from insole_core.calibration.boards.board import read_color
     from insole_core.calibration.boards.boards_in_depth import read_depth_beside
     from insole_core.errors import CalibrationError

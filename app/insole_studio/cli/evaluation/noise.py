@@ -1,4 +1,4 @@
-"""``insole-studio evaluate noise``: noise of single frames, and drift while warming up."""
+"""``insole-studio evaluate noise``: noise of single frames, and drift during warm-up."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HELP = "noise of single frames of a still scene, and drift while the sensor warm
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(parser, "the raw depth images of a still scene, in order of time")
     parser.add_argument(
         "--every", type=float, metavar="SECONDS",
@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the frames once, measure, judge."""
+    """Read the frames once, measure, and check the limits."""
     check_reports(arguments)
     from insole_core.calibration.walls.captures import read_frames
     from insole_core.evaluation.evaluation_sections import noise_section

@@ -14,14 +14,14 @@ HELP = "spatial and depth resolution over distance, against theory (thesis figur
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(
         parser, "a sub-folder of raw depth images for each wall, or one image each"
     )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the walls, measure them, judge."""
+    """Read the walls, measure them, and check the limits."""
     check_reports(arguments)
     from insole_core.evaluation.evaluation_sections import resolution_section
     from insole_core.evaluation.resolution import evaluate_resolution

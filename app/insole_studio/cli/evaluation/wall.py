@@ -1,4 +1,4 @@
-"""``insole-studio evaluate wall``: how far a flat wall is from flat."""
+"""``insole-studio evaluate wall``: how far a flat wall is measured from flat."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HELP = "error of a flat wall over distance, before and after correction (thesis 
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the arguments."""
+    """Add the arguments."""
     add_evaluation_arguments(
         parser, "a sub-folder of raw depth images for each wall, or one image each"
     )
@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
-    """Read the walls, measure them, judge."""
+    """Read the walls, measure them, and check the limits."""
     check_reports(arguments)
     from insole_core.workflows.calibration.wall_steps import check_recorded_with, read_walls
 

@@ -1,4 +1,4 @@
-"""An emulated USB bus as a pyusb backend: sensors that play frames, with no libusb, no device."""
+"""An emulated USB bus as a pyusb backend: sensors that play frames, without libusb or devices."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ from kinect_v1.usb_bus import RunningStream, StreamingBackend, UsbError
 
 _BLOCK = 64
 _ENDPOINTS_PER_CONTROLLER = 2
-"""What an EHCI controller carries."""
+"""Bandwidth of an EHCI controller."""
 _Answer = TypeVar("_Answer")
 
 
 @dataclass(eq=False)
 class _Plugged:
-    """A function in a port."""
+    """A USB function that is plugged into a port."""
 
     function: EmulatedFunction
     kinect: EmulatedKinect
@@ -48,22 +48,22 @@ class _Plugged:
 
 @dataclass(eq=False)
 class _Handle:
-    """An open function."""
+    """A USB function that was opened."""
 
     plugged: _Plugged
 
 
 class EmulatedBus(StreamingBackend):
-    """A pyusb backend on which emulated sensors live; give it to `UsbBus`.
+    """A pyusb backend with emulated sensors; pass it to `UsbBus`.
 
     Parameters
     ----------
     kinects
-        What is plugged in.
+        The sensors that are plugged in.
     controllers
-        The bus number of each sensor; by default every one has a controller of its own.
+        The bus number of each sensor; by default each has a controller of its own.
     speed
-        Of the sensors' time; 1 = real, inf = no waiting.
+        Factor on the sensors' clock; 1 = real time, inf = no waiting.
     """
 
     def __init__(
@@ -83,7 +83,13 @@ class EmulatedBus(StreamingBackend):
             self.plug(kinect, number)
 
     def plug(self, kinect: EmulatedKinect, controller: int) -> None:
-        """Plug a sensor into a controller, on a hub of its own."""
+        """Plug a sensor into a controller, on a hub of its own.
+
+        Parameters
+        ----------
+        controller
+            Its bus number.
+        """
         with self._lock:
             hub = 1 + max((p.ports[0] for p in self._plugged if p.bus == controller), default=0)
             for port, function in enumerate(kinect.functions(), start=1):
@@ -94,7 +100,7 @@ class EmulatedBus(StreamingBackend):
                 )
 
     def unplug(self, kinect: EmulatedKinect) -> None:
-        """Pull a sensor out; its streams end, its registers are lost."""
+        """Unplug a sensor; its streams end and its registers are lost."""
         with self._lock:
             gone = [p for p in self._plugged if p.kinect is kinect]
             self._plugged = [p for p in self._plugged if p.kinect is not kinect]
@@ -109,17 +115,17 @@ class EmulatedBus(StreamingBackend):
             return list(self._plugged)
 
     def get_parent(self, dev: _Plugged) -> None:
-        """Hubs are not listed."""
+        """Return None, as hubs are not listed."""
 
     def get_device_descriptor(self, dev: _Plugged) -> SimpleNamespace:
-        """Give the device descriptor, and where the device is."""
+        """Return the device descriptor, and where the device is."""
         descriptor = parse_device(dev.function.device_descriptor)
         descriptor.bus, descriptor.address, descriptor.speed = dev.bus, dev.address, 3
         descriptor.port_numbers, descriptor.port_number = dev.ports, dev.ports[-1]
         return descriptor
 
     def get_configuration_descriptor(self, dev: _Plugged, config: int) -> SimpleNamespace:
-        """Give the only configuration."""
+        """Return the only configuration."""
         if config:
             raise IndexError("there is one configuration")
         return parse_configuration(dev.function.configuration_descriptor)
@@ -127,7 +133,7 @@ class EmulatedBus(StreamingBackend):
     def get_interface_descriptor(
         self, dev: _Plugged, intf: int, alt: int, config: int
     ) -> SimpleNamespace:
-        """Give an alternate setting; IndexError past the last."""
+        """Return an alternate setting; IndexError past the last."""
         configuration = self.get_configuration_descriptor(dev, config)
         setting: SimpleNamespace = configuration.interfaces[intf][alt]
         return setting
@@ -135,7 +141,7 @@ class EmulatedBus(StreamingBackend):
     def get_endpoint_descriptor(
         self, dev: _Plugged, ep: int, intf: int, alt: int, config: int
     ) -> SimpleNamespace:
-        """Give an endpoint by its place in the alternate setting."""
+        """Return an endpoint by its index in the alternate setting."""
         setting = self.get_interface_descriptor(dev, intf, alt, config)
         endpoint: SimpleNamespace = setting.endpoints[ep]
         return endpoint
@@ -149,7 +155,7 @@ class EmulatedBus(StreamingBackend):
         return _Handle(dev)
 
     def close_device(self, dev_handle: _Handle) -> None:
-        """Close it; what it had claimed is free again."""
+        """Close a device; the interfaces it had claimed are free again."""
         if dev_handle.plugged.claimed_by is dev_handle:
             dev_handle.plugged.claimed_by = None
 
@@ -157,19 +163,19 @@ class EmulatedBus(StreamingBackend):
         """Accept the only configuration."""
 
     def get_configuration(self, dev_handle: _Handle) -> int:
-        """Tell the active configuration."""
+        """Return the active configuration."""
         return 1
 
     def is_kernel_driver_active(self, dev_handle: _Handle, intf: int) -> bool:
-        """Tell whether the kernel's driver holds the interface."""
+        """Return whether the kernel's driver holds the interface."""
         return dev_handle.plugged.kernel_driver
 
     def detach_kernel_driver(self, dev_handle: _Handle, intf: int) -> None:
-        """Take it from the kernel's driver."""
+        """Detach the kernel's driver from the interface."""
         dev_handle.plugged.kernel_driver = False
 
     def claim_interface(self, dev_handle: _Handle, intf: int) -> None:
-        """Take an interface, unless somebody has it."""
+        """Claim an interface, unless another handle holds it."""
         plugged = dev_handle.plugged
         if not plugged.present:
             raise _failure(errno.ENODEV)
@@ -178,11 +184,11 @@ class EmulatedBus(StreamingBackend):
         plugged.claimed_by = dev_handle
 
     def release_interface(self, dev_handle: _Handle, intf: int) -> None:
-        """Give an interface back; EHCI keeps the bandwidth all the same."""
+        """Release an interface; like EHCI, keep its bandwidth reserved."""
         self.close_device(dev_handle)
 
     def set_interface_altsetting(self, dev_handle: _Handle, intf: int, altsetting: int) -> None:
-        """Select an alternate setting, which gives reserved bandwidth back."""
+        """Select an alternate setting, which frees reserved bandwidth."""
         plugged = dev_handle.plugged
         self._ask(plugged, lambda: plugged.function.select_alternate(altsetting))
         with self._lock:
@@ -198,7 +204,7 @@ class EmulatedBus(StreamingBackend):
         data: array[int],
         timeout: int,
     ) -> int:
-        """Carry a control transfer to the device."""
+        """Pass a control transfer to the device."""
         plugged, function = dev_handle.plugged, dev_handle.plugged.function
         if not bmRequestType & 0x80:
             sent = data.tobytes()
@@ -212,7 +218,7 @@ class EmulatedBus(StreamingBackend):
     def bulk_write(
         self, dev_handle: _Handle, ep: int, intf: int, data: array[int], timeout: int
     ) -> int:
-        """Carry a bulk transfer to the device."""
+        """Pass a bulk transfer to the device."""
         sent = data.tobytes()
         self._ask(dev_handle.plugged, lambda: dev_handle.plugged.function.bulk_out(sent))
         return len(sent)
@@ -220,7 +226,7 @@ class EmulatedBus(StreamingBackend):
     def bulk_read(
         self, dev_handle: _Handle, ep: int, intf: int, buff: array[int], timeout: int
     ) -> int:
-        """Carry a bulk transfer from the device."""
+        """Pass a bulk transfer from the device."""
         return _fill(buff, self._ask(dev_handle.plugged, dev_handle.plugged.function.bulk_in))
 
     def start_stream(
@@ -230,7 +236,15 @@ class EmulatedBus(StreamingBackend):
         packet_bytes: int,
         receiver: PacketReceiver,
     ) -> RunningStream:
-        """Reserve bandwidth and start to play an endpoint."""
+        """Reserve bandwidth and start to play an endpoint.
+
+        Parameters
+        ----------
+        place
+            Bus and address of the device.
+        packet_bytes
+            Largest packet of one microframe.
+        """
         with self._lock:
             plugged = next((p for p in self._plugged if (p.bus, p.address) == place), None)
             if plugged is None:
@@ -248,7 +262,7 @@ class EmulatedBus(StreamingBackend):
         self._reserved.add((plugged, endpoint))
 
     def _ask(self, plugged: _Plugged, request: Callable[[], _Answer]) -> _Answer:
-        """Let the device answer, one request at a time."""
+        """Let the device answer one request at a time."""
         with self._lock:
             if not plugged.present:
                 raise _failure(errno.ENODEV)
@@ -261,7 +275,7 @@ class EmulatedBus(StreamingBackend):
 
 
 class _PlayingStream:
-    """One endpoint, played by a thread of its own."""
+    """One endpoint, played by a thread."""
 
     def __init__(
         self,
@@ -281,7 +295,7 @@ class _PlayingStream:
         self._thread.start()
 
     def stop(self) -> None:
-        """End it; when this returns, no packet comes any more."""
+        """Stop; no packet arrives after this returns."""
         self._stopping.set()
         self._thread.join()
 

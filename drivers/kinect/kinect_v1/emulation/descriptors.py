@@ -15,14 +15,14 @@ MANUFACTURER = "Microsoft"
 
 @dataclass(frozen=True)
 class Endpoint:
-    """An endpoint: address, transfer type, wMaxPacketSize."""
+    """A USB endpoint: address, transfer type, wMaxPacketSize."""
 
     address: int
     attributes: int
     packet_size: int
 
     def encode(self) -> bytes:
-        """Give its descriptor."""
+        """Return its descriptor."""
         return struct.pack("<BBBBHB", 7, 5, self.address, self.attributes, self.packet_size, 1)
 
 
@@ -37,7 +37,13 @@ AUDIO_ENDPOINTS = (Endpoint(0x01, BULK, 512), Endpoint(0x81, BULK, 512))
 
 
 def device_descriptor(product: int, release: int, *, has_serial: bool = True) -> bytes:
-    """Give a device descriptor; strings 1 to 3 are product, manufacturer and serial number."""
+    """Return a device descriptor; strings 1 to 3 are product, manufacturer and serial number.
+
+    Parameters
+    ----------
+    product, release
+        idProduct and bcdDevice.
+    """
     return struct.pack(
         "<BBHBBBBHHHBBBB",
         *(18, 1, 0x0200, 0, 0, 0, 64, VENDOR, product, release, 2, 1, 3 if has_serial else 0, 1),
@@ -45,7 +51,7 @@ def device_descriptor(product: int, release: int, *, has_serial: bool = True) ->
 
 
 def configuration_descriptor(interfaces: tuple[Interface, ...], power_ma: int) -> bytes:
-    """Give the one configuration with all its interfaces and endpoints."""
+    """Return the only configuration with all its interfaces and endpoints."""
     body = b""
     for number, alternates in enumerate(interfaces):
         for alternate, endpoints in enumerate(alternates):
@@ -56,7 +62,13 @@ def configuration_descriptor(interfaces: tuple[Interface, ...], power_ma: int) -
 
 
 def string_descriptor(strings: tuple[str, ...], index: int) -> bytes | None:
-    """Give string `index`, counted from 1; 0 lists the languages; None = there is none."""
+    """Return string `index`, counted from 1; 0 lists the languages; None = there is none.
+
+    Parameters
+    ----------
+    strings
+        Product, manufacturer and serial number.
+    """
     if index > len(strings):
         return None
     text = struct.pack("<H", 0x0409) if index == 0 else strings[index - 1].encode("utf-16-le")

@@ -25,7 +25,7 @@ from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH, MODES, VIDEO, StreamMode, mode_from_registers
 
 Footage = Mapping[str, Sequence[bytes]]
-"""Packed frames by the name of the mode; a mode without frames streams nothing."""
+"""Packed frames by name of the mode; a mode without frames streams nothing."""
 
 _GET_DESCRIPTOR, _STRING = 0x06, 0x03
 _POLLS_BEFORE_REPLY = 2
@@ -37,7 +37,7 @@ class StallError(Exception):
 
 
 class SilentError(Exception):
-    """The device does not answer, and the host's time runs out."""
+    """The device does not answer, and the host's request times out."""
 
 
 class EmulatedFunction:
@@ -49,8 +49,6 @@ class EmulatedFunction:
         idProduct and bcdDevice.
     strings
         Product, manufacturer, and the serial number where it has one.
-    interfaces
-    power_ma
     """
 
     kernel_driver: str | None = None
@@ -68,7 +66,7 @@ class EmulatedFunction:
         self._strings = strings
 
     def control_in(self, kind: int, request: int, value: int, length: int) -> bytes:
-        """Answer a control request that asks for data."""
+        """Answer a control request for data."""
         if kind == 0x80 and request == _GET_DESCRIPTOR and value >> 8 == _STRING:
             text = string_descriptor(self._strings, value & 0xFF)
             if text is not None:
@@ -76,11 +74,11 @@ class EmulatedFunction:
         raise StallError
 
     def control_out(self, kind: int, request: int, value: int, data: bytes) -> None:
-        """Take a control request."""
+        """Handle a control request."""
         raise StallError
 
     def bulk_out(self, data: bytes) -> None:
-        """Take a bulk transfer."""
+        """Handle a bulk transfer."""
         raise StallError
 
     def bulk_in(self) -> bytes:
@@ -88,11 +86,11 @@ class EmulatedFunction:
         raise StallError
 
     def select_alternate(self, alternate: int) -> None:
-        """Obey SET_INTERFACE."""
+        """Handle SET_INTERFACE."""
         self.alternate = alternate
 
     def microframes(self, endpoint: int, count: int) -> list[bytes]:
-        """Give what the next microframes of an isochronous endpoint carry."""
+        """Return what the next microframes of an isochronous endpoint carry."""
         raise StallError
 
 
@@ -102,7 +100,7 @@ class EmulatedCamera(EmulatedFunction):
     Attributes
     ----------
     registers, cmos
-        Their present values.
+        Their current values.
     """
 
     kernel_driver = "gspca_kinect"
@@ -135,28 +133,28 @@ class EmulatedCamera(EmulatedFunction):
         self._sources: dict[int, PacketSource | None] = {0x81: None, 0x82: None}
 
     def reset(self) -> None:
-        """Lose all state, as when the power goes."""
+        """Lose all state, as at a power failure."""
         self.registers.clear()
         self.alternate = 0
         self._replies.clear()
         self._sources = dict.fromkeys(self._sources)
 
     def inject(self, fault: Fault) -> None:
-        """Let something go wrong from now on."""
-        refusal = fault.kind == "no bandwidth"  # happens to starts, not to packets
+        """Let a fault happen from now on."""
+        refusal = fault.kind == "no bandwidth"  # applies to starts, not to packets
         (self._refusals if refusal else self._faults)[fault.where].inject(fault)
 
     def refuses_stream(self, endpoint: int) -> bool:
-        """Tell whether a fault says that the controller is full."""
+        """Return whether a fault makes the controller refuse the stream as full."""
         return bool(self._refusals["depth" if endpoint == DEPTH.endpoint else "video"].step())
 
     @property
     def emitter_on(self) -> bool:
-        """True while the infrared projector shines."""
+        """Whether the infrared projector is on."""
         return bool(self.registers.get(DEPTH.switch)) or self.registers.get(VIDEO.switch) == 3
 
     def control_out(self, kind: int, request: int, value: int, data: bytes) -> None:
-        """Take a command."""
+        """Handle a command."""
         if (kind, request) != (0x40, 0):
             raise StallError
         struck = self._faults["command"].step()
@@ -179,18 +177,18 @@ class EmulatedCamera(EmulatedFunction):
         self._replies.append(commands.encode_reply(opcode, tag, error_word, answer))
 
     def control_in(self, kind: int, request: int, value: int, length: int) -> bytes:
-        """Give the reply to the last command, or nothing while it is not ready."""
+        """Return the reply to the last command, or nothing while it is not ready."""
         if (kind, request) != (0xC0, 0):
             return super().control_in(kind, request, value, length)
         return self._replies.pop(0)[:length] if self._replies else b""
 
     def microframes(self, endpoint: int, count: int) -> list[bytes]:
-        """Give what the next microframes of an isochronous endpoint carry."""
+        """Return what the next microframes of an isochronous endpoint carry."""
         source = self._sources[endpoint]
         return source.microframes(count) if source else [b""] * count
 
     def _obey(self, opcode: int, payload: bytes) -> tuple[int, bytes]:
-        """Carry out a command; give the error word and the data of the reply."""
+        """Carry out a command; return the error word and the data of the reply."""
         values = struct.unpack(f"<{len(payload) // 2}H", payload)
         if opcode == Opcode.READ_REGISTER and len(values) == 1:
             return 0, commands.words(self.registers.get(values[0], 0))
@@ -206,7 +204,7 @@ class EmulatedCamera(EmulatedFunction):
         return 2, b""
 
     def fixed_parameters(self) -> bytes:
-        """Give the data of the reply that holds the zero plane."""
+        """Return the data of the reply that holds the zero plane."""
         total = self._model.fixed_parameter_bytes
         return factory.encode_zero_plane(self._calibration.zero_plane, total)
 
@@ -249,7 +247,7 @@ class EmulatedMotor(EmulatedFunction):
         self.acceleration_counts = (0, 819, 0)
 
     def control_out(self, kind: int, request: int, value: int, data: bytes) -> None:
-        """Tilt or light."""
+        """Tilt, or set the LED."""
         if kind != 0x40 or request not in (0x06, 0x31):
             raise StallError
         if request == 0x06:
@@ -259,7 +257,7 @@ class EmulatedMotor(EmulatedFunction):
             self._tilted(self.tilt_deg)
 
     def control_in(self, kind: int, request: int, value: int, length: int) -> bytes:
-        """Give the state."""
+        """Return the state."""
         if kind == 0xC0 and request == 0x10:
             return b"\x22"
         if kind != 0xC0 or request != 0x32:
@@ -269,7 +267,7 @@ class EmulatedMotor(EmulatedFunction):
 
 
 class EmulatedAudio(EmulatedFunction):
-    """The audio part, through which models 1473 and Kinect for Windows tilt and light."""
+    """The audio function, through which model 1473 and Kinect for Windows tilt and set the LED."""
 
     def __init__(
         self, model: Model, serial: str, tilted: Callable[[float], None], *, firmware: bool
@@ -288,7 +286,7 @@ class EmulatedAudio(EmulatedFunction):
         self._replies: list[bytes] = []
 
     def bulk_out(self, data: bytes) -> None:
-        """Take a command."""
+        """Handle a command."""
         magic, tag, _argument, command = struct.unpack_from("<4I", data)
         status = 0
         if command == 0x10 and len(data) == 20:
@@ -306,22 +304,21 @@ class EmulatedAudio(EmulatedFunction):
         self._replies.append(struct.pack("<3I", 0x0A6FE000, tag, status))
 
     def bulk_in(self) -> bytes:
-        """Give the oldest reply."""
+        """Return the oldest reply."""
         if not self._replies:
             raise SilentError
         return self._replies.pop(0)
 
 
 class EmulatedKinect:
-    """A whole sensor: a hub with a camera, an audio part, and in model 1414 a motor.
+    """A whole sensor: a hub with a camera, an audio function, and in model 1414 a motor.
 
     Parameters
     ----------
-    model, serial, calibration
     footage
-        What it sees.
+        The frames that it plays.
     firmware
-        Whether the audio part's firmware is running; of no meaning for model 1414.
+        Whether the audio function's firmware is running; ignored for model 1414.
     powered
         Whether the 12 V supply is connected.
     """
@@ -345,12 +342,12 @@ class EmulatedKinect:
         self._scenes: Mapping[float, Footage] = {0.0: footage}
 
     def face(self, scenes: Mapping[float, Footage]) -> None:
-        """Stand elsewhere; give what is seen there, from the next start of a stream on.
+        """Move the sensor; it plays other frames from the next start of a stream on.
 
         Parameters
         ----------
         scenes
-            By the tilt in degrees; the nearest counts.
+            Frames by tilt in degrees; the nearest tilt is used.
         """
         self._scenes = scenes
         self._look(self.motor.tilt_deg if self.motor else self.audio.tilt_deg)
@@ -360,6 +357,6 @@ class EmulatedKinect:
         self.camera.footage = self._scenes[nearest]
 
     def functions(self) -> list[EmulatedFunction]:
-        """Give the functions that answer, in the order of the hub's ports."""
+        """Return the functions that respond, in the order of the hub's ports."""
         powered: list[EmulatedFunction] = [self.camera, self.audio] if self.powered else []
         return [*powered, *([self.motor] if self.motor else [])]

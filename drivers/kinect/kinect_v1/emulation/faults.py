@@ -1,4 +1,4 @@
-"""What can go wrong on request."""
+"""Faults that the emulated device produces on request."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from dataclasses import dataclass
 from typing import Literal
 
 FaultKind = Literal[
-    "lost",  # the packet does not come
+    "lost",  # the packet is lost
     "packet magic",  # its first bytes are wrong
     "flag",  # its flag is wrong
     "short",  # it ends early
-    "sequence",  # its number is not counted up
-    "repeated",  # it comes in place of the next one too
+    "sequence",  # its number is not incremented
+    "repeated",  # it also replaces the next packet
     "no reply",  # the command is never answered
-    "full reply",  # 512 bytes of garbage come before the reply
+    "full reply",  # 512 bytes of garbage precede the reply
     "stall",  # the request is refused
-    "error word",  # the reply holds an error
+    "error word",  # the reply contains an error
     "reply tag",  # the reply answers another command
     "no bandwidth",  # the controller refuses the stream
 ]
@@ -24,18 +24,17 @@ Where = Literal["command", "depth", "video"]
 
 @dataclass(frozen=True)
 class Fault:
-    """Something that goes wrong.
+    """A fault to be produced.
 
     Parameters
     ----------
-    kind
     where
         On the command channel, or on one of the two streams.
     at
-        How many commands, packets, or (for "no bandwidth") starts pass before it, from when it is
-        injected.
+        How many commands, packets, or (for "no bandwidth") starts pass between injection and
+        fault.
     count
-        How many it strikes.
+        How many of them it affects.
     """
 
     kind: FaultKind
@@ -45,7 +44,7 @@ class Fault:
 
 
 class FaultPlan:
-    """The faults of one command channel or stream, counted as things pass."""
+    """The pending faults of one command channel or stream."""
 
     def __init__(self) -> None:
         self._faults: list[tuple[int, int, FaultKind]] = []
@@ -57,7 +56,7 @@ class FaultPlan:
         self._faults.append((start, start + fault.count, fault.kind))
 
     def step(self) -> set[FaultKind]:
-        """Let one thing pass; tell what strikes it."""
+        """Count one command, packet or start; return the faults that affect it."""
         struck = {kind for start, stop, kind in self._faults if start <= self._passed < stop}
         self._passed += 1
         return struck

@@ -1,4 +1,4 @@
-"""Frames as the isochronous packets in which a Kinect sends them."""
+"""Frames as isochronous packets, as a Kinect sends them."""
 
 from __future__ import annotations
 
@@ -15,14 +15,12 @@ _IDLE = b""
 
 
 class PacketSource:
-    """What one running stream puts on the bus, microframe by microframe.
+    """The packets of one running stream, microframe by microframe.
 
     Parameters
     ----------
-    mode
     frames
-        Packed frames, played in a circle.
-    faults
+        Packed frames, played in a loop.
     """
 
     def __init__(self, mode: StreamMode, frames: Sequence[bytes], faults: FaultPlan) -> None:
@@ -36,7 +34,7 @@ class PacketSource:
         self._last = _IDLE
 
     def microframes(self, count: int) -> list[bytes]:
-        """Give what the next microframes carry; empty where the bus is idle."""
+        """Return what the next microframes carry; empty where the bus is idle."""
         sent: list[bytes] = []
         while len(sent) < count:
             idle = self._frame_start() - self._microframe if self._index == 0 else 0
@@ -68,7 +66,7 @@ class PacketSource:
         return self._spoil(header + payload) if self._faults else header + payload
 
     def _spoil(self, packet: bytes) -> bytes:
-        """Let the faults strike that are due."""
+        """Apply the faults that are due."""
         struck = self._faults.step()
         if "packet magic" in struck:
             packet = b"XX" + packet[2:]

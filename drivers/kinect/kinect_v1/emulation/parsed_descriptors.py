@@ -1,4 +1,4 @@
-"""Descriptors as the objects with named fields that pyusb expects of a backend."""
+"""Descriptors as objects with named fields, as pyusb expects them from a backend."""
 
 from __future__ import annotations
 

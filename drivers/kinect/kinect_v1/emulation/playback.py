@@ -1,4 +1,4 @@
-"""Pictures as the footage of an emulated sensor."""
+"""Pictures as frames of an emulated sensor."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TYPICAL_CALIBRATION = Calibration(
     Padding(0, 0, 0),
     200,
 )
-"""What devices usually report, but for the registration, which varies from one to another."""
+"""What devices usually report, except the registration, which varies between devices."""
 
 
 def make_footage(
@@ -35,14 +35,14 @@ def make_footage(
     mosaics: Iterable[ByteArray] = (),
     infrared: Iterable[RawArray] = (),
 ) -> dict[str, list[bytes]]:
-    """Give what an emulated camera plays.
+    """Return the packed frames that an emulated camera plays.
 
     Parameters
     ----------
     depth
-        (480, 640) raw 11-bit numbers; with 10 bits the last bit is lost, as in the device.
+        (480, 640) raw 11-bit numbers; in 10-bit mode the last bit is lost, as in the device.
     mosaics
-        (480, 640) or (1024, 1280) Bayer mosaics; the other size is made from them.
+        (480, 640) or (1024, 1280) Bayer mosaics; the other size is derived from them.
     infrared
         (488, 640) or (1024, 1280), 10 bits.
     """
@@ -64,19 +64,19 @@ def make_footage(
 
 
 def _resized(picture: ByteArray, mode: StreamMode) -> ByteArray:
-    """Give a mosaic of another size."""
+    """Return a mosaic in the size of a mode."""
     size = (mode.width, mode.height)
     scaled = cv2.resize(demosaic(picture), size, interpolation=cv2.INTER_AREA)
     return mosaic(np.asarray(scaled, np.uint8))
 
 
 def recorded_kinect(folder: Path) -> EmulatedKinect:
-    """Make a sensor that plays a fakenect recording.
+    """Return a sensor that plays a fakenect recording.
 
     Raises
     ------
     RecordingError
-        When the folder is no recording, or holds no depth.
+        When the folder is not a recording, or contains no depth.
     """
     recording = read_recording(folder)
     depth = [read_depth(file) for file in recording.of_kind("d")]
@@ -91,6 +91,6 @@ def recorded_kinect(folder: Path) -> EmulatedKinect:
 
 
 def _mosaics(recording: Recording) -> list[ByteArray]:
-    """Give the mosaics as received; where only interpolated colour was kept, made from it."""
+    """Return the mosaics as received; where only interpolated colour was kept, derived from it."""
     received = [read_received(file) for file in recording.of_kind("b")]
     return received or [mosaic(read_color(file)) for file in recording.of_kind("r")]
