@@ -7,7 +7,7 @@ what threads have freed in between stays with the process. Elsewhere nothing nee
 from __future__ import annotations
 
 import ctypes
-import platform
+import os
 from functools import cache
 
 _M_ARENA_MAX = -8
@@ -30,4 +30,5 @@ def return_freed_memory() -> None:
 
 @cache
 def _glibc() -> ctypes.CDLL | None:
-    return ctypes.CDLL(None) if platform.libc_ver()[0] == "glibc" else None
+    is_glibc = "CS_GNU_LIBC_VERSION" in getattr(os, "confstr_names", {})
+    return ctypes.CDLL(None) if is_glibc else None

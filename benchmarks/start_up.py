@@ -1,0 +1,124 @@
+"""From the start of the process to a window that is painted and answers, beside its libraries.
+
+    python -m benchmarks start_up
+
+Limits: 1.3 times the import of PySide6.QtWidgets and pyvistaqt alone, 450 MB, and 0.25 s for
+`insole-studio --help`. Best of five, in turn, on the platform of QT_QPA_PLATFORM (or offscreen).
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from benchmarks._measure import print_table, resident_mb
+
+ROUNDS = 5
+_CALL = "import benchmarks.start_up as b; b.{}()"
+_ENVIRONMENT = {"QT_QPA_PLATFORM": "offscreen", **os.environ}
+_POLL_MS = 10
+
+
+def main() -> None:
+    calls = {
+        "libraries alone": ["-c", _CALL.format("import_libraries")],
+        "window painted": ["-c", _CALL.format("paint_window")],
+        "the rest loaded": ["-c", _CALL.format("load_rest")],
+        "--help": ["-m", "insole_studio", "--help"],
+    }
+    found: dict[str, list[tuple[float, str]]] = {title: [] for title in calls}
+    for _ in range(ROUNDS):
+        for title, call in calls.items():
+            found[title].append(_run(call))
+    alone, _ = min(found["libraries alone"])
+    rows = []
+    for title, runs in found.items():
+        seconds, megabytes = min(runs)
+        rows.append([title, f"{seconds:.2f}", f"{seconds / alone:.2f}", megabytes])
+    print_table(["process", "seconds", "times the libraries", "MB"], rows)
+
+
+def _run(call: list[str]) -> tuple[float, str]:
+    """Seconds to the first line, and the memory it tells, if it tells any."""
+    start = time.perf_counter()
+    with subprocess.Popen(
+        [sys.executable, *call],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env=_ENVIRONMENT,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        line = process.stdout.readline()
+        seconds = time.perf_counter() - start
+        process.stdout.read()
+    if process.returncode != 0:
+        raise RuntimeError(f"{' '.join(call)} failed")
+    return seconds, line.strip() if line.strip().isdigit() else ""
+
+
+def import_libraries() -> None:
+    """Import what any window of this kind needs."""
+    import PySide6.QtWidgets  # noqa: F401
+    import pyvistaqt  # noqa: F401
+
+    _tell()
+
+
+def paint_window() -> None:
+    """Open the window as a user does; tell when it is painted and takes events."""
+    from PySide6.QtCore import QEvent, QObject, QTimer
+
+    from insole_studio.app.bootstrap import qt_application
+    from insole_studio.app.main_window import MainWindow
+
+    qt = qt_application()
+
+    class FirstPaint(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Paint and isinstance(watched, MainWindow):
+                qt.removeEventFilter(self)
+                QTimer.singleShot(0, qt, _tell)
+                QTimer.singleShot(0, qt, qt.quit)
+            return False
+
+    watch = FirstPaint()
+    qt.installEventFilter(watch)
+    _open_window()
+
+
+def load_rest() -> None:
+    """Open the window; tell when all is loaded that the first foot needs."""
+    from PySide6.QtCore import QTimer
+
+    from insole_studio.app.bootstrap import qt_application
+    from insole_studio.app.preload import MODULES
+
+    qt = qt_application()
+    poll = QTimer(qt)
+
+    def look() -> None:
+        if sys.modules.keys() >= set(MODULES):
+            poll.stop()
+            _tell()
+            qt.quit()
+
+    poll.timeout.connect(look)
+    poll.start(_POLL_MS)
+    _open_window()
+
+
+def _open_window() -> None:
+    from insole_studio.app.bootstrap import run_application
+    from insole_studio.user_paths import UserPaths
+
+    with tempfile.TemporaryDirectory() as name:
+        run_application([], UserPaths(Path(name) / "settings.json", Path(name) / "autosave"))
+
+
+def _tell() -> None:
+    print(f"{resident_mb():.0f}", flush=True)
