@@ -332,9 +332,8 @@ class SceneView(QWidget):
 
     @property
     def _size_px(self) -> tuple[int, int]:
-        """Width and height within the frame."""
-        inside = self if self._renderer is None else self._canvas
-        return inside.width(), inside.height()
+        """Width and height within the frame; a canvas that was just made is not laid out yet."""
+        return self.width() - 2 * FRAME_PX, self.height() - 2 * FRAME_PX
 
     def _opened(self) -> _Renderer:
         if self._renderer is None:
