@@ -188,7 +188,7 @@ def test_a_pelott_changes_the_picture_of_both_views(
         x, y = pixel(view, 0.0, 150.0).toTuple()
         changed = (np.abs(new - old).max(axis=2) > 20).astype(int)
         assert changed[y - 20 : y + 20, x - 20 : x + 20].sum() > 50
-        # The thin line of the rim is anti-aliased: single pixels of it differ from drawing to drawing.
+        # The thin line of the rim is anti-aliased: single pixels differ from drawing to drawing.
         assert changed[-40:].sum() < 20
 
 
