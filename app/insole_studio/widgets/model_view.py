@@ -127,24 +127,7 @@ class ModelView(QWidget):
         moved: IntArray | None = None,
         coloring: Coloring | None = None,
     ) -> bool:
-        """Move the vertices of the shown surface, as `Painter.move_surface`.
-
-        Parameters
-        ----------
-        mesh : mm, insole frame
-            The surface with its new vertex positions.
-        normals : (n, 3) float64
-            Unit normals of its vertices.
-        moved
-            Indices of the vertices that moved; by default all.
-        coloring
-            Of the same kind as the shown one.
-
-        Returns
-        -------
-        bool
-            False if triangles or kind of colouring differ; nothing is changed then.
-        """
+        """Move the vertices of the shown surface; see `Painter.move_surface`."""
         followed = self.scene.move_mesh(mesh, normals, moved, coloring)
         if followed:
             self._legend.show_coloring(coloring)
