@@ -740,6 +740,10 @@
             <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
         </message>
         <message>
+            <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
+            <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
+        </message>
+        <message>
             <source>The scan {path} has changed since this case was made; the case keeps the foot as it was, open the scan again if the new one is wanted.</source>
             <translation>Skanningen {path} har ändrats sedan fallet gjordes; fallet behåller foten som den var, öppna skanningen igen om den nya önskas.</translation>
         </message>

@@ -58,6 +58,22 @@ def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
     assert f"Read in {words[unit]}" in read.notes[0]
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("suffix", [".stl", ".ply"])
+def test_a_scan_finer_than_a_foot_needs_is_thinned_and_said(left_mesh, tmp_path, suffix):
+    vertices, triangles = left_mesh.vertices, left_mesh.triangles
+    while len(triangles) < 600_000:
+        vertices, triangles = trimesh.remesh.subdivide(vertices, triangles)
+    fine = TriangleMesh(vertices, triangles.astype(np.int32))
+    read = read_mesh(export(fine, tmp_path / f"foot{suffix}"))
+    assert len(read.mesh.triangles) < 300_000
+    assert any("thinned out to one point every 0.9 mm" in note for note in read.notes)
+    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-3)
+    nearest = cKDTree(vertices).query(read.mesh.vertices)[1]
+    across = np.sum((read.mesh.vertices - vertices[nearest]) * fine.vertex_normals[nearest], axis=1)
+    assert np.quantile(np.abs(across), 0.99) < 0.05
+
+
 def test_inside_out_is_turned_and_said(left_mesh, tmp_path):
     read = read_mesh(export(left_mesh.flipped(), tmp_path / "foot.ply"))
     assert read.mesh.volume_mm3 > 0
