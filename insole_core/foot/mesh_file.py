@@ -1,4 +1,4 @@
-"""Read surfaces from files of other programs: .ply, .stl and .obj, in mm, metres or inches."""
+"""Read surfaces from files of other programs: .ply, .stl and .obj, in any usual unit."""
 
 from __future__ import annotations
 
@@ -20,12 +20,15 @@ from insole_core.messages import Message
 if TYPE_CHECKING:
     import trimesh
 
-Unit = Literal["mm", "m", "inch"]
+Unit = Literal["mm", "cm", "m", "inch"]
 
 _SUFFIXES = (".ply", ".stl", ".obj")
-_MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
-_UNIT_NAMES: dict[Unit, str] = {"mm": "millimetres", "m": "metres", "inch": "inches"}
+_MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+_UNIT_NAMES: dict[Unit, str] = {
+    "mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches",
+}  # fmt: skip
 _LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
+_FOOT_MM = (140.0, 330.0)  # of a whole foot; no number is one of these in two units
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_BYTES = 600_000_000
 _MOST_TRIANGLES = 4_000_000
@@ -38,6 +41,10 @@ _UNREADABLE = (
 )  # fmt: skip
 
 
+class UnitError(InputError):
+    """The surface is as large as a foot in no unit, or not in the one that was given."""
+
+
 @dataclass(frozen=True, eq=False)
 class ReadMesh:
     """A surface read from a file, converted to mm.
@@ -46,7 +53,7 @@ class ReadMesh:
     ----------
     mesh : mm, the file's own frame
     unit
-        Of the file, guessed from the size.
+        Of the file, as given or concluded from the size.
     notes
         What was assumed or corrected, a sentence each.
     """
@@ -56,16 +63,23 @@ class ReadMesh:
     notes: tuple[str, ...]
 
 
-def read_mesh(path: Path) -> ReadMesh:
+def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
     """Read the surface of a foot from a file.
+
+    Parameters
+    ----------
+    unit
+        Of the coordinates in the file; None to conclude it from the size.
 
     Raises
     ------
+    UnitError
+        When the surface is not of a foot's size.
     InputError
-        When the file cannot be read, holds no surface, or none of a foot's size.
+        When the file cannot be read, or holds no surface.
     """
     mesh = _without_waste(_load(path), path)
-    unit = _guess_unit(mesh, path)
+    unit = _unit(mesh, unit, path)
     mesh = _in_mm(mesh, _MM_PER_UNIT[unit])
     extent = np.ptp(mesh.vertices, axis=0).max()
     notes: list[str] = [
@@ -243,18 +257,35 @@ def _hash(columns: list[FloatArray | ByteArray]) -> npt.NDArray[np.uint64]:
     return total
 
 
-def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
+def _unit(mesh: TriangleMesh, given: Unit | None, path: Path) -> Unit:
+    """Return the unit in which the surface is as large as a foot, and refuse what is flat."""
     extent = float(np.ptp(mesh.vertices, axis=0).max())
-    for unit, factor in _MM_PER_UNIT.items():
-        if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
-            if _depth(mesh) * factor < _LEAST_DEPTH_MM:
-                raise InputError(
-                    "{path} is flat, which is no surface of a foot; export it again.", path=path
-                )
-            return unit
-    raise InputError(
+    unit = _likely_unit(extent, path) if given is None else given
+    length_mm = extent * _MM_PER_UNIT[unit]
+    if not _LENGTH_MM[0] <= length_mm <= _LENGTH_MM[1]:
+        raise UnitError(
+            "{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; "
+            "choose another unit.",
+            path=path,
+            length_mm=length_mm,
+            unit=_UNIT_NAMES[unit],
+        )
+    if _depth(mesh) * _MM_PER_UNIT[unit] < _LEAST_DEPTH_MM:
+        raise InputError(
+            "{path} is flat, which is no surface of a foot; export it again.", path=path
+        )
+    return unit
+
+
+def _likely_unit(extent: float, path: Path) -> Unit:
+    """Return the unit in which the extent is a foot's, or else a foot with its leg or a part."""
+    for least_mm, greatest_mm in (_FOOT_MM, _LENGTH_MM):
+        for unit, factor in _MM_PER_UNIT.items():
+            if least_mm <= extent * factor <= greatest_mm:
+                return unit
+    raise UnitError(
         "{path} measures {length:g} in its longest direction, which is no foot in millimetres, "
-        "metres or inches; check the unit of the export.",
+        "centimetres, metres or inches; check the unit of the export.",
         path=path,
         length=extent,
     )

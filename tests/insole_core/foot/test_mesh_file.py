@@ -46,7 +46,9 @@ def test_surface_without_colours_has_none(left_mesh, tmp_path):
     assert read_mesh(export(left_mesh, tmp_path / "foot.stl")).mesh.colors is None
 
 
-@pytest.mark.parametrize(("unit", "factor"), [("mm", 1.0), ("m", 0.001), ("inch", 1 / 25.4)])
+@pytest.mark.parametrize(
+    ("unit", "factor"), [("mm", 1.0), ("cm", 0.1), ("m", 0.001), ("inch", 1 / 25.4)]
+)
 def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
     scaled = replace(left_mesh, vertices=left_mesh.vertices * factor)
     read = read_mesh(export(scaled, tmp_path / "foot.stl"))
@@ -54,8 +56,20 @@ def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
     assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
         np.ptp(left_mesh.vertices, axis=0), abs=0.01
     )
-    words = {"mm": "millimetres", "m": "metres", "inch": "inches"}
+    words = {"mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches"}
     assert f"Read in {words[unit]}" in read.notes[0]
+
+
+def test_a_given_unit_counts_whatever_the_size_suggests(left_mesh, tmp_path):
+    half = replace(left_mesh, vertices=left_mesh.vertices / 2 / 25.4)
+    path = export(half, tmp_path / "half.ply")
+    read = read_mesh(path, "inch")
+    assert read.unit == "inch"
+    assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
+        np.ptp(left_mesh.vertices, axis=0) / 2, abs=0.01
+    )
+    with pytest.raises(InputError, match=r"half\.ply is 5 mm long if .* millimetres.*unit"):
+        read_mesh(path, "mm")
 
 
 @pytest.mark.slow
@@ -119,7 +133,7 @@ def with_nan() -> TriangleMesh:
     ("mesh", "reason"),
     [
         (sphere(5000), "which is no foot in millimetres"),
-        (sphere(20), "which is no foot in millimetres"),
+        (sphere(37), "which is no foot in millimetres"),
         (sphere(1e-5), "which is no foot in millimetres"),
         (flat(), "is flat"),
         (without_area(), "without area"),
