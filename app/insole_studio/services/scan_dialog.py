@@ -64,9 +64,9 @@ class ScanDialog(QDialog):
         box = QDialogButtonBox()
         for side, text in ((Side.LEFT, tr("Left foot")), (Side.RIGHT, tr("Right foot"))):
             button = QPushButton(text)
-            button.setAutoDefault(False)  # no side is the usual one
+            button.setAutoDefault(False)  # Enter opens nothing: no side is the usual one
             button.clicked.connect(lambda _checked=False, side=side: self._take(side))
-            box.addButton(button, QDialogButtonBox.ButtonRole.AcceptRole)
+            box.addButton(button, QDialogButtonBox.ButtonRole.ActionRole)
         box.addButton(tr("Do not open"), QDialogButtonBox.ButtonRole.RejectRole)
         box.rejected.connect(self.reject)
         return box
