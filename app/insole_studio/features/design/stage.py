@@ -19,6 +19,7 @@ from insole_studio.features.design.models.model_presenter import (
     InsolePresenter,
     ModelPresenter,
 )
+from insole_studio.features.design.models.rear_lines import rear_lines
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -106,11 +107,12 @@ class DesignStage(QObject):
             look_at=self.look_at,
         )
         self._parameters_presenter = ParametersPresenter(
-            self.parameters, case, tool_controller, pads, rules
+            self.parameters, case, tool_controller, pads, rules, self.offer_chosen.emit
         )
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+        self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._fitted: ViewCamera | None = None
         """The camera set by `look` until the user moves it: it adapts to the size of the views."""
@@ -125,6 +127,7 @@ class DesignStage(QObject):
         case.preview_changed.connect(self._show_hint)
         tool_controller.tool_changed.connect(self._show_hint)
         tool_controller.tool_changed.connect(self._forget_highlight)
+        tool_controller.tool_changed.connect(self._show_rear)
         case.changed.connect(self._forget_highlight)
         case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
@@ -248,8 +251,25 @@ class DesignStage(QObject):
             for view, _ in self._presenters.values():
                 view.scene.set_camera(widest)
 
+    def _show_rear(self) -> None:
+        """Look from behind while the rearfoot is posted: from below no axis can be read."""
+        if self._tool_controller.tool.key == "posting":
+            has_axis = rear_lines(self._case.record) is not None
+            if has_axis and self.foot.scene.camera.preset is Preset.PLANTAR:
+                self._before_posting = {
+                    subject: view.scene.camera for subject, (view, _) in self._presenters.items()
+                }
+                self.look(Preset.POSTERIOR)
+        else:
+            before, self._before_posting = self._before_posting, {}
+            if self.foot.scene.camera.preset is Preset.POSTERIOR:
+                self._fitted = None
+                for subject, camera in before.items():
+                    self._presenters[subject][0].scene.set_camera(camera)
+
     def _fit_later(self) -> None:
         self._fit_when_shown = True
+        self._before_posting = {}
         self.look(Preset.PLANTAR)
         self.focus_view()
         self._show_hint()
