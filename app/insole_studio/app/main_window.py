@@ -74,6 +74,7 @@ class MainWindow(QMainWindow):
         self._make_strip(stage)
         self._make_toolbar()
         self._make_notices(stage)
+        self._insole = stage.insole
         self.setCentralWidget(stage.insole)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
@@ -334,14 +335,14 @@ class MainWindow(QMainWindow):
 
     def _keep_share(self, gained_px: int) -> None:
         """Let the foot keep its share of the views; Qt has given all to the insole."""
-        before = self._foot.width() + self.centralWidget().width() - gained_px
+        before = self._foot.width() + self._insole.width() - gained_px
         is_shared = self.isVisible() and self._foot.isVisible() and not self._foot.isFloating()
         if is_shared and before > 0 and not self._sharing.isActive():
             self._foot_share = self._foot.width() / before
             self._sharing.start()
 
     def _share_width(self) -> None:
-        shared = self._foot.width() + self.centralWidget().width()
+        shared = self._foot.width() + self._insole.width()
         widths = [self._patient.width(), round(self._foot_share * shared)]
         self.resizeDocks([self._patient, self._foot], widths, Qt.Orientation.Horizontal)
 

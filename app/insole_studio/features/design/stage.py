@@ -107,7 +107,12 @@ class DesignStage(QObject):
             look_at=self.look_at,
         )
         self._parameters_presenter = ParametersPresenter(
-            self.parameters, case, tool_controller, pads, rules, self.offer_chosen.emit
+            self.parameters,
+            case,
+            tool_controller,
+            pads,
+            rules,
+            request_action=self.offer_chosen.emit,
         )
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
@@ -115,7 +120,7 @@ class DesignStage(QObject):
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._fitted: dict[Subject, ViewCamera] = {}
-        """The cameras set by `look` until the user moves one: they adapt to the size of the views."""
+        """The cameras set by `look` until the user moves one: they adapt to the views' size."""
         self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)

@@ -53,6 +53,7 @@ class ParametersPresenter:
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
         rules: ClinicRules,
+        *,
         request_action: Callable[[str], None],
     ) -> None:
         self._panel = panel
