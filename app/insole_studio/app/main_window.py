@@ -113,6 +113,10 @@ class MainWindow(QMainWindow):
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
         self._maps.setIcon(icon("map"))
 
+    def tool_button(self, key: str) -> QWidget:
+        """Return the button of an action in the toolbar."""
+        return self._toolbar.widgetForAction(self.actions_by_key[key])
+
     def show_recent(self, names: Sequence[str]) -> None:
         """List the recently opened files."""
         self._recent.clear()
