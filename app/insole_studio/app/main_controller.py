@@ -14,6 +14,7 @@ from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import case_name, whose
 from insole_studio.services.app_services import AppServices
+from insole_studio.widgets.typed_text import commit_typed_text
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
 
@@ -61,6 +62,7 @@ class MainController(QObject):
         checked
             The new state of a toggle; ignored by other actions.
         """
+        commit_typed_text()
         self._stage.end_keys()
         try:
             self._run[key](checked)
@@ -100,6 +102,7 @@ class MainController(QObject):
         case = self._case
         for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
             signal.connect(self._show_state)
+        case.leaving.connect(commit_typed_text)
         self._tool_controller.tool_changed.connect(self._show_tool)
         self._autosave.failed.connect(self._services.messages.show_sentence)
 

@@ -35,6 +35,7 @@ from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
+from insole_studio.widgets.typed_text import is_typing
 
 
 class DesignStage(QObject):
@@ -112,12 +113,15 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False
+        self._keeps_focus = False
+        """Whether the focus stays where the user is typing when a foot arrives."""
         self._fitted: ViewCamera | None = None
         """The camera set by `look` until the user moves it: it adapts to the size of the views."""
         self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
+        case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
         case.selection_changed.connect(self._show_hint)
@@ -208,8 +212,7 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             view.scene.set_dark(dark)
             presenter.show_all()
-        self.patient.variants.renew_icons()
-        self._patient_presenter.show()
+        self.patient.renew_icons()
 
     def close(self) -> None:
         """Free the renderers."""
@@ -251,8 +254,12 @@ class DesignStage(QObject):
     def _fit_later(self) -> None:
         self._fit_when_shown = True
         self.look(Preset.PLANTAR)
-        self.focus_view()
+        if not self._keeps_focus:
+            self.focus_view()
         self._show_hint()
+
+    def _note_typing(self) -> None:
+        self._keeps_focus = is_typing()
 
     def _fit_insole_once(self) -> None:
         if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:

@@ -63,7 +63,7 @@ class MockView:
         return self.can_move
 
     def __getattr__(self, name: str) -> Callable[..., None]:
-        if name != "clear" and not name.startswith("show_"):
+        if name not in ("clear", "forget_typed") and not name.startswith("show_"):
             raise AttributeError(name)
 
         def show(*arguments: Any) -> None:
