@@ -103,8 +103,23 @@ class MainController(QObject):
         for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
             signal.connect(self._show_state)
         case.leaving.connect(commit_typed_text)
+        case.closing.connect(self._clear_case)
         self._tool_controller.tool_changed.connect(self._show_tool)
         self._autosave.failed.connect(self._services.messages.show_sentence)
+
+    def _clear_case(self) -> None:
+        """Take away all that hangs on the case, wherever it is shown, before another one comes."""
+        features = self._features
+        features.foot.leave_case()
+        features.export.close()
+        features.compare.close()
+        features.case_files.opener.cancel()
+        features.design.side_by_side.forget()
+        features.design.repeat.forget()
+        self._stage.clear()
+        self._services.notices.clear()
+        self._services.messages.clear()
+        self._show_choices()
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":

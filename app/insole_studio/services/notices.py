@@ -44,6 +44,11 @@ class Notices(QObject):
         if self._shown.pop(key, None) is not None:
             self._bar.show_notices(self.notices)
 
+    def clear(self) -> None:
+        """Remove all notices."""
+        self._shown.clear()
+        self._bar.show_notices([])
+
     def take(self, key: str) -> None:
         """Carry out what a notice offers, and remove it."""
         _, run = self._shown[key]

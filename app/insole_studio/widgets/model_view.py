@@ -100,6 +100,7 @@ class ModelView(QWidget):
     def clear(self) -> None:
         """Let go of what the scene has shown."""
         self.scene.clear()
+        self._legend.show_coloring(None)
 
     def show_mesh(
         self,

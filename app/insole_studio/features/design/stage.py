@@ -109,7 +109,13 @@ class DesignStage(QObject):
         self._parameters_presenter = ParametersPresenter(
             self.parameters, case, tool_controller, pads, rules
         )
-        self._section_presenter = SectionPresenter(self.section, case, surface, section)
+        self._section_presenter = SectionPresenter(
+            self.section,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+        )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
         self._fit_when_shown = False
@@ -130,11 +136,9 @@ class DesignStage(QObject):
         tool_controller.tool_changed.connect(self._show_hint)
         tool_controller.tool_changed.connect(self._forget_highlight)
         case.changed.connect(self._forget_highlight)
-        case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
         section.changed.connect(self._ask_for_section)
         tool_controller.tool_changed.connect(self._ask_for_section)
-        case.opened.connect(self._forget_section)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
@@ -214,6 +218,19 @@ class DesignStage(QObject):
             presenter.show_all()
         self.patient.renew_icons()
 
+    def clear(self) -> None:
+        """Take away what is shown of the case, and what was chosen for looking at it."""
+        self._tool_controller.reset()
+        self._cut.show(None)
+        self._forget_highlight()
+        for view, presenter in self._presenters.values():
+            view.scene.keys.forget()
+            view.scene.set_camera(ViewCamera())
+            presenter.clear()
+        for panel in (self.patient, self.parameters):
+            panel.verticalScrollBar().setValue(0)
+        self.pointed.emit("")
+
     def close(self) -> None:
         """Free the renderers."""
         for view, _ in self._presenters.values():
@@ -281,9 +298,6 @@ class DesignStage(QObject):
     def _ask_for_section(self) -> None:
         wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
         self.section_wanted.emit(wanted)
-
-    def _forget_section(self) -> None:
-        self._cut.show(None)
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""

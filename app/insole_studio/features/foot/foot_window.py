@@ -26,6 +26,7 @@ class FootWindow(StageWindow["FootStage"]):
     def __init__(self, services: AppServices) -> None:
         super().__init__()
         self._services = services
+        self._is_handing_over = False
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
         """Show the stage with a session; one that is already open is kept.
@@ -64,9 +65,19 @@ class FootWindow(StageWindow["FootStage"]):
 
     def connect_stage(self, stage: FootStage) -> None:
         """Pass on the feet that the stage makes."""
-        stage.foot_made.connect(self.foot_made)
+        stage.foot_made.connect(self._hand_over)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
+
+    def leave_case(self) -> None:
+        """Close the stage: its foot belongs to the case that is left, unless it begins the next."""
+        if not self._is_handing_over:
+            self.close()
+
+    def _hand_over(self, scanned: object) -> None:
+        self._is_handing_over = True
+        self.foot_made.emit(scanned)
+        self._is_handing_over = False
 
     def _remember_limits(self, limits: RegistrationLimits) -> None:
         settings = self._services.settings

@@ -417,11 +417,14 @@ class TestSection:
         case: Case,
         surface: InsolePreview,
         section: SectionModel,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = SectionPresenter(view, case, surface, section)
+        presenter = SectionPresenter(
+            view, case=case, surface=surface, section=section, tool_controller=tool_controller
+        )
         assert "section tool" in view.shown["show_sentence"][0]
         open_foot(side)
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
@@ -440,10 +443,13 @@ class TestSection:
         case: Case,
         surface: InsolePreview,
         section: SectionModel,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = SectionPresenter(view, case, surface, section)
+        presenter = SectionPresenter(
+            view, case=case, surface=surface, section=section, tool_controller=tool_controller
+        )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         section.show(SectionPlane((20.0, 110.0), 90.0))

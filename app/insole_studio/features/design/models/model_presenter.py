@@ -155,6 +155,15 @@ class ModelPresenter:
         """Return whether the insole covers a position of the insole frame."""
         return self._surface.covers(x_mm, y_mm)
 
+    def clear(self) -> None:
+        """Show nothing: whatever fails with the next case, this one is not taken for it."""
+        self._marked = _NOTHING
+        self.panel.clear()
+        self.panel.show_side(None)
+        self.panel.show_numbers("")
+        self.panel.show_warning("")
+        self.panel.show_empty("", {})
+
     def show_all(self) -> None:
         """Show the case after another foot was opened."""
         self._marked = _NOTHING
