@@ -195,8 +195,7 @@ def run_application(
     app.controller.closed.connect(qt.quit)
     app.window.show()
     Preload(app.window)
-    for recovered in find_recovered(app.services.paths.autosave_folder)[:1]:
-        opener.offer_recovered(recovered)
+    app.features.case_files.recovery.offer(find_recovered(app.services.paths.autosave_folder))
     if not app.settings.tour_seen:
         QTimer.singleShot(0, app.window, app.main.help.begin_tour)
     if paths:

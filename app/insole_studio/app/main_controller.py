@@ -83,6 +83,7 @@ class MainController(QObject):
         window.pad_chosen.connect(design.prescription.take_pad)
         window.layout_changed.connect(self._main.appearance.note_layout)
         self._services.recent.changed.connect(self._show_recent)
+        self._stage.recent_chosen.connect(self._open_recent)
         self._stage.offer_chosen.connect(self._take_offer)
         self._stage.steps.chosen.connect(self._go_to_step)
 
@@ -146,7 +147,9 @@ class MainController(QObject):
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
     def _show_recent(self) -> None:
-        self._window.show_recent(self._services.recent.names)
+        names = self._services.recent.names
+        self._window.show_recent(names)
+        self._stage.show_recent(names)
 
     def _show_state(self) -> None:
         case, window = self._case, self._window

@@ -1,4 +1,4 @@
-"""Open cases, sessions and meshes, and recover unsaved work after a crash."""
+"""Open cases, sessions and meshes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.template_transfer import last_design
-from insole_studio.document.autosave import Autosave, Recovered
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
@@ -41,7 +40,6 @@ class OpenActions:
         self,
         services: AppServices,
         saver: SaveActions,
-        autosave: Autosave,
         reconstruct: Callable[[Path], None],
     ) -> None:
         self._services = services
@@ -50,7 +48,6 @@ class OpenActions:
         self._notices = services.notices
         self._recent = services.recent
         self._saver = saver
-        self._autosave = autosave
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
@@ -99,15 +96,6 @@ class OpenActions:
     def open_example(self) -> None:
         """Open the example case that ships with the product."""
         self.open_path(resource_path(EXAMPLE))
-
-    def offer_recovered(self, recovered: Recovered) -> None:
-        """Open the work recovered after a crash, unsaved, with an autosave copy of its own."""
-        self._case.open(recovered.record, recovered.path, unsaved=True)
-        self._messages.say(
-            tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
-        )
-        self._autosave.write_now()
-        recovered.discard()
 
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""

@@ -42,6 +42,7 @@ class DesignStage(QObject):
     """The panels of the design stage; the window only arranges them."""
 
     offer_chosen = Signal(str)
+    recent_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
@@ -118,6 +119,7 @@ class DesignStage(QObject):
         )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+        self.insole.listed_chosen.connect(self.recent_chosen)
         self._fit_when_shown = False
         self._keeps_focus = False
         """Whether the focus stays where the user is typing when a foot arrives."""
@@ -152,6 +154,10 @@ class DesignStage(QObject):
             self.parameters,
             self.section,
         )
+
+    def show_recent(self, names: Sequence[str]) -> None:
+        """Offer the recently opened files while there is no foot."""
+        self.insole_presenter.show_recent(names)
 
     def focus_view(self) -> None:
         """Give the keys to the foot; to the insole while the foot is hidden."""

@@ -62,7 +62,7 @@ class RepeatActions(QObject):
         elif self._offered != (foot.foot, template):  # once: it may be dismissed
             self._offered = foot.foot, template
             self._notices.put(
-                NOTICE, _describe(template), tr("Repeat the last design"), self.repeat
+                NOTICE, _describe(template), (tr("Repeat the last design"), self.repeat)
             )
 
     def repeat(self) -> None:
@@ -90,7 +90,9 @@ class RepeatActions(QObject):
             Side.LEFT: tr("The right foot has a prescription."),
             Side.RIGHT: tr("The left foot has a prescription."),
         }
-        self._notices.put(MIRROR, text[foot.side], tr("Prescribe it here, mirrored"), self._mirror)
+        self._notices.put(
+            MIRROR, text[foot.side], (tr("Prescribe it here, mirrored"), self._mirror)
+        )
 
     def _mirror(self) -> None:
         self._feet.take_other()
