@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_studio.app.actions import ACTIONS, bind_actions
 from insole_studio.app.features import Features
@@ -108,11 +109,12 @@ class MainController(QObject):
         self._tool_controller.tool_changed.connect(self._show_tool)
         self._autosave.failed.connect(self._services.messages.show_sentence)
 
-    def _clear_case(self) -> None:
+    def _clear_case(self, coming: CaseRecord) -> None:
         """Take away all that hangs on the case, wherever it is shown, before another one comes."""
         features = self._features
-        features.foot.leave_case()
-        features.export.close()
+        if features.foot.leave_case(coming):
+            features.capture.forget_waiting()
+        features.export.leave_case()
         features.compare.close()
         features.case_files.opener.cancel()
         features.design.side_by_side.forget()

@@ -29,8 +29,8 @@ class Case(QObject):
 
     leaving = Signal()
     """Another case or another foot is about to come; what is being typed belongs to this one."""
-    closing = Signal()
-    """Another case is about to come; nothing that hangs on this one may stay."""
+    closing = Signal(object)
+    """Another case is about to come, with this record; nothing that hangs on this one may stay."""
     opened = Signal()
     """Another case was opened."""
     foot_changed = Signal()
@@ -168,7 +168,7 @@ class Case(QObject):
             Whether the record already differs from the file.
         """
         self.leaving.emit()
-        self.closing.emit()
+        self.closing.emit(record)
         self._begin(record, path, unsaved)
 
     def open_foot(self, foot: Foot, source: ScanSource) -> None:

@@ -314,6 +314,49 @@ def test_a_foot_still_being_made_does_not_come_into_the_next_case(
     assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
 
 
+def test_the_second_foot_of_a_visit_does_not_come_into_the_next_case(
+    app: Application,
+    settle: Callable[[], None],
+    small_session: Path,
+    tmp_path: Path,
+    one_foot: Path,
+) -> None:
+    """Both feet are captured; another case is opened while the first one is being made."""
+    app.features.capture._waiting.append(tmp_path / "the other foot")
+    app.features.case_files.opener.open_path(session_of(small_session, tmp_path))
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    QTest.qWait(20)
+    assert app.features.capture._waiting == []
+    assert app.features.foot.stage is None
+    assert app.services.messages.dialogs == []
+    assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
+
+
+def test_what_is_being_exported_is_still_written_when_another_case_is_opened(
+    app: Application,
+    settle: Callable[[], None],
+    qtbot: QtBot,
+    questions,
+    pair: Path,
+    one_foot: Path,
+    tmp_path: Path,
+) -> None:
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    app.controller.run_action("export", False)
+    stage = app.features.export.stage
+    qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=PATIENCE_MS)
+    questions.path = tmp_path / "one.stl"
+    stage.view.export.click()
+    assert stage.jobs.is_running("write")
+    app.features.case_files.opener.open_path(pair)
+    qtbot.waitUntil(lambda: app.features.export.stage is None, timeout=PATIENCE_MS)
+    settle()
+    assert (tmp_path / "one-right.stl").exists() or (tmp_path / "one.stl").exists()
+    assert app.case.path == pair
+
+
 def test_whatever_fails_with_the_next_case_the_foot_before_is_not_shown(
     app: Application, settle: Callable[[], None], pair: Path, one_foot: Path, monkeypatch, qtbot
 ) -> None:

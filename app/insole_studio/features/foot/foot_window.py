@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
@@ -26,7 +27,6 @@ class FootWindow(StageWindow["FootStage"]):
     def __init__(self, services: AppServices) -> None:
         super().__init__()
         self._services = services
-        self._is_handing_over = False
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
         """Show the stage with a session; one that is already open is kept.
@@ -65,19 +65,28 @@ class FootWindow(StageWindow["FootStage"]):
 
     def connect_stage(self, stage: FootStage) -> None:
         """Pass on the feet that the stage makes."""
-        stage.foot_made.connect(self._hand_over)
+        stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
 
-    def leave_case(self) -> None:
-        """Close the stage: its foot belongs to the case that is left, unless it begins the next."""
-        if not self._is_handing_over:
-            self.close()
+    def leave_case(self, coming: CaseRecord) -> bool:
+        """Close the stage, whose foot belongs to the case that is left.
 
-    def _hand_over(self, scanned: object) -> None:
-        self._is_handing_over = True
-        self.foot_made.emit(scanned)
-        self._is_handing_over = False
+        Parameters
+        ----------
+        coming
+            The next case.
+
+        Returns
+        -------
+        bool
+            False if the foot belongs to the next case as well, which it may begin.
+        """
+        path = None if self.stage is None else self.stage.path
+        if any(Path(foot.source.path) == path for foot in coming.feet):
+            return False
+        self.close()
+        return True
 
     def _remember_limits(self, limits: RegistrationLimits) -> None:
         settings = self._services.settings
