@@ -22,7 +22,7 @@ from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
-from insole_core.recording.session import Manifest
+from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.recording.writer import write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
@@ -125,6 +125,11 @@ class Draft:
     def views(self) -> tuple[str, ...]:
         """Return the finished views in order."""
         return tuple(view for view in self._order if view in self._facts)
+
+    def describe(self, condition: CaptureCondition) -> None:
+        """Record how the foot was held, and the notes, as they are known now."""
+        self._manifest = replace(self._manifest, capture_condition=condition)
+        self._write_manifest()
 
     def expect(self, order: Sequence[str]) -> None:
         """Put the views of `order` first; the others keep their order behind them."""

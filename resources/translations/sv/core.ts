@@ -112,6 +112,10 @@
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
         <message>
+            <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
+            <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
+        </message>
+        <message>
             <source>At least three points are needed to place one frame in another, but only {count} were given.</source>
             <translation>Minst tre punkter behövs för att lägga ett koordinatsystem i ett annat, men bara {count} gavs.</translation>
         </message>
@@ -728,8 +732,8 @@
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
         </message>
         <message>
-            <source>The program that reads the sensors has ended; start it again.</source>
-            <translation>Programmet som läser sensorerna har avslutats; starta det igen.</translation>
+            <source>The program that reads the sensors has ended; look for sensors again.</source>
+            <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
         <message>
             <source>The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
@@ -1980,6 +1984,10 @@
             <translation>{folder} innehåller inga bilder med namnet {kind}…; ange mappen med {words}.</translation>
         </message>
         <message>
+            <source>{folder} holds no unfinished capture; it was used or discarded, or never was one.</source>
+            <translation>{folder} innehåller ingen oavslutad avbildning; den har använts eller kasserats, eller var aldrig någon.</translation>
+        </message>
+        <message>
             <source>{folder} holds no {kind}_000.png, but a view has at least one.</source>
             <translation>{folder} innehåller ingen {kind}_000.png, men en vy har minst en.</translation>
         </message>
@@ -1994,6 +2002,10 @@
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
             <translation>{folder} innehåller kalibreringen av sensor {owner}; kalibrera om sensor {serial}.</translation>
+        </message>
+        <message>
+            <source>{folder} is in use by another window or command; finish or close that one first.</source>
+            <translation>{folder} används av ett annat fönster eller kommando; avsluta eller stäng det först.</translation>
         </message>
         <message>
             <source>{folder} was not left by a capture; choose the folder it named.</source>

@@ -379,21 +379,28 @@ class CapturePresenter:
             reference_system=place.system,
             views=(),
             volume_of_interest=place.volume_of_interest,
-            capture_condition=CaptureCondition(options.weight_bearing, options.held, options.notes),
+            capture_condition=self._condition,
             extra=self._request.as_extra(),
         )
+
+    @property
+    def _condition(self) -> CaptureCondition:
+        options = self.options
+        return CaptureCondition(options.weight_bearing, options.held, options.notes)
 
     def _publish(self, then: Callable[[], object]) -> None:
         scan = self._scan
         if scan is None or not scan.finished or self._is_busy:
             return
-        draft, order = scan.folder, scan.order
+        draft, order, condition = scan.folder, scan.order, self._condition
         path = self._folder / "sessions" / draft.name
 
         def write(progress: Progress) -> Path:
             progress.step(0.0, tr("Checking the session"))
             path.parent.mkdir(parents=True, exist_ok=True)
-            Draft.reopen(draft, order).publish(path)
+            reopened = Draft.reopen(draft, order)
+            reopened.describe(condition)  # what was entered since the capture began
+            reopened.publish(path)
             return path
 
         def written(done: Path) -> None:

@@ -254,3 +254,11 @@ def test_what_a_window_works_on_is_offered_to_no_other(
     assert fourth.says("is in use by another window or command")
     assert fourth.stage.view._capture.text() == "Capture"
     assert not fourth.says("was not used")
+
+
+def test_notes_made_after_the_capture_are_kept(hands: Hands, qtbot: QtBot) -> None:
+    hands.capture_all()
+    qtbot.keyClicks(hands.stage.view._notes, "cold feet")
+    condition = read_session(used_scan(hands, qtbot)).manifest.capture_condition
+    assert condition is not None
+    assert condition.notes == "cold feet"
