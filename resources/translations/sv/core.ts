@@ -1276,6 +1276,10 @@
             <translation>dess djupbilder saknar mätvärden; kontrollera sensorns avstånd och att inget solljus faller på foten</translation>
         </message>
         <message>
+            <source>its depth is {percent:.0f} % {direction} than its markers in the colour image say; calibrate the sensor, and see that the session has the right reference system</source>
+            <translation>dess djup är {percent:.0f} % {direction} än markörerna i färgbilden säger; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
+        </message>
+        <message>
             <source>its error of {error_px:.2f} px is far above that of the others</source>
             <translation>dess fel på {error_px:.2f} px är långt större än de andras</translation>
         </message>
@@ -1306,6 +1310,10 @@
         <message>
             <source>known to about {deviation_mm:.1f} mm only</source>
             <translation>känt på bara omkring {deviation_mm:.1f} mm</translation>
+        </message>
+        <message>
+            <source>larger</source>
+            <translation>större</translation>
         </message>
         <message>
             <source>least</source>
@@ -1628,6 +1636,10 @@
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
         </message>
         <message>
+            <source>smaller</source>
+            <translation>mindre</translation>
+        </message>
+        <message>
             <source>smooth map that varies with disparity</source>
             <translation>jämn karta som ändras med disparitet</translation>
         </message>
@@ -1682,6 +1694,10 @@
         <message>
             <source>the blue spots lie {rms_px:.1f} px from where the markers should be seen; check that it is the right reference system and the right calibration</source>
             <translation>de blå fläckarna ligger {rms_px:.1f} px från där markörerna borde synas; kontrollera att referenssystemet och kalibreringen är de rätta</translation>
+        </message>
+        <message>
+            <source>the depth is {percent:.1f} % {direction} than the markers in the colour image say, and is corrected by that; calibrate the sensor, and see that the session has the right reference system</source>
+            <translation>djupet är {percent:.1f} % {direction} än markörerna i färgbilden säger, och rättas med så mycket; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
         </message>
         <message>
             <source>the distance between the cameras</source>
