@@ -25,7 +25,7 @@ from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.result import ViewResult, placed_result
 from insole_core.reconstruct.views.coloring import mean_color
 from insole_core.reconstruct.views.picture_quality import picture_fault
-from insole_core.reconstruct.warnings import check_still, motion_note
+from insole_core.reconstruct.warnings import check_still, correction_note, motion_note
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.disparity import ScaledDisparity
@@ -176,8 +176,9 @@ def used_result(measured: MeasuredView, registration: Registration, note: str = 
     ViewResult
         Marked as used, its remarks joined in `reason`.
     """
+    foreign = correction_note(measured.view.sensor)
     scale = scale_note(registration.depth_scale)
-    notes = (measured.motion_note, measured.picture_fault, scale, note)
+    notes = (measured.motion_note, measured.picture_fault, foreign, scale, note)
     return replace(
         placed_result(measured.view.name, registration),
         used=True,

@@ -1704,6 +1704,10 @@
             <translation>avståndet mellan kamerorna</translation>
         </message>
         <message>
+            <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
+            <translation>djupets distorsion rättas med vad som mättes på sensor {owner}, inte på {serial}, så djupet kan vara flera millimeter fel; ge sessionen kalibreringen från dess egen sensor</translation>
+        </message>
+        <message>
             <source>the distortion of the depth was not corrected yet, so calibrate it first</source>
             <translation>djupets förvrängning är inte korrigerad ännu, så kalibrera den först</translation>
         </message>
