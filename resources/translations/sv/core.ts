@@ -68,6 +68,10 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
+            <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
+        </message>
+        <message>
             <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
         </message>
@@ -144,6 +148,10 @@
             <translation>Avbildar vy {views}</translation>
         </message>
         <message>
+            <source>ChArUco {columns}×{rows}, square {square_mm:g} mm, marker {marker_mm:g} mm, {dictionary}</source>
+            <translation>ChArUco {columns}×{rows}, ruta {square_mm:g} mm, markör {marker_mm:g} mm, {dictionary}</translation>
+        </message>
+        <message>
             <source>Checking view {views}</source>
             <translation>Kontrollerar vy {views}</translation>
         </message>
@@ -190,6 +198,10 @@
         <message>
             <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
+        </message>
+        <message>
+            <source>Face {face}: {across} to the right, {along} downwards</source>
+            <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
         </message>
         <message>
             <source>Fewer than two points of the object were measured; mark them again.</source>
@@ -1918,6 +1930,10 @@
         <message>
             <source>{columns}×{rows} inner corners</source>
             <translation>{columns}×{rows} inre hörn</translation>
+        </message>
+        <message>
+            <source>{columns}×{rows} inner corners, square {square_mm:g} mm</source>
+            <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
         </message>
         <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
