@@ -125,7 +125,7 @@ def test_of_two_captures_to_one_place_the_second_is_refused(
     (tmp_path / "folder").mkdir()
     same = tmp_path / "folder" / ".." / name
     with commands.started(out, "--notes", "the first") as first:
-        commands.wait_for_view()
+        wait_for((tmp_path / f".{name}.lock").exists)
         with stopped(first), commands.started(same, "--notes", "the second") as second:
             assert ended(second) == (
                 1,
