@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file
 from insole_core.forgiving_json import read_remembered, understood
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
@@ -62,6 +62,6 @@ def save_settings(settings: Settings, path: Path) -> None:
     OutputError
         When the file cannot be written.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_private_folder(path.parent)
     with replacing_file(path) as beside:
         beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")

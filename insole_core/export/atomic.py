@@ -1,9 +1,14 @@
-"""Atomic output: write beside the destination, then rename."""
+"""Atomic output: write beside the destination, then rename.
+
+What is written concerns a patient: only its owner may read it, from the first byte on. Whoever
+shares a file or a folder with others sets its mode once; replacing it keeps the mode.
+"""
 
 from __future__ import annotations
 
 import os
 import shutil
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +16,8 @@ from pathlib import Path
 
 from insole_core.errors import OutputError
 from insole_core.messages import Message
+
+PRIVATE_FILE, PRIVATE_FOLDER = 0o600, 0o700
 
 
 @contextmanager
@@ -33,7 +40,7 @@ def replacing_file(path: Path) -> Iterator[Path]:
         os.close(handle)
         beside = Path(name)
         yield beside
-        beside.chmod(0o666 & ~_umask())
+        _take_mode(beside, path, PRIVATE_FILE)
         beside.replace(path)
     except OSError as error:
         raise OutputError(describe(path, error)) from error
@@ -51,13 +58,43 @@ def replacing_folder(path: Path) -> Iterator[Path]:
             raise NotADirectoryError
         beside = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
         yield beside
-        beside.chmod(0o777 & ~_umask())
+        mode = _take_mode(beside, path, PRIVATE_FOLDER)
+        _open_content(beside, mode)
         _swap(beside, path)
     except OSError as error:
         raise OutputError(describe(path, error)) from error
     finally:
         if beside is not None and beside.exists():
             shutil.rmtree(beside)
+
+
+def make_private_folder(path: Path) -> None:
+    """Make a folder, and those above it that are missing, for its owner only.
+
+    Raises
+    ------
+    OSError
+        When it cannot be made. A folder that is there stays as it is.
+    """
+    if not path.is_dir():
+        make_private_folder(path.parent)
+        path.mkdir(mode=PRIVATE_FOLDER, exist_ok=True)
+
+
+def write_private(path: Path, content: bytes) -> None:
+    """Write a file into an unfinished folder, for its owner only.
+
+    Raises
+    ------
+    OSError
+        When it cannot be written.
+    """
+    with open(path, "wb", opener=_private) as file:
+        file.write(content)
+
+
+def _private(path: str, flags: int) -> int:
+    return os.open(path, flags, PRIVATE_FILE)
 
 
 def _swap(beside: Path, path: Path) -> None:
@@ -76,10 +113,35 @@ def _swap(beside: Path, path: Path) -> None:
         shutil.rmtree(old)
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def _take_mode(beside: Path, path: Path, private: int) -> int:
+    """Give `beside` the group and the mode of what it replaces; return the mode."""
+    mode = _kept_mode(beside, path, private)
+    beside.chmod(mode)
+    return mode
+
+
+def _kept_mode(beside: Path, path: Path, private: int) -> int:
+    try:
+        old = path.stat()
+    except FileNotFoundError:
+        return private
+    mode = stat.S_IMODE(old.st_mode) & 0o777
+    if old.st_gid == beside.stat().st_gid:
+        return mode
+    try:
+        os.chown(beside, -1, old.st_gid)
+    except PermissionError:
+        return mode & ~stat.S_IRWXG  # never open to a group that it was not open to
+    return mode
+
+
+def _open_content(folder: Path, mode: int) -> None:
+    """Make all that a folder holds as accessible as the folder itself."""
+    for place, folders, files in os.walk(folder):
+        for name in folders:
+            (Path(place) / name).chmod(mode)
+        for name in files:
+            (Path(place) / name).chmod(mode & 0o666)
 
 
 def _not_allowed(path: Path) -> str:

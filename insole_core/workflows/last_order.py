@@ -6,7 +6,7 @@ import json
 from dataclasses import fields
 from pathlib import Path
 
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file
 from insole_core.forgiving_json import read_remembered, understood
 from insole_core.solids.shop import Shop
 from insole_core.workflows.make_order import OrderChoice
@@ -42,7 +42,7 @@ class LastOrder:
         OutputError
             When the place cannot be written.
         """
-        self._path.parent.mkdir(parents=True, exist_ok=True)
+        make_private_folder(self._path.parent)
         values = {name: getattr(choice, name) for name in _kept_names()}
         values["block"] = None if choice.block is None else choice.block.name
         with replacing_file(self._path) as beside:

@@ -17,7 +17,7 @@ from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file
 from insole_core.progress import Progress
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
@@ -59,7 +59,7 @@ class Autosave(QObject):
         super().__init__(parent)
         self._case = case
         self._jobs = jobs
-        folder.mkdir(parents=True, exist_ok=True)
+        make_private_folder(folder)
         self._wanted = True
         self._stem = folder / uuid.uuid4().hex
         self._lock = _lock(self._stem)

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import replacing_file, replacing_folder
+from insole_core.export.atomic import (
+    make_private_folder,
+    replacing_file,
+    replacing_folder,
+    write_private,
+)
 
 
 def test_file_takes_its_place_at_the_end(tmp_path: Path) -> None:
@@ -21,12 +28,92 @@ def test_file_takes_its_place_at_the_end(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [target]
 
 
-def test_file_has_ordinary_permissions(tmp_path: Path) -> None:
-    with replacing_file(tmp_path / "a") as beside:
+def mode_of(path: Path) -> int:
+    return stat.S_IMODE(path.stat().st_mode)
+
+
+@pytest.fixture(params=[0o000, 0o022], ids=oct)
+def umask(request: pytest.FixtureRequest) -> Iterator[int]:
+    before = os.umask(request.param)
+    yield request.param
+    os.umask(before)
+
+
+def test_new_file_is_private_from_the_first_byte(tmp_path: Path, umask: int) -> None:
+    with replacing_file(tmp_path / "anna.insole") as beside:
+        assert mode_of(beside) == 0o600
         beside.write_text("x")
-    (tmp_path / "b").write_text("x")
-    modes = {stat.S_IMODE((tmp_path / name).stat().st_mode) for name in "ab"}
-    assert len(modes) == 1
+    assert mode_of(tmp_path / "anna.insole") == 0o600
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o664, 0o644], ids=oct)
+def test_replaced_file_keeps_its_mode(tmp_path: Path, umask: int, mode: int) -> None:
+    target = tmp_path / "anna.insole"
+    target.touch()
+    target.chmod(mode)
+    with replacing_file(target) as beside:
+        beside.write_text("x")
+        assert mode_of(beside) == 0o600
+    assert mode_of(target) == mode
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives away")
+def test_replaced_file_keeps_its_group(tmp_path: Path) -> None:
+    target = tmp_path / "anna.insole"
+    target.touch()
+    os.chown(target, -1, 4321)
+    with replacing_file(target) as beside:
+        beside.write_text("x")
+    assert target.stat().st_gid == 4321
+
+
+def test_a_group_that_cannot_be_kept_gets_no_access(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "anna.insole"
+    target.touch()
+    target.chmod(0o640)
+
+    def refuse(*_arguments: object) -> None:
+        raise PermissionError(1, "Operation not permitted")
+
+    kept = Path.stat
+
+    def of_another_group(path: Path, **more: bool) -> os.stat_result:
+        found = list(kept(path, **more))
+        found[stat.ST_GID] += path == target
+        return os.stat_result(found)
+
+    monkeypatch.setattr(os, "chown", refuse)
+    monkeypatch.setattr(Path, "stat", of_another_group)
+    with replacing_file(target) as beside:
+        beside.write_text("x")
+    monkeypatch.undo()
+    assert mode_of(target) == 0o600
+
+
+@pytest.mark.parametrize("mode", [None, 0o700, 0o750, 0o755], ids=str)
+def test_folder_and_its_content_are_private_or_as_before(
+    tmp_path: Path, umask: int, mode: int | None
+) -> None:
+    target = tmp_path / "session"
+    if mode is not None:
+        target.mkdir()
+        target.chmod(mode)
+    with replacing_folder(target) as beside:
+        assert mode_of(beside) == 0o700
+        (beside / "views").mkdir()
+        (beside / "views" / "depth.png").touch()
+    expected = 0o700 if mode is None else mode
+    assert mode_of(target) == mode_of(target / "views") == expected
+    assert mode_of(target / "views" / "depth.png") == expected & 0o666
+
+
+def test_nothing_touches_the_umask() -> None:
+    """The umask belongs to the whole process: changing it opens the files of other threads."""
+    root = Path(__file__).parents[3]
+    sources = [p for top in ("app", "insole_core", "drivers") for p in (root / top).rglob("*.py")]
+    assert [p for p in sources if "umask" in p.read_text(encoding="utf-8")] == []
 
 
 @pytest.mark.parametrize("replacing", [replacing_file, replacing_folder])
@@ -95,3 +182,12 @@ def test_full_disk_is_named(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="disk is full; free some space"):
         write_to_full_disk(tmp_path / "x")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_private_folder_and_file(tmp_path: Path, umask: int) -> None:
+    tmp_path.chmod(0o755)
+    make_private_folder(tmp_path / "a" / "b")
+    write_private(tmp_path / "a" / "b" / "depth.png", b"x")
+    parts = [tmp_path / "a", tmp_path / "a" / "b", tmp_path / "a" / "b" / "depth.png"]
+    assert [mode_of(part) for part in parts] == [0o700, 0o700, 0o600]
+    assert mode_of(tmp_path) == 0o755

@@ -9,6 +9,7 @@ from PySide6.QtCore import QLockFile, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
+from insole_core.export.atomic import make_private_folder
 from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import CaptureService
@@ -110,7 +111,7 @@ def first_options(source: SensorSource) -> CaptureOptions:
 
 def _lock_drafts(folder: Path) -> QLockFile:
     """Lock the drafts for this window, so that no other window offers them as unfinished."""
-    folder.mkdir(parents=True, exist_ok=True)
+    make_private_folder(folder)
     lock = QLockFile(str(folder / "captures.lock"))
     lock.tryLock(0)
     return lock
