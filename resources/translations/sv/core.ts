@@ -996,6 +996,10 @@
             <translation>Skriver vyn {view}</translation>
         </message>
         <message>
+            <source>a device or a pipe of that name is there; choose another name</source>
+            <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
+        </message>
+        <message>
             <source>a file is there where a folder is needed; choose another name</source>
             <translation>en fil ligger där en mapp behövs; välj ett annat namn</translation>
         </message>
@@ -1250,6 +1254,10 @@
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
             <translation>den mätte ingen yta i volymen av intresse; kontrollera att foten var på plats och ”volume_of_interest_mm” i manifest.json</translation>
+        </message>
+        <message>
+            <source>it or its folder is protected against changes; choose another name or place</source>
+            <translation>den eller dess mapp är skyddad mot ändringar; välj ett annat namn eller en annan plats</translation>
         </message>
         <message>
             <source>it was switched off by hand</source>
@@ -1728,6 +1736,10 @@
             <translation>markörerna som syns ligger nästan på en linje, så sensorns plats är osäker</translation>
         </message>
         <message>
+            <source>the name is too long; choose a shorter one</source>
+            <translation>namnet är för långt; välj ett kortare</translation>
+        </message>
+        <message>
             <source>the navicular is not marked</source>
             <translation>naviculare är inte märkt</translation>
         </message>
@@ -1762,6 +1774,10 @@
         <message>
             <source>this design is of version {version}, and this program reads up to version {known}; install a newer Insole Studio.</source>
             <translation>designen är av version {version}, och detta program läser upp till version {known}; installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>this disk can only be read; choose another place</source>
+            <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
             <source>to the left</source>

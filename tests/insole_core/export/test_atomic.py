@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 import stat
-from collections.abc import Iterator
+import subprocess
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from insole_core.errors import OutputError
 from insole_core.export.atomic import (
+    describe,
     make_private_folder,
     replacing_file,
     replacing_folder,
@@ -57,7 +61,7 @@ def test_replaced_file_keeps_its_mode(tmp_path: Path, umask: int, mode: int) -> 
     assert mode_of(target) == mode
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives away")
+@pytest.mark.skipif(getattr(os, "geteuid", int)() != 0, reason="only root gives away")
 def test_replaced_file_keeps_its_group(tmp_path: Path) -> None:
     target = tmp_path / "anna.insole"
     target.touch()
@@ -153,23 +157,90 @@ def test_places_that_cannot_be_written(tmp_path: Path) -> None:
             pytest.fail("nothing may be computed for a place that cannot be written")
 
 
+def refusing(error: OSError) -> Callable[..., None]:
+    def refuse(*_arguments: object) -> None:
+        raise error
+
+    return refuse
+
+
+@pytest.mark.parametrize("exists", [True, False])
 @pytest.mark.parametrize(
-    ("exists", "sentence"), [(True, "another program has it open"), (False, "you may not write")]
+    ("code", "sentence"),
+    [
+        (errno.EACCES, "you may not write there; choose another place"),
+        (errno.EPERM, "it or its folder is protected against changes"),
+        (errno.EROFS, "this disk can only be read"),
+        (errno.ENOSPC, "the disk is full"),
+        (errno.EDQUOT, "the disk is full"),
+        (errno.EBUSY, "another program has it open"),
+        (errno.ETXTBSY, "another program has it open"),
+        (errno.ENAMETOOLONG, "the name is too long"),
+        (errno.EIO, "Input/output error; choose another place"),
+    ],
 )
 def test_place_that_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, exists: bool, sentence: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, exists: bool, code: int, sentence: str
 ) -> None:
     target = tmp_path / "insole.stl"
     if exists:
         target.write_text("old")
-
-    def refuse(_self: Path, _target: Path) -> None:
-        raise PermissionError(13, "Permission denied")
-
-    monkeypatch.setattr(Path, "replace", refuse)
+    monkeypatch.setattr(Path, "replace", refusing(OSError(code, os.strerror(code))))
     with pytest.raises(OutputError, match=sentence), replacing_file(target) as beside:
         beside.write_text("new")
     assert [p.read_text() for p in tmp_path.iterdir()] == ["old"] * exists
+
+
+@pytest.mark.parametrize(
+    ("exists", "sentence"), [(True, "another program has it open"), (False, "you may not write")]
+)
+def test_a_file_that_is_open_on_windows(tmp_path: Path, exists: bool, sentence: str) -> None:
+    target = tmp_path / "insole.stl"
+    if exists:
+        target.touch()
+    error = PermissionError(errno.EACCES, "Access is denied")
+    error.winerror = 5  # type: ignore[attr-defined, unused-ignore]
+    assert sentence in describe(target, error)
+
+
+def set_immutable(path: Path, wanted: bool) -> None:
+    call = ["chattr", "+i" if wanted else "-i", str(path)]
+    if not shutil.which("chattr") or subprocess.run(call, check=False).returncode:
+        pytest.skip("only root protects files, and not on every file system")
+
+
+@pytest.fixture
+def immutable(tmp_path: Path) -> Iterator[Path]:
+    path = tmp_path / "anna.insole"
+    path.write_text("old")
+    set_immutable(path, True)
+    yield path
+    set_immutable(path, False)
+
+
+def test_an_immutable_file_is_named_before_anything_is_computed(immutable: Path) -> None:
+    with (
+        pytest.raises(OutputError, match="protected against changes"),
+        replacing_file(immutable),
+    ):
+        pytest.fail("nothing may be computed for a place that cannot be written")
+    assert [path.read_text() for path in immutable.parent.iterdir()] == ["old"]
+
+
+@pytest.mark.skipif(getattr(os, "geteuid", int)() == 0, reason="root may write everywhere")
+def test_a_file_without_permission_is_not_replaced(tmp_path: Path) -> None:
+    target = tmp_path / "anna.insole"
+    target.write_text("old")
+    target.chmod(0o400)
+    with pytest.raises(OutputError, match="you may not write there"), replacing_file(target):
+        pytest.fail("nothing may be computed for a place that cannot be written")
+
+
+def test_a_pipe_is_not_replaced(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(OutputError, match="a device or a pipe"), replacing_file(tmp_path / "pipe"):
+        pytest.fail("nothing may be computed for a place that cannot be written")
+    assert (tmp_path / "pipe").is_fifo()
 
 
 def write_to_full_disk(target: Path) -> None:
