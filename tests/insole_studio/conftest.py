@@ -87,6 +87,8 @@ class CannedQuestions:
     def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
         return self.path
 
+    name_to_write = file_to_write
+
 
 @pytest.fixture(scope="session")
 def undraw_reports() -> Callable[[pytest.MonkeyPatch], None]:

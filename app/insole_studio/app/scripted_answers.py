@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.side import Side
+from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.questions import Answer, Questions, SameSide
 
 
@@ -82,6 +83,12 @@ class AnsweredQuestions(Questions):
         """Return the path."""
         return self.answers.path
 
-    def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
-        """Return the path."""
-        return self.answers.path
+    def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
+        """Return the completed path, unless a file is there that must not be overwritten."""
+        path = self.name_to_write(suggestion, kinds)
+        return None if path is None or (path.exists() and not self.answers.replace) else path
+
+    def name_to_write(self, _suggestion: str, kinds: str) -> Path | None:
+        """Return the path, completed as in the dialog."""
+        path = self.answers.path
+        return None if path is None else complete_name(path, kinds)

@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from insole_core.geometry.side import Side
+from insole_studio.services.file_kinds import complete_name
 from insole_studio.texts import tr, translate_core_message
 
 
@@ -123,7 +124,7 @@ class Questions:
         return Path(name) if name else None
 
     def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
-        """Ask for a path to write to.
+        """Ask for a path to write to, and whether what is there may be replaced.
 
         Parameters
         ----------
@@ -132,8 +133,27 @@ class Questions:
         kinds
             Filter of the file dialog.
         """
-        name, _ = QFileDialog.getSaveFileName(self._parent, tr("Save"), suggestion, kinds)
-        return Path(name) if name else None
+        while (path := self.name_to_write(suggestion, kinds)) is not None:
+            if not path.exists() or self.may_replace([path]):
+                return path
+        return None
+
+    def name_to_write(self, suggestion: str, kinds: str) -> Path | None:
+        """Ask for a path to write to or to derive others from; replacing is not asked.
+
+        The dialog's own question would be about the name as typed, which may not be the one that
+        is written.
+
+        Parameters
+        ----------
+        suggestion, kinds
+            As for `file_to_write`.
+        """
+        name, chosen = QFileDialog.getSaveFileName(
+            self._parent, tr("Save"), suggestion, kinds,
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )  # fmt: skip
+        return complete_name(Path(name), kinds, chosen) if name else None
 
     def _box(self, text: str) -> QMessageBox:
         box = QMessageBox(self._parent)

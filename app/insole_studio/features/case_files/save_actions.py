@@ -44,7 +44,7 @@ class SaveActions:
         suggestion = f"{file_stem(self._case)}{CASE_SUFFIX}"
         path = self._messages.questions.file_to_write(suggestion, case_kinds())
         if path is not None:
-            self.save_to(path.with_suffix(CASE_SUFFIX), then)
+            self.save_to(path, then)
 
     def save_to(self, path: Path, then: Then = _nothing) -> None:
         """Save in the background, then call `then`."""
