@@ -11,13 +11,15 @@ import sys
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
+from insole_core.regular_file import read_regular
+
 log = logging.getLogger(__name__)
 
 
 def read_remembered(path: Path) -> dict[str, Any]:
     """Read the entries of a file that the window wrote; empty where it is missing or damaged."""
     try:
-        stored = json.loads(path.read_text(encoding="utf-8"))
+        stored = json.loads(read_regular(path))
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, RecursionError) as error:

@@ -22,6 +22,7 @@ from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
+from insole_core.regular_file import open_regular
 
 CASE_NAME = "case.json"
 FOOT_NAMES = {side: f"{side}.npz" for side in Side}
@@ -126,7 +127,7 @@ def _are_sound(touches: ContourConstraints) -> bool:
 
 def _read_parts(path: Path) -> dict[str, bytes]:
     try:
-        with zipfile.ZipFile(path) as archive:
+        with open_regular(path) as file, zipfile.ZipFile(file) as archive:
             known = [name for name in _PARTS if name in archive.namelist()]
             return {name: _read_part(archive, name, path) for name in known}
     except FileNotFoundError as error:

@@ -1248,6 +1248,14 @@
             <translation>är {what}; raderna måste vara högerorienterade enhetsvektorer</translation>
         </message>
         <message>
+            <source>it is a pipe or a device, no file</source>
+            <translation>det är ett rör eller en enhet, ingen fil</translation>
+        </message>
+        <message>
+            <source>it is far larger than such a file is</source>
+            <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
         </message>
