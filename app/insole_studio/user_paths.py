@@ -37,6 +37,11 @@ class UserPaths:
         """The folder of the pictures that sensors are calibrated from."""
         return self.data_folder / "calibrations"
 
+    @property
+    def locks_folder(self) -> Path:
+        """The folder of the locks of cases whose own folder takes none."""
+        return self.data_folder / "locks"
+
     @classmethod
     def of_user(cls) -> UserPaths:
         """Return the paths of this user on this platform."""

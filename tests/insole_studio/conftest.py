@@ -23,7 +23,7 @@ from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
-from insole_studio.services.questions import Answer, SameSide
+from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.user_paths import UserPaths
 
 LENGTH_MM = 250.0
@@ -71,6 +71,16 @@ class CannedQuestions:
     def about_same_side(self, _side: Side) -> SameSide:
         self.asked.append("same side")
         return self.same_side
+
+    def about_case_in_use(self, sentence: str) -> InUse:
+        self.asked.append(sentence)
+        return InUse.CANCEL
+
+    def about_failed_save(self, sentence: str) -> Unsaved:
+        self.asked.append(sentence)
+        return Unsaved.GO_ON
+
+    about_changed_file = about_failed_save
 
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         return self.typed

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
-from insole_studio.services.questions import Answer, Questions, SameSide
+from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
 
 
 @dataclass
@@ -23,6 +23,10 @@ class ScriptedAnswers:
         What to do with unsaved work when another case is opened.
     same_side
         What to do with a second scan of a side that the case already has.
+    in_use
+        How to open a case that another window has open.
+    failed_save
+        What to do when a case cannot be saved.
     side
         Side of a mesh; None cancels opening it.
     anyway
@@ -37,6 +41,8 @@ class ScriptedAnswers:
 
     unsaved: Answer = Answer.DISCARD
     same_side: SameSide = SameSide.REPLACE
+    in_use: InUse = InUse.CANCEL
+    failed_save: Unsaved = Unsaved.GO_ON
     side: Side | None = None
     anyway: bool = False
     replace: bool = False
@@ -66,6 +72,18 @@ class AnsweredQuestions(Questions):
     def about_same_side(self, _side: Side) -> SameSide:
         """Return what to do with a second scan of the same side."""
         return self.answers.same_side
+
+    def about_case_in_use(self, _sentence: str) -> InUse:
+        """Return how to open a case that another window has open."""
+        return self.answers.in_use
+
+    def about_failed_save(self, _sentence: str) -> Unsaved:
+        """Return what to do when a case cannot be saved."""
+        return self.answers.failed_save
+
+    def about_changed_file(self, _sentence: str) -> Unsaved:
+        """Return what to do when the file of a case has changed."""
+        return self.answers.failed_save
 
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         """Return the line of text."""

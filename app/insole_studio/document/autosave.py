@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import logging
 import uuid
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
@@ -18,6 +18,7 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.forgiving_json import read_remembered, understood
 from insole_core.progress import Progress
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
@@ -36,18 +37,29 @@ class Recovered:
     ----------
     path
         The file it was opened from; None for a case never saved.
+    digest
+        SHA-256 of that file when it was last read or written; empty where that is unknown.
     copies
         The files to remove once the case is safe.
     """
 
     record: CaseRecord
     path: Path | None
+    digest: str
     copies: tuple[Path, ...]
 
     def discard(self) -> None:
         """Remove the copies."""
         for copy in self.copies:
             copy.unlink(missing_ok=True)
+
+
+@dataclass(frozen=True)
+class _Origin:
+    """The file of the case, as kept beside the copy; empty for a case never saved."""
+
+    path: str = ""
+    digest: str = ""
 
 
 class Autosave(QObject):
@@ -77,7 +89,7 @@ class Autosave(QObject):
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
-            _write_copy(self._stem, self._case.record, self._case.path)
+            _write_copy(self._stem, self._case.record, self._origin())
 
     def forget(self) -> None:
         """Remove the copy permanently: the user has saved the case, or does not want it."""
@@ -100,15 +112,20 @@ class Autosave(QObject):
     def _write_beside(self) -> None:
         if not self._case.has_unsaved_changes:
             return
-        record, path = self._case.record, self._case.path
+        record, origin = self._case.record, self._origin()
 
         def write(_progress: Progress) -> None:
-            _write_copy(self._stem, record, path)
+            _write_copy(self._stem, record, origin)
 
         def fail(error: Exception) -> None:
             self.failed.emit(str(error))
 
         self._jobs.start(CHANNEL, write, lambda _nothing: None, fail)
+
+    def _origin(self) -> _Origin:
+        case = self._case
+        is_ours = case.path is not None and not case.is_read_only
+        return _Origin(str(case.path), case.digest) if is_ours else _Origin()
 
     def _forget_if_saved(self) -> None:
         if not self._case.has_unsaved_changes:
@@ -140,20 +157,22 @@ def find_recovered(folder: Path) -> list[Recovered]:
 
 
 def _recover(stem: Path) -> Recovered | None:
-    record_copy, path_copy = _copies(stem)
+    record_copy, origin_copy = _copies(stem)
     try:
         record = read_case(record_copy)
-        path = json.loads(path_copy.read_text(encoding="utf-8")) if path_copy.exists() else None
-    except (InsoleError, OSError, ValueError) as error:
+    except InsoleError as error:
         log.warning("%s cannot be recovered: %s", record_copy, error)
         return None
-    return Recovered(record, Path(path) if path else None, (record_copy, path_copy))
+    # The case itself is intact: what is remembered of its file must not hide it.
+    origin = _Origin(**understood(read_remembered(origin_copy), _Origin, origin_copy))
+    path = Path(origin.path) if origin.path else None
+    return Recovered(record, path, origin.digest, (record_copy, origin_copy))
 
 
-def _write_copy(stem: Path, record: CaseRecord, path: Path | None) -> None:
-    record_copy, path_copy = _copies(stem)
-    with replacing_file(path_copy) as beside:
-        beside.write_text(json.dumps(str(path) if path else None), encoding="utf-8")
+def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:
+    record_copy, origin_copy = _copies(stem)
+    with replacing_file(origin_copy) as beside:
+        beside.write_text(json.dumps(asdict(origin)), encoding="utf-8")
     write_case(record, record_copy)
 
 

@@ -29,6 +29,22 @@ class SameSide(Enum):
     CANCEL = auto()
 
 
+class InUse(Enum):
+    """How to open a case that another window has open."""
+
+    READ_ONLY = auto()
+    COPY = auto()
+    CANCEL = auto()
+
+
+class Unsaved(Enum):
+    """What to do when a case could not be saved."""
+
+    ELSEWHERE = auto()
+    REPLACE = auto()
+    GO_ON = auto()
+
+
 class Questions:
     """Questions with verbs on their buttons; None means cancelled."""
 
@@ -84,6 +100,46 @@ class Questions:
         if box.clickedButton() is place:
             return SameSide.REPLACE
         return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
+
+    def about_case_in_use(self, sentence: str) -> InUse:
+        """Ask how to open a case that another window has open."""
+        box = self._box(sentence)
+        box.setInformativeText(
+            tr("Look at it without changing its file, or go on with a copy under another name.")
+        )
+        read = box.addButton(tr("Open read-only"), QMessageBox.ButtonRole.AcceptRole)
+        copy = box.addButton(tr("Open a copy"), QMessageBox.ButtonRole.ActionRole)
+        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(read)
+        box.exec()
+        if box.clickedButton() is read:
+            return InUse.READ_ONLY
+        return InUse.COPY if box.clickedButton() is copy else InUse.CANCEL
+
+    def about_failed_save(self, sentence: str) -> Unsaved:
+        """Ask what to do with a case that could not be saved."""
+        box = self._box(sentence)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setInformativeText(tr("Nothing is lost: the case stays open, and is not saved yet."))
+        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(elsewhere)
+        box.exec()
+        return Unsaved.ELSEWHERE if box.clickedButton() is elsewhere else Unsaved.GO_ON
+
+    def about_changed_file(self, sentence: str) -> Unsaved:
+        """Ask what to do with a case whose file another program has changed."""
+        box = self._box(sentence)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setInformativeText(tr("Saving here would discard what was changed there."))
+        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
+        replace = box.addButton(tr("Replace the file"), QMessageBox.ButtonRole.DestructiveRole)
+        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(elsewhere)
+        box.exec()
+        if box.clickedButton() is elsewhere:
+            return Unsaved.ELSEWHERE
+        return Unsaved.REPLACE if box.clickedButton() is replace else Unsaved.GO_ON
 
     def text(self, title: str, question: str, value: str) -> str | None:
         """Ask for a line of text.

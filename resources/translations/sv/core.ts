@@ -2292,6 +2292,14 @@
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
         </message>
         <message>
+            <source>{path} is open in another window.</source>
+            <translation>{path} är öppen i ett annat fönster.</translation>
+        </message>
+        <message>
+            <source>{path} is open on another computer, {host}.</source>
+            <translation>{path} är öppen på en annan dator, {host}.</translation>
+        </message>
+        <message>
             <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
             <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
         </message>
@@ -2314,6 +2322,10 @@
         <message>
             <source>{path} names no format that {what} is written as; choose {formats}.</source>
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
+        </message>
+        <message>
+            <source>{path} was changed by another program since it was opened here.</source>
+            <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
         </message>
         <message>
             <source>{path}: {file} is damaged; restore the file from a backup.</source>

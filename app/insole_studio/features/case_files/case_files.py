@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from insole_studio.document.autosave import Autosave
+from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.open_actions import OpenActions
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.features.case_files.scan_monitor import ScanMonitor
@@ -15,10 +16,11 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class CaseFiles:
-    """The actions for opening and saving, and the monitor of scans."""
+    """The actions for opening and saving, and the lock of the open case."""
 
     opener: OpenActions
     saver: SaveActions
+    guard: CaseGuard
 
 
 def make_case_files(
@@ -36,5 +38,6 @@ def make_case_files(
         Called with the path of a session to be reconstructed.
     """
     ScanMonitor(services, services.window)
-    saver = SaveActions(services)
-    return CaseFiles(OpenActions(services, saver, autosave, reconstruct), saver)
+    guard = CaseGuard(services.case, services.paths.locks_folder, services.window)
+    saver = SaveActions(services, guard)
+    return CaseFiles(OpenActions(services, saver, guard, autosave, reconstruct), saver, guard)
