@@ -12,7 +12,7 @@ import pytest
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import ScanSource
 from insole_core.errors import InputError
-from insole_core.forgiving_json import read_remembered
+from insole_core.forgiving_json import remembered
 from insole_core.insole.prescription.design_json import read_design
 from insole_core.insole.prescription.template import read_template
 from insole_core.progress import Cancelled, Progress
@@ -68,7 +68,7 @@ def test_what_is_no_file_is_refused(
 
 
 def test_remembered_settings_are_forgotten(trap: Callable[[str], Path]) -> None:
-    assert read_remembered(trap("settings.json")) == {}
+    assert remembered(trap("settings.json"), {"theme": str}) == {}
 
 
 @pytest.mark.parametrize("name", ["foot.ply", "session.zip", "session/manifest.json"])

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from insole_core.geometry.side import Side
+from insole_core.messages import Message, joined
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
@@ -55,6 +56,8 @@ class Application:
     main: WindowFeature
     controller: MainController
     autosave: Autosave
+    complaints: list[Message]
+    """What was set aside at the start because it could not be read, to be told to the user."""
 
     @property
     def case(self) -> Case:
@@ -108,7 +111,8 @@ def build_application(
         Recorded session to play back as live sensors; None uses the real ones.
     """
     share_one_heap()
-    settings = load_settings(paths.settings_file)
+    complaints: list[Message] = []
+    settings = load_settings(paths.settings_file, complaints.append)
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
@@ -134,8 +138,11 @@ def build_application(
         window, Appearance(services, window, stage), HelpActions(services, stage, key_sections)
     )
     controller = MainController(services, features, main, autosave)
-    _show_settings(main, settings, dark)
-    return Application(services, features, main, controller, autosave)
+    if not _show_settings(main, settings, dark):
+        complaints.append(
+            Message("The arrangement of the window is damaged, so it has its usual one.")
+        )
+    return Application(services, features, main, controller, autosave, complaints)
 
 
 def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
@@ -146,7 +153,8 @@ def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
     return MainWindow(stage, status, [pad_text(pad) for pad in stage.pads], ACTIONS)
 
 
-def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> None:
+def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
+    """Show the settings; return whether the arrangement of the window was intact."""
     window = main.window
     window.check_action("contours", True)
     window.check_action("dark", dark)
@@ -155,7 +163,7 @@ def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> None:
     main.appearance.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
     window.arrange()
-    window.restore_layout(settings.window_geometry, settings.window_docks)
+    return window.restore_layout(settings.window_geometry, settings.window_docks)
 
 
 def run_application(
@@ -184,14 +192,20 @@ def run_application(
     """
     qt = qt_application()
     qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
-    app = build_application(qt, user_paths or UserPaths.of_user(), emulate)
+    if user_paths is None:
+        user_paths = UserPaths.of_user()
+        user_paths.make_private()
+    app = build_application(qt, user_paths, emulate)
     opener = app.features.case_files.opener
     sys.excepthook = _show_unexpected(app.services.messages)
     app.controller.closed.connect(qt.quit)
     app.window.show()
     Preload(app.window)
-    for recovered in find_recovered(app.services.paths.autosave_folder)[:1]:
+    folder = app.services.paths.autosave_folder
+    for recovered in find_recovered(folder, app.complaints.append)[:1]:
         opener.offer_recovered(recovered)
+    if app.complaints:
+        app.services.messages.show_sentence(joined(app.complaints, " "))
     if not app.settings.tour_seen:
         QTimer.singleShot(0, app.window, app.main.help.begin_tour)
     if paths:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import logging
+import os
 import uuid
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -18,7 +19,9 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import make_private_folder, replacing_file
-from insole_core.forgiving_json import read_remembered, understood
+from insole_core.forgiving_json import Complain, set_aside
+from insole_core.json_object import JsonObject
+from insole_core.messages import Message
 from insole_core.progress import Progress
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
@@ -71,8 +74,12 @@ class Autosave(QObject):
         super().__init__(parent)
         self._case = case
         self._jobs = jobs
-        make_private_folder(folder)
+        try:
+            make_private_folder(folder)
+        except OSError as error:  # told at the first attempt to write there
+            log.warning("%s cannot be made: %s", folder, error)
         self._wanted = True
+        self._has_failed = False
         self._stem = folder / uuid.uuid4().hex
         self._lock = _lock(self._stem)
         self._lock.tryLock(0)
@@ -85,7 +92,13 @@ class Autosave(QObject):
         case.saved_changed.connect(self._forget_if_saved)
 
     def write_now(self) -> None:
-        """Write at once, in the calling thread."""
+        """Write at once, in the calling thread.
+
+        Raises
+        ------
+        OutputError
+            When the copy cannot be written.
+        """
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
@@ -103,7 +116,10 @@ class Autosave(QObject):
         self._case.changed.disconnect(self._timer.start)
         self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
-            self.write_now()
+            try:
+                self.write_now()
+            except InsoleError as error:
+                log.warning("unsaved work is lost: %s", error)
         else:
             self._remove_copies()
         self._timer.stop()
@@ -117,10 +133,16 @@ class Autosave(QObject):
         def write(_progress: Progress) -> None:
             _write_copy(self._stem, record, origin)
 
-        def fail(error: Exception) -> None:
-            self.failed.emit(str(error))
+        self._jobs.start(CHANNEL, write, self._note_success, self._note_failure)
 
-        self._jobs.start(CHANNEL, write, lambda _nothing: None, fail)
+    def _note_success(self, _nothing: None) -> None:
+        self._has_failed = False
+
+    def _note_failure(self, error: Exception) -> None:
+        """Tell of the first of several failures in a row; every change tries again."""
+        if not self._has_failed:
+            self.failed.emit(str(error))
+        self._has_failed = True
 
     def _origin(self) -> _Origin:
         case = self._case
@@ -138,35 +160,70 @@ class Autosave(QObject):
             copy.unlink(missing_ok=True)
 
 
-def find_recovered(folder: Path) -> list[Recovered]:
-    """Return the cases left by programs that no longer run, newest first."""
-    if not folder.is_dir():
-        return []
+def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
+    """Return the cases left by programs that no longer run, newest first.
+
+    Parameters
+    ----------
+    complain
+        Called with a sentence for the user on each copy that is damaged, and is kept aside.
+    """
     found = []
-    copies = sorted(folder.glob("*.insole"), key=lambda p: p.stat().st_mtime, reverse=True)
-    for copy in copies:
+    for copy in _copies_in(folder):
         stem = copy.with_suffix("")
-        lock = _lock(stem)
-        if not lock.tryLock(0):
+        if _is_held(stem):
             continue
-        lock.unlock()
-        recovered = _recover(stem)
-        if recovered is not None:
-            found.append(recovered)
+        try:
+            found.append(_recover(stem))
+        except InsoleError as error:
+            log.warning("%s cannot be recovered: %s", copy, error)
+            complain(
+                Message(
+                    "The copy {path} of unsaved work is damaged; it is kept as {kept}.",
+                    path=copy,
+                    kept=set_aside(copy),
+                )
+            )
     return found
 
 
-def _recover(stem: Path) -> Recovered | None:
-    record_copy, origin_copy = _copies(stem)
+def _copies_in(folder: Path) -> list[Path]:
+    """Return the copies in a folder, newest first; none where it cannot be looked into."""
     try:
-        record = read_case(record_copy)
-    except InsoleError as error:
-        log.warning("%s cannot be recovered: %s", record_copy, error)
-        return None
-    # The case itself is intact: what is remembered of its file must not hide it.
-    origin = _Origin(**understood(read_remembered(origin_copy), _Origin, origin_copy))
+        copies = [(copy.stat().st_mtime, copy) for copy in folder.glob("*.insole")]
+    except OSError as error:
+        log.warning("%s cannot be looked into: %s", folder, error)
+        return []
+    return [copy for _time, copy in sorted(copies, reverse=True)]
+
+
+def _is_held(stem: Path) -> bool:
+    """Return whether a running program holds a copy; not if the folder takes no lock at all."""
+    lock = _lock(stem)
+    if lock.tryLock(0):
+        lock.unlock()
+        return False
+    return lock.error() is QLockFile.LockError.LockFailedError
+
+
+def _recover(stem: Path) -> Recovered:
+    record_copy, origin_copy = _copies(stem)
+    record = read_case(record_copy)
+    origin = _read_origin(origin_copy)
     path = Path(origin.path) if origin.path else None
     return Recovered(record, path, origin.digest, (record_copy, origin_copy))
+
+
+def _read_origin(path: Path) -> _Origin:
+    """Read where a copy comes from; the copy is intact, so a loss of this must not hide it."""
+    try:
+        stored = JsonObject.read(path)
+        place = stored.text("path", empty=True)
+        os.fsencode(place)
+        return _Origin(place.replace("\0", ""), stored.text("digest", empty=True))
+    except (InsoleError, UnicodeEncodeError) as error:
+        log.warning("the file of a recovered case is not known: %s", error)
+        return _Origin()
 
 
 def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:

@@ -476,6 +476,10 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The arrangement of the window is damaged, so it has its usual one.</source>
+            <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
+        </message>
+        <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
             <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
         </message>
@@ -530,6 +534,10 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
+            <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept}.</translation>
         </message>
         <message>
             <source>The correction is {age}; calibrate the sensor again soon.</source>
@@ -2248,6 +2256,10 @@
             <translation>{path} är ett nät, som inte säger vilken fot det är; ange --side.</translation>
         </message>
         <message>
+            <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
+            <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
+        </message>
+        <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
         </message>
@@ -2326,6 +2338,10 @@
         <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
+        </message>
+        <message>
+            <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
+            <translation>{path}: {entries} går inte att förstå, så standardvärdena används för dem; filen sparas som {kept}.</translation>
         </message>
         <message>
             <source>{path}: {file} is damaged; restore the file from a backup.</source>

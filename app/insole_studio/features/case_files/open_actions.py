@@ -113,8 +113,12 @@ class OpenActions:
         self._messages.say(
             tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
         )
-        self._autosave.write_now()
-        recovered.discard()
+        try:
+            self._autosave.write_now()
+        except InsoleError as error:  # the copies stay until the case is safe
+            self._messages.show_error(error)
+        else:
+            recovered.discard()
 
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""
