@@ -10,6 +10,7 @@ import json
 import logging
 import os
 import uuid
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -23,6 +24,7 @@ from insole_core.forgiving_json import Complain, set_aside
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 
@@ -53,8 +55,7 @@ class Recovered:
 
     def discard(self) -> None:
         """Remove the copies."""
-        for copy in self.copies:
-            copy.unlink(missing_ok=True)
+        _remove(self.copies)
 
 
 @dataclass(frozen=True)
@@ -156,8 +157,7 @@ class Autosave(QObject):
             self._remove_copies()
 
     def _remove_copies(self) -> None:
-        for copy in _copies(self._stem):
-            copy.unlink(missing_ok=True)
+        _remove(_copies(self._stem))
 
 
 def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
@@ -218,12 +218,21 @@ def _read_origin(path: Path) -> _Origin:
     """Read where a copy comes from; the copy is intact, so a loss of this must not hide it."""
     try:
         stored = JsonObject.read(path)
-        place = stored.text("path", empty=True)
-        os.fsencode(place)
-        return _Origin(place.replace("\0", ""), stored.text("digest", empty=True))
-    except (InsoleError, UnicodeEncodeError) as error:
+        place, digest = (stored.text(key, empty=True) for key in ("path", "digest"))
+    except InsoleError as error:
         log.warning("the file of a recovered case is not known: %s", error)
         return _Origin()
+    return _Origin(place, digest) if _is_case_file(place) else _Origin()
+
+
+def _is_case_file(text: str) -> bool:
+    """Return whether a text is the absolute path of a case file."""
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
+    path = Path(text)
+    return path.is_absolute() and path.suffix.lower() == CASE_SUFFIX and "\0" not in text
 
 
 def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:
@@ -235,6 +244,14 @@ def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:
 
 def _copies(stem: Path) -> tuple[Path, Path]:
     return stem.with_suffix(".insole"), stem.with_suffix(".json")
+
+
+def _remove(copies: Iterable[Path]) -> None:
+    for copy in copies:
+        try:
+            copy.unlink(missing_ok=True)
+        except OSError as error:
+            log.warning("%s cannot be removed: %s", copy, error)
 
 
 def _lock(stem: Path) -> QLockFile:
