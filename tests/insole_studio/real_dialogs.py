@@ -22,33 +22,35 @@ class DialogAnswers:
     def __init__(self, *answers: Path | str) -> None:
         self.left = list(answers)
         self.asked: list[str] = []
-        self._answered: QWidget | None = None
 
     def look(self) -> None:
         """Answer the dialog that is in front, if there is one that waits."""
         dialog = QApplication.activeModalWidget()
-        if dialog is None or dialog is self._answered or not self.left:
+        if dialog is None or not _is_exposed(dialog) or not self.left:
             return
-        if isinstance(dialog, QFileDialog):
-            path = self.left.pop(0)
-            assert isinstance(path, Path), f"a file dialog came, {path!r} was expected"
-            self._answered = dialog
-            _type_name(dialog, path)
-        elif isinstance(dialog, QMessageBox):
-            label = self.left.pop(0)
+        answer = self.left[0]
+        if isinstance(dialog, QFileDialog) and isinstance(answer, Path):
+            if _type_name(dialog, answer):
+                self.left.pop(0)
+        elif isinstance(dialog, QMessageBox) and isinstance(answer, str):
+            self.left.pop(0)
             self.asked.append(dialog.text())
-            self._answered = dialog
-            (button,) = [b for b in dialog.buttons() if b.text() == label]
+            (button,) = [b for b in dialog.buttons() if b.text() == answer]
             QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
-def _type_name(dialog: QFileDialog, path: Path) -> None:
+def _is_exposed(dialog: QWidget) -> bool:
+    window = dialog.windowHandle()
+    return window is not None and window.isExposed()
+
+
+def _type_name(dialog: QFileDialog, path: Path) -> bool:
+    """Type a path and Enter; return whether the dialog took it (a completion may take Enter)."""
     (field,) = dialog.findChildren(QLineEdit, "fileNameEdit")
     field.selectAll()
     QTest.keyClicks(field, str(path))
     QTest.keyClick(field, Qt.Key.Key_Return)
-    if dialog.isVisible():  # the first Enter took the completion
-        QTest.keyClick(field, Qt.Key.Key_Return)
+    return not dialog.isVisible()
 
 
 @contextmanager
@@ -62,4 +64,4 @@ def answering(*answers: Path | str) -> Iterator[DialogAnswers]:
         yield given
     finally:
         timer.stop()
-    assert given.left == []
+    assert given.left == [], f"{given.left} not asked for after {given.asked}"
