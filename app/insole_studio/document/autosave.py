@@ -42,16 +42,16 @@ class Recovered:
     ----------
     path
         The file it was opened from; None for a case never saved.
-    digest
-        SHA-256 of that file when it was last read or written; empty where that is unknown.
     copies
         The files to remove once the case is safe.
+    digest
+        SHA-256 of that file when it was last read or written; empty where that is unknown.
     """
 
     record: CaseRecord
     path: Path | None
-    digest: str
     copies: tuple[Path, ...]
+    digest: str = ""
 
     def discard(self) -> None:
         """Remove the copies."""
@@ -211,7 +211,7 @@ def _recover(stem: Path) -> Recovered:
     record = read_case(record_copy)
     origin = _read_origin(origin_copy)
     path = Path(origin.path) if origin.path else None
-    return Recovered(record, path, origin.digest, (record_copy, origin_copy))
+    return Recovered(record, path, (record_copy, origin_copy), origin.digest)
 
 
 def _read_origin(path: Path) -> _Origin:
