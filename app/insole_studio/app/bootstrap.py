@@ -18,6 +18,7 @@ from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
+from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.app.features import Features, make_features
 from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
@@ -42,6 +43,7 @@ from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.typed_text import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
 SIGNAL_POLL_MS = 200
@@ -58,6 +60,7 @@ class Application:
     autosave: Autosave
     complaints: list[Message]
     """What was set aside at the start because it could not be read, to be told to the user."""
+    events: ApplicationEvents
 
     @property
     def case(self) -> Case:
@@ -86,6 +89,8 @@ class Application:
 
     def close(self) -> None:
         """Stop the threads, free the renderers, save the settings."""
+        commit_typed_text()
+        self.events.close()
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
@@ -144,7 +149,8 @@ def build_application(
         complaints.append(
             Message("The arrangement of the window is damaged, so it has its usual one.")
         )
-    return Application(services, features, main, controller, autosave, complaints)
+    events = ApplicationEvents(application)
+    return Application(services, features, main, controller, autosave, complaints, events)
 
 
 def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
@@ -204,8 +210,7 @@ def run_application(
     app.window.show()
     Preload(app.window)
     folder = app.services.paths.autosave_folder
-    for recovered in find_recovered(folder, app.complaints.append)[:1]:
-        opener.offer_recovered(recovered)
+    app.features.case_files.recovery.offer(find_recovered(folder, app.complaints.append))
     if app.complaints:
         app.services.messages.show_sentence(joined(app.complaints, " "))
     if not app.settings.tour_seen:

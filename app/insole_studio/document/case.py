@@ -27,6 +27,10 @@ class Case(QObject):
     during a drag. Everything else listens.
     """
 
+    leaving = Signal()
+    """Another case or another foot is about to come; what is being typed belongs to this one."""
+    closing = Signal(object)
+    """Another case is about to come, with this record; nothing that hangs on this one may stay."""
     opened = Signal()
     """Another case was opened."""
     foot_changed = Signal()
@@ -107,6 +111,8 @@ class Case(QObject):
             Consecutive steps with the same non-empty key are merged into one.
         """
         self._shown = None
+        if isinstance(value, FootRecord):
+            self.leaving.emit()
         after = _with(self._record, value)
         if after is self._record:
             self.preview_changed.emit()
@@ -131,6 +137,7 @@ class Case(QObject):
     def take_foot(self, side: Side) -> None:
         """Make the foot of a side active; that does not change the case."""
         if self._record.at(side) is not self._record:
+            self.leaving.emit()
             self._shown = None
             self._history.end_merging()
             self._put(self._record.at(side))
@@ -176,16 +183,10 @@ class Case(QObject):
         read_only
             Whether the file must not be written.
         """
-        self._history.clear()
-        self._shown = None
-        self._selection = None
+        self.leaving.emit()
+        self.closing.emit(record)
         self.path, self.digest, self.is_read_only = path, digest, read_only
-        self._record = record
-        self._saved_record = CaseRecord() if unsaved else record
-        self.opened.emit()
-        self.foot_changed.emit()
-        self.selection_changed.emit()
-        self.saved_changed.emit()
+        self._begin(record, unsaved)
 
     def open_foot(self, foot: Foot, source: ScanSource) -> None:
         """Begin a design on a new foot alone; the patient stays.
@@ -195,9 +196,20 @@ class Case(QObject):
         source
             The scan that the foot was made from.
         """
+        self.leaving.emit()
         record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
-        digest, read_only = self.digest, self.is_read_only
-        self.open(record, self.path, unsaved=True, digest=digest, read_only=read_only)
+        self._begin(record, unsaved=True)
+
+    def _begin(self, record: CaseRecord, unsaved: bool) -> None:
+        self._history.clear()
+        self._shown = None
+        self._selection = None
+        self._record = record
+        self._saved_record = CaseRecord() if unsaved else record
+        self.opened.emit()
+        self.foot_changed.emit()
+        self.selection_changed.emit()
+        self.saved_changed.emit()
 
     def mark_saved(self, record: CaseRecord, path: Path, digest: str = "") -> None:
         """Note that the file contains `record`.

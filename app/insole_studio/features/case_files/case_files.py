@@ -9,6 +9,7 @@ from pathlib import Path
 from insole_studio.document.autosave import Autosave
 from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.recovery import Recovery
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.features.case_files.scan_monitor import ScanMonitor
 from insole_studio.services.app_services import AppServices
@@ -16,10 +17,11 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class CaseFiles:
-    """The actions for opening and saving, and the lock of the open case."""
+    """The actions for opening and saving, the recovery of unsaved work, and the case's lock."""
 
     opener: OpenActions
     saver: SaveActions
+    recovery: Recovery
     guard: CaseGuard
 
 
@@ -40,4 +42,6 @@ def make_case_files(
     ScanMonitor(services, services.window)
     guard = CaseGuard(services.case, services.paths.locks_folder, services.window)
     saver = SaveActions(services, guard)
-    return CaseFiles(OpenActions(services, saver, guard, autosave, reconstruct), saver, guard)
+    opener = OpenActions(services, saver, guard, reconstruct)
+    recovery = Recovery(services, saver, guard, autosave, opener.open_path)
+    return CaseFiles(opener, saver, recovery, guard)

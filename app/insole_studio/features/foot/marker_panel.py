@@ -50,6 +50,11 @@ class MarkerPanel(QWidget):
         layout.addLayout(self._header())
         layout.addWidget(self.picture, 1)
 
+    def show_nothing(self) -> None:
+        """Show no image and no marks."""
+        self._marks, self._ids = (), ()
+        self.picture.show_nothing()
+
     def show_picture(self, picture: ByteArray) -> None:
         """Show the image of another view."""
         self.picture.show_picture(picture)
