@@ -588,6 +588,10 @@
             <translation>Sidorna {faces} mättes tillsammans.</translation>
         </message>
         <message>
+            <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
+            <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
+        </message>
+        <message>
             <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
             <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
         </message>
@@ -782,10 +786,6 @@
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
             <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
-        </message>
-        <message>
-            <source>The sole faces {sole} and the toes point along {toes} of the file: of all ways the surface could stand, this one looks most like a foot.</source>
-            <translation>Sulan vetter mot {sole} och tårna pekar längs {toes} i filen: av alla sätt ytan kan stå på liknar detta mest en fot.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>

@@ -133,7 +133,9 @@ class MarkerPanel(QWidget):
         for button in (self.search, self.ignore, self.clear):
             header.addWidget(button)
         header.addStretch(1)
-        scale = QLabel(tr("Red: residual × {number}").format(number=ENLARGED))
+        scale = QLabel(
+            tr("Red: how far a marker is off, {number} times enlarged").format(number=ENLARGED)
+        )
         scale.setObjectName("quiet")
         header.addWidget(scale)
         return header
