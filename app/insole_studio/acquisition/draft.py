@@ -15,7 +15,13 @@ from typing import Any
 import platformdirs
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import describe, replacing_file, replacing_folder
+from insole_core.export.atomic import (
+    describe,
+    make_private_folder,
+    replacing_file,
+    replacing_folder,
+    write_private,
+)
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
@@ -85,7 +91,7 @@ class Draft:
         self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="capture-writer")
         self._writing: dict[str, list[Future[None]]] = {}
         try:
-            (folder / "views").mkdir(parents=True, exist_ok=True)
+            make_private_folder(folder / "views")
         except OSError as error:
             raise OutputError(describe(folder, error)) from error
 
@@ -159,7 +165,7 @@ class Draft:
         """Prepare to take the frames of a view from a sensor."""
         taking = self._taking(view)
         shutil.rmtree(taking, ignore_errors=True)
-        taking.mkdir()
+        make_private_folder(taking)
         self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
@@ -284,4 +290,4 @@ def is_abandoned(folder: Path) -> bool:
 
 
 def _write(path: Path, image: RawArray | ByteArray) -> None:
-    path.write_bytes(encode_png(image))
+    write_private(path, encode_png(image))

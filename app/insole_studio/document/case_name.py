@@ -15,6 +15,12 @@ def case_name(case: Case) -> str:
     return case.record.patient.name or tr("New case")
 
 
+def title_of(case: Case) -> str:
+    """Return the name of the case for the title of the window."""
+    name = case_name(case)
+    return tr("{name} (read-only)").format(name=name) if case.is_read_only else name
+
+
 def file_stem(case: Case) -> str:
     """Return a suggested file name, with the side of the active foot."""
     name = case_name(case) if case.record.patient.name or case.path else "insole"

@@ -17,6 +17,7 @@ from insole_core.insole.prescription.design import (
     Outline,
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
+from insole_core.regular_file import read_regular
 
 FORMAT, VERSION = "insole-design", 1
 
@@ -36,7 +37,7 @@ def read_design(path: Path) -> InsoleDesign:
     """
     try:
         content = json.loads(
-            path.read_text(encoding="utf-8"),
+            read_regular(path).decode(),
             parse_constant=_refuse_constant,
             object_pairs_hook=_without_doubles,
         )

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from insole_core.regular_file import read_regular
 from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
@@ -58,7 +59,7 @@ def step_date(store: SensorStore, serial: str, key: str) -> str:
     """
     path = store.folder_of(serial) / f"{key}.json"
     try:
-        values = json.loads(path.read_text(encoding="utf-8"))
+        values = json.loads(read_regular(path))
     except (OSError, ValueError):
         return ""
     made_at = values.get("made_at", "") if isinstance(values, dict) else ""

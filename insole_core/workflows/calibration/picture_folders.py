@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import describe, replacing_file
+from insole_core.export.atomic import describe, make_private_folder, replacing_file
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
 from insole_core.recording.session import View
@@ -81,7 +81,7 @@ def _write_depth(view: View, folder: Path) -> None:
 
 def _write(path: Path, content: bytes) -> None:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_private_folder(path.parent)
     except OSError as error:
         raise OutputError(describe(path.parent, error)) from error
     with replacing_file(path) as beside:

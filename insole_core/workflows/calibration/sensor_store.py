@@ -10,7 +10,7 @@ from pathlib import Path
 import platformdirs
 
 from insole_core.errors import InputError, OutputError, UsageError
-from insole_core.export.atomic import describe, replacing_folder
+from insole_core.export.atomic import describe, make_private_folder, replacing_folder
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
     SENSOR_FILE,
@@ -105,7 +105,7 @@ class SensorStore:
         """
         folder = self.folder_of(sensor.serial)
         try:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            make_private_folder(self._folder)
         except OSError as error:
             raise OutputError(describe(self._folder, error)) from error
         with replacing_folder(folder) as beside:

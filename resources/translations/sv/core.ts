@@ -492,6 +492,10 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The arrangement of the window is damaged, so it has its usual one.</source>
+            <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
+        </message>
+        <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
             <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
         </message>
@@ -546,6 +550,10 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
+            <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept}.</translation>
         </message>
         <message>
             <source>The correction is {age}; calibrate the sensor again soon.</source>
@@ -1016,6 +1024,10 @@
             <translation>Skriver vyn {view}</translation>
         </message>
         <message>
+            <source>a device or a pipe of that name is there; choose another name</source>
+            <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
+        </message>
+        <message>
             <source>a file is there where a folder is needed; choose another name</source>
             <translation>en fil ligger där en mapp behövs; välj ett annat namn</translation>
         </message>
@@ -1268,12 +1280,24 @@
             <translation>är {what}; raderna måste vara högerorienterade enhetsvektorer</translation>
         </message>
         <message>
+            <source>it is a pipe or a device, no file</source>
+            <translation>det är ett rör eller en enhet, ingen fil</translation>
+        </message>
+        <message>
+            <source>it is far larger than such a file is</source>
+            <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
             <translation>den mätte ingen yta i volymen av intresse; kontrollera att foten var på plats och ”volume_of_interest_mm” i manifest.json</translation>
+        </message>
+        <message>
+            <source>it or its folder is protected against changes; choose another name or place</source>
+            <translation>den eller dess mapp är skyddad mot ändringar; välj ett annat namn eller en annan plats</translation>
         </message>
         <message>
             <source>it was switched off by hand</source>
@@ -1772,6 +1796,10 @@
             <translation>markörerna som syns ligger nästan på en linje, så sensorns plats är osäker</translation>
         </message>
         <message>
+            <source>the name is too long; choose a shorter one</source>
+            <translation>namnet är för långt; välj ett kortare</translation>
+        </message>
+        <message>
             <source>the navicular is not marked</source>
             <translation>naviculare är inte märkt</translation>
         </message>
@@ -1806,6 +1834,10 @@
         <message>
             <source>this design is of version {version}, and this program reads up to version {known}; install a newer Insole Studio.</source>
             <translation>designen är av version {version}, och detta program läser upp till version {known}; installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>this disk can only be read; choose another place</source>
+            <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -2284,6 +2316,10 @@
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
+            <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
+            <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
+        </message>
+        <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
         </message>
@@ -2328,6 +2364,14 @@
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
         </message>
         <message>
+            <source>{path} is open in another window.</source>
+            <translation>{path} är öppen i ett annat fönster.</translation>
+        </message>
+        <message>
+            <source>{path} is open on another computer, {host}.</source>
+            <translation>{path} är öppen på en annan dator, {host}.</translation>
+        </message>
+        <message>
             <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
             <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
         </message>
@@ -2354,6 +2398,14 @@
         <message>
             <source>{path} names no format that {what} is written as; choose {formats}.</source>
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
+        </message>
+        <message>
+            <source>{path} was changed by another program since it was opened here.</source>
+            <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
+        </message>
+        <message>
+            <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
+            <translation>{path}: {entries} går inte att förstå, så standardvärdena används för dem; filen sparas som {kept}.</translation>
         </message>
         <message>
             <source>{path}: {file} is damaged; restore the file from a backup.</source>

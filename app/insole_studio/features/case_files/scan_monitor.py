@@ -39,8 +39,8 @@ class ScanMonitor(QObject):
         if self._case.path is None or not record.feet:
             return
 
-        def look(_progress: Progress) -> str:
-            return changes_of(record)
+        def look(progress: Progress) -> str:
+            return changes_of(record, progress)
 
         def tell(sentences: str) -> None:
             if sentences:
@@ -60,7 +60,7 @@ class ScanMonitor(QObject):
             self._notices.drop(SIZES)
 
 
-def changes_of(record: CaseRecord) -> str:
+def changes_of(record: CaseRecord, progress: Progress) -> str:
     """Return one sentence per foot whose scan has changed; empty if none has."""
-    sentences = (change_of_source(foot.source) for foot in record.feet)
+    sentences = (change_of_source(foot.source, progress) for foot in record.feet)
     return joined(filter(None, sentences), " ")

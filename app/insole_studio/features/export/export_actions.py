@@ -72,7 +72,7 @@ class ExportActions(StageWindow["ExportStage"]):
         if self._case.side is not None:
             stem = stem.removesuffix(f"-{self._case.side}")
         kinds = f"{suffix[1:].upper()} (*{suffix})"
-        return self._messages.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
+        return self._messages.questions.name_to_write(f"{stem}-{word}{suffix}", kinds)
 
     def _forget_exported(self) -> None:
         self.exported = None
@@ -89,7 +89,7 @@ class ExportActions(StageWindow["ExportStage"]):
             f"{file_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
         )
         if path is not None:
-            self.print_outline_to(path.with_suffix(".pdf"))
+            self.print_outline_to(path)
 
     def print_outline_to(self, path: Path) -> None:
         """Write the outline at 1:1 as PDF."""

@@ -213,8 +213,7 @@ class ExportPresenter:
         if path is None:
             return
         files = files_of(self.pieces, self._choice, path, self._override() is not None)
-        # The file dialog has already asked whether to overwrite.
-        there = [file for file in files if file != path and file.exists()]
+        there = [file for file in files if file.exists()]
         if not there or self._may_replace(there):
             self.export_to(path)
 
