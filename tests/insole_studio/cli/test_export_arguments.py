@@ -50,6 +50,7 @@ def test_pair_in_one_block_with_prescription_paper(call: list[str], tmp_path: Pa
     out, paper = tmp_path / "pair.3mf", tmp_path / "prescription.pdf"
     options = ["--pair", str(other), "--block", "EVA pair", "--relief", "raised", "--mark", "7"]
     papers = ["--prescription-paper", str(paper), "--pseudonym", "P-7", "--layers"]
+    papers += ["--prescriber", "A. Ek", "--maker", "Sula AB", "--maker-address", "Gatan 1, Lund"]
     assert run([*call, "--out", str(out), *options, *papers]) == 0
     scene = trimesh.load_scene(out)
     assert sorted(scene.geometry) == ["left insole, base", "right insole, base"]
