@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import logging
 from dataclasses import fields
 from pathlib import Path
 
+from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.forgiving_json import read_remembered, understood
-from insole_core.solids.shop import Shop
+from insole_core.solids.shop import Block, Shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.make_order import OrderChoice
 
+log = logging.getLogger(__name__)
 _FORGOTTEN = ("both", "pseudonym", "text", "block")
 
 
@@ -19,20 +23,27 @@ class LastOrder:
 
     Parameters
     ----------
-    shop
-        Its blocks are found by name.
+    shop, own
+        Its blocks, and those of the clinic, are found by name.
     """
 
-    def __init__(self, path: Path, shop: Shop) -> None:
-        self._path = path
-        self._blocks = {block.name: block for block in shop.blocks}
+    def __init__(self, path: Path, shop: Shop, own: ClinicBlocks | None = None) -> None:
+        self._path, self._shop, self._own = path, shop, own
 
     def load(self) -> OrderChoice:
         """Return the settings of the last order, or the defaults."""
         stored = read_remembered(self._path)
         kept = {name: stored[name] for name in _kept_names() if name in stored}
-        block = self._blocks.get(str(stored.get("block")))
+        blocks = {block.name: block for block in (*self._shop.blocks, *self._own_blocks())}
+        block = blocks.get(str(stored.get("block")))
         return OrderChoice(**understood(kept, OrderChoice, self._path), block=block)
+
+    def _own_blocks(self) -> tuple[Block, ...]:
+        try:
+            return () if self._own is None else self._own.load()
+        except InputError as error:
+            log.warning("the clinic's blocks are left out: %s", error)
+            return ()
 
     def save(self, choice: OrderChoice) -> None:
         """Store the settings of an order.

@@ -56,6 +56,9 @@ class CannedQuestions:
         self.path: Path | None = None
         self.asked: list[str] = []
 
+    def on(self, _window: object) -> CannedQuestions:
+        return self
+
     def which_side(self, _path: Path) -> Side | None:
         self.asked.append("side")
         return self.side

@@ -16,8 +16,8 @@ from insole_core.progress import Progress
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
     from insole_core.solids.checks import Override
-    from insole_core.solids.export_rules import ExportRules
     from insole_core.solids.export_job import ExportPaths
+    from insole_core.solids.export_rules import ExportRules
     from insole_core.solids.order import Order, Part
     from insole_core.solids.prescription_paper import Responsible
     from insole_core.solids.shop import Block, Shop
