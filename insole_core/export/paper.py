@@ -53,7 +53,7 @@ _MARGIN = 16 * mm
 _PADDING = 6
 """Padding of a reportlab frame inside the margin, pt."""
 BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
-HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
+HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=15, spaceBefore=5, keepWithNext=1)
 NOTE = ParagraphStyle("note", parent=BODY, fontSize=8, leading=10, spaceBefore=4)
 TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
 QUIET = colors.HexColor("#595959")
@@ -182,10 +182,9 @@ def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
     for key in ("identification", "measures", "make"):
         story += _facts(texts[key], getattr(sheet, key))
     story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
-    frame = texts["frame in the block" if sheet.is_nested else "frame"]
-    story += [*_list(texts["checks"], sheet.checks), paragraph(frame, NOTE)]
-    story += [paragraph(texts["sections"], HEAD), _pictures(sheet)]
-    return [*story, Spacer(1, 2 * mm), paragraph(texts["footer"])]
+    frame = texts["frame on page 1" if sheet.is_nested else "frame"]
+    story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
+    return [*story, paragraph(texts["sections"], HEAD), _pictures(sheet)]
 
 
 def _nesting_page(nesting: Nesting, sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
@@ -197,7 +196,7 @@ def _nesting_page(nesting: Nesting, sheet: JobSheet, texts: dict[str, str]) -> l
     size = f"{nesting.block_name}, {length:g} × {width:g} × {height:g} mm"
     return [
         paragraph(texts["title"], TITLE),
-        *_facts(texts["identification"], {**common, "file": sheet.file_name, "block": size}),
+        *_facts(texts["identification"], {**common, "file": sheet.file_name, "stock": size}),
         paragraph(texts["nesting"], HEAD),
         _nesting_picture(nesting),
         *_facts(texts["places"], {part.name: _position(part, texts) for part in nesting.parts}),
@@ -364,7 +363,14 @@ def _facts(title: str, facts: Facts) -> list[Flowable]:
     words = _texts("words")
     rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
-    table.setStyle([("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey)])
+    table.setStyle(
+        [
+            ("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey),
+            ("VALIGN", (0, 0), (-1, -1), "TOP"),
+            ("TOPPADDING", (0, 0), (-1, -1), 1),
+            ("BOTTOMPADDING", (0, 0), (-1, -1), 2),
+        ]
+    )
     return [paragraph(title, HEAD), table]
 
 
@@ -374,9 +380,9 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
 
 def _pictures(sheet: JobSheet) -> Image:
     """Draw the height map, if there is one, and the sections, to equal scales."""
-    figure = Figure(figsize=(7, 4.2), layout="constrained")
+    figure = Figure(figsize=(7, 2.9), layout="constrained")
     FigureCanvasAgg(figure)
-    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 2]), dtype=object)
+    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 1.7]), dtype=object)
     if sheet.height_map is not None:
         axes = left.subplots()
         _draw_map(axes, sheet.height_map, sheet.failed_mm)
@@ -391,7 +397,7 @@ def _pictures(sheet: JobSheet) -> Image:
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=150)
     picture.seek(0)
-    return Image(picture, width=170 * mm, height=102 * mm)
+    return Image(picture, width=162 * mm, height=162 * 2.9 / 7 * mm)
 
 
 def _draw_map(

@@ -312,7 +312,7 @@ def _make(job: ExportJob, piece: Part) -> dict[str, str]:
     }
     if job.block is not None:
         size = " × ".join(map(plain_number, job.block.size_mm))
-        facts["block"] = f"{job.block.name}, {size} mm"
+        facts["stock"] = f"{job.block.name}, {size} mm"
     return facts
 
 
