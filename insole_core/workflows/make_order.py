@@ -255,8 +255,8 @@ def _require_nameless(
         "file name": path.stem,
         "pseudonym": choice.pseudonym,
         "text on the bottom": choice.text,
-        "material": choice.material,
-        "reason": "" if override is None else override.reason,
+        "name of the material": choice.material,
+        "reason for the export": "" if override is None else override.reason,
     }
     require_nameless(patient, texts)
 

@@ -186,7 +186,7 @@ def test_order_numbers_tell_nothing_and_differ() -> None:
     [
         ("pseudonym", {"pseudonym": "Bergqvist"}),
         ("text on the bottom", {"relief": "engraved", "text": "O. BERGQVIST\nleft"}),
-        ("material", {"material": "EVA for bergqvist"}),
+        ("name of the material", {"material": "EVA for bergqvist"}),
     ],
 )
 def test_a_name_typed_for_the_shop_is_refused(
@@ -200,7 +200,7 @@ def test_a_name_typed_for_the_shop_is_refused(
         )
     with pytest.raises(InputError, match="The file name holds the patient's name"):
         write_order(pieces, choice, tmp_path / "Bergqvist.stl", shop=SHOP, patient=PATIENT)
-    with pytest.raises(InputError, match="The reason holds the patient's name"):
+    with pytest.raises(InputError, match="The reason for the export holds the patient's name"):
         write_order(
             pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT,
             override=Override("A. Ek", "Mrs Bergqvist wants it", "now"),
