@@ -164,13 +164,20 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
 
 
 def worst_findings(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return the worst finding of each check, such as those of the two parts of a pair."""
-    worst: dict[CheckName, Finding] = {}
+    """Return the worst finding of each check, such as those of the two parts of a pair.
+
+    It has the spots of all, so they must be in one frame.
+    """
+    of_check: dict[CheckName, list[Finding]] = {}
     for finding in findings:
-        known = worst.get(finding.name)
-        if known is None or (finding.passed, finding.margin) < (known.passed, known.margin):
-            worst[finding.name] = finding
-    return tuple(worst.values())
+        of_check.setdefault(finding.name, []).append(finding)
+    return tuple(map(_worst_of, of_check.values()))
+
+
+def _worst_of(findings: Sequence[Finding]) -> Finding:
+    worst = min(findings, key=lambda finding: (finding.passed, finding.margin))
+    failed = [finding.spots_mm for finding in findings if not finding.passed]
+    return replace(worst, spots_mm=np.concatenate(failed)) if failed else worst
 
 
 def survey_heights(solid: TriangleMesh) -> HeightMap:

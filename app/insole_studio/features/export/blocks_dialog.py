@@ -26,7 +26,7 @@ from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 
 _WIDTH_PX = 620
-_NAME_PX, _LENGTH_PX = 200, 96
+_NAME_PX, _LENGTH_PX, _REMOVE_PX, _GAP_PX = 200, 96, 28, 6
 _FIRST_MM = (340.0, 260.0, 40.0)
 _LIMITS_MM = ((20.0, 1000.0), (20.0, 1000.0), (5.0, 300.0))
 
@@ -144,11 +144,13 @@ class BlockRow(QWidget):
         self.remove = QToolButton()
         self.remove.setIcon(icon("remove"))
         self.remove.setAutoRaise(True)
+        self.remove.setMinimumWidth(_REMOVE_PX)
         self.remove.setToolTip(tr("Delete this block"))
         self.remove.setAccessibleName(tr("Delete this block"))
         self.remove.clicked.connect(self.removed)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(_GAP_PX)
         layout.addWidget(self.name, 1)
         for field, length_mm, text in zip(
             self.lengths, block.size_mm, _length_names(), strict=True
@@ -180,6 +182,7 @@ def ask_blocks(
 
 def _heads() -> QHBoxLayout:
     heads = QHBoxLayout()
+    heads.setSpacing(_GAP_PX)
     name = QLabel(tr("Name"))
     name.setObjectName("quiet")
     heads.addWidget(name, 1)
@@ -188,7 +191,7 @@ def _heads() -> QHBoxLayout:
         head.setObjectName("quiet")
         head.setFixedWidth(_LENGTH_PX)
         heads.addWidget(head)
-    heads.addSpacing(34)
+    heads.addSpacing(_REMOVE_PX)
     return heads
 
 

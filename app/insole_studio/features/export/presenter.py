@@ -426,6 +426,7 @@ class ExportPresenter:
         if is_nested:
             names[_NEST] = tr("In the block")
         if self._misfit is not None:
+            names[_NEST] += "  ✗"
             self._panel.show_error(self._misfit.sentence)
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_pieces(names, shown)

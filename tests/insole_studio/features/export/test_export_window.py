@@ -293,6 +293,13 @@ def test_checks_of_the_nest_are_those_of_both(
     settle()
     stage.presenter.show_piece("nest")
     assert sign_of(stage, "shoe_height") is CheckState.WARNING
+    finding = stage.presenter._findings["shoe_height"]
+    left, right = stage.presenter.pieces
+    spots = [
+        f.spots_mm for piece in (left, right) for f in piece.findings if f.name == finding.name
+    ]
+    assert len(finding.spots_mm) == sum(map(len, spots)) > len(spots[0])
+    assert finding.spots_mm[:, :2].min() > 0
     stage.view.check_list.rows["shoe_height"].sentence.click()
     x, y, _ = stage.view.model.scene.camera.focal_mm
     assert 0 < x < 260  # within the block, whose corner is the origin
