@@ -82,7 +82,7 @@ class BlocksDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setSpacing(12)
         layout.addWidget(words)
-        layout.addLayout(_heads())
+        layout.addLayout(_heads(BlockRow(Block("", _FIRST_MM))))
         layout.addWidget(self._empty)
         layout.addLayout(self._list)
         layout.addWidget(self.add, alignment=Qt.AlignmentFlag.AlignLeft)
@@ -157,7 +157,7 @@ class BlockRow(QWidget):
         ):
             field.show_value(length_mm)
             field.setAccessibleName(text)
-            field.setFixedWidth(field.room_px(_LENGTH_PX))
+            field.set_room(_LENGTH_PX)
             layout.addWidget(field)
         layout.addWidget(self.remove)
 
@@ -180,16 +180,17 @@ def ask_blocks(
     return blocks if is_kept else None
 
 
-def _heads() -> QHBoxLayout:
+def _heads(row: BlockRow) -> QHBoxLayout:
+    """Return headings as wide as the fields of a row, which touch mode widens."""
     heads = QHBoxLayout()
     heads.setSpacing(_GAP_PX)
     name = QLabel(tr("Name"))
     name.setObjectName("quiet")
     heads.addWidget(name, 1)
-    for text in _length_names():
+    for text, field in zip(_length_names(), row.lengths, strict=True):
         head = QLabel(text)
         head.setObjectName("quiet")
-        head.setFixedWidth(_LENGTH_PX)
+        head.setFixedWidth(field.maximumWidth())
         heads.addWidget(head)
     heads.addSpacing(_REMOVE_PX)
     return heads
