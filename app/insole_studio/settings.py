@@ -26,7 +26,8 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``). A view is refused if its pose exceeds the
+    which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
+    `maker_address` stand on the prescription. A view is refused if its pose exceeds the
     largest residuals or displacement.
     """
 
@@ -36,6 +37,9 @@ class Settings:
     touch: bool = False
     tour_seen: bool = False
     author: str = ""
+    clinic: str = ""
+    maker: str = ""
+    maker_address: str = ""
     recent: list[str] = field(default_factory=list)
     window_geometry: str = ""
     window_docks: str = ""

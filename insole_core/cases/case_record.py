@@ -25,12 +25,21 @@ FIRST_NAME = "A"
 
 @dataclass(frozen=True)
 class Patient:
-    """The fields of the patient panel, as entered."""
+    """The fields of the patient panel, and what the workshop knows the patient by.
+
+    Parameters
+    ----------
+    born, visit
+        ISO 8601, from cases written before dates were checked any text: see `doubtful_days`.
+    pseudonym
+        Or order number; in place of the name in all that goes to the workshop.
+    """
 
     name: str = ""
     born: str = ""
     visit: str = ""
     notes: str = ""
+    pseudonym: str = ""
 
 
 @dataclass(frozen=True)

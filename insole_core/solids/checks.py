@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,8 +12,10 @@ from scipy.ndimage import binary_erosion
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
+from insole_core.geometry.transforms import transform
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
@@ -57,6 +59,29 @@ class Finding:
         """Whether the export is refused unless someone overrides the rule."""
         return self.policy == "blocking" and not self.passed
 
+    @property
+    def margin(self) -> float:
+        """How far the value is from its limit; negative where it breaks the limit."""
+        more_is_better = self.name in ("thickness", "watertight")
+        return self.value - self.limit if more_is_better else self.limit - self.value
+
+    def moved(self, a2b: FloatArray) -> Finding:
+        """Return the finding with its places, and the sentence about them, in another frame.
+
+        Parameters
+        ----------
+        a2b : (4, 4) float64, mm
+            From the frame of the solid to the other one.
+        """
+        if self.place_mm is None:
+            return replace(self, spots_mm=transform(a2b, self.spots_mm))
+        place = _rounded(transform(a2b, np.array([self.place_mm]))[0])
+        sentence = self.sentence
+        if isinstance(sentence, Message) and "place" in sentence.values:
+            sentence = Message(sentence.template, **{**sentence.values, "place": _at(place)})
+        spots = transform(a2b, self.spots_mm)
+        return replace(self, place_mm=place, spots_mm=spots, sentence=sentence)
+
     def as_json(self) -> dict[str, Any]:
         """Return what is recorded, for `json.dump`."""
         return {key: value for key, value in vars(self).items() if key != "spots_mm"}
@@ -93,15 +118,16 @@ def check_solid(
         One for each check, passed or not.
     """
     survey = _Survey(solid, unmarked)
+    policies = dict(rules.policies)
+    if rules.block_mm is None:
+        policies.pop("block", None)
     checks = {
         "watertight": _watertight, "thickness": _thickness, "cutter": _cutter,
         "undercut": _undercut, "step": _step, "block": _block, "shoe_height": _shoe_height,
     }  # fmt: skip
     findings = []
-    for number, (name, policy) in enumerate(rules.policies.items()):
-        progress.step(
-            number / len(rules.policies), "Checking: {check}", check=name.replace("_", " ")
-        )
+    for number, (name, policy) in enumerate(policies.items()):
+        progress.step(number / len(policies), "Checking: {check}", check=name.replace("_", " "))
         if policy != "off":
             findings.append(checks[name](survey, rules, policy))
     return tuple(findings)
@@ -137,10 +163,29 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
     }
 
 
-def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
-    """Return the heights (ny, nx) of the upper and lower side on pixels of 1 mm; NaN beside it."""
+def worst_findings(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return the worst finding of each check, such as those of the two parts of a pair.
+
+    It has the spots of all, so they must be in one frame.
+    """
+    of_check: dict[CheckName, list[Finding]] = {}
+    for finding in findings:
+        of_check.setdefault(finding.name, []).append(finding)
+    return tuple(map(_worst_of, of_check.values()))
+
+
+def _worst_of(findings: Sequence[Finding]) -> Finding:
+    worst = min(findings, key=lambda finding: (finding.passed, finding.margin))
+    failed = [finding.spots_mm for finding in findings if not finding.passed]
+    return replace(worst, spots_mm=np.concatenate(failed)) if failed else worst
+
+
+def survey_heights(solid: TriangleMesh) -> HeightMap:
+    """Return the heights of a solid, mm, in its own frame."""
     below = TriangleMesh(solid.vertices * [1, 1, -1], solid.triangles)
-    return _Survey(solid).seen[0], -_Survey(below).seen[0]
+    above = _Survey(solid)
+    first = above.places[0, 0]
+    return HeightMap(above.seen[0], -_Survey(below).seen[0], (float(first[0]), float(first[1])))
 
 
 class _Survey:
@@ -176,12 +221,17 @@ class _Survey:
         return np.asarray(binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS))
 
     def place(self, index: tuple[int, ...]) -> Place:
-        x, y = self.places[index]
-        return float(round(x, 2)), float(round(y, 2)), float(round(self.seen[0][index], 2))
+        return _rounded(np.array([*self.places[index], self.seen[0][index]]))
+
+
+def _rounded(place: FloatArray) -> Place:
+    x, y, z = (round(float(value), 2) + 0.0 for value in place)
+    return x, y, z
 
 
 def _at(place: Place) -> Message:
-    return Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=place[0], y_mm=place[1])
+    x, y = (round(value) + 0.0 for value in place[:2])  # + 0.0: never "-0"
+    return Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=x, y_mm=y)
 
 
 def _worst(values: FloatArray) -> tuple[int, ...]:
@@ -280,8 +330,7 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     area = float(areas.sum())
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
-        x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
-        place = (float(round(x, 2)), float(round(y, 2)), float(round(z, 2)))
+        place = _rounded(corners[hidden][areas.argmax()].mean(axis=0))
     sentence = Message(
         "{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.",
         area_mm2=area,
@@ -300,6 +349,7 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
 
 
 def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
+    assert rules.block_mm is not None
     extent = np.ptp(survey.solid.vertices, axis=0)
     size = np.concatenate([np.sort(extent[:2])[::-1], extent[2:]])
     stock = np.concatenate([np.sort(rules.block_mm[:2])[::-1], rules.block_mm[2:]])

@@ -39,13 +39,13 @@ class ExportRules:
     cutter_diameter_mm
         Of the ball-nose cutter.
     block_mm
-        Length, width, height of the stock.
+        Length, width, height of the stock; None where no block is chosen, so that none is checked.
     """
 
     policies: dict[CheckName, Policy] = field(default_factory=dict)
     limits: dict[CheckName, float] = field(default_factory=dict)
     cutter_diameter_mm: float = 10.0
-    block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
+    block_mm: tuple[float, float, float] | None = (340.0, 130.0, 40.0)
 
     def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> ExportRules:
         """Return the rules with another policy, and if given another limit, for one check.
@@ -127,7 +127,8 @@ def write_rules(rules: ExportRules, path: Path) -> None:
         content.setdefault(name, {"policy": "off"})["limit"] = limit
     content.setdefault("cutter", {"policy": "off", "limit": 0.0})
     content["cutter"]["cutter_diameter_mm"] = rules.cutter_diameter_mm
-    content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
+    if rules.block_mm is not None:
+        content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
     text = json.dumps({"format": FORMAT, "version": VERSION, "rules": content}, indent=1)
     with replacing_file(path) as beside:
         beside.write_text(text + "\n", encoding="utf-8")

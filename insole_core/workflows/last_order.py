@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import json
+import logging
 from dataclasses import fields
 from pathlib import Path
 from typing import get_type_hints
 
+from insole_core.errors import InputError
 from insole_core.export.atomic import make_private_folder, replacing_file
 from insole_core.export.solid_file import SUFFIXES
 from insole_core.forgiving_json import remembered
-from insole_core.solids.shop import Shop
+from insole_core.solids.shop import Block, Shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.make_order import OrderChoice
 
+log = logging.getLogger(__name__)
 _FORGOTTEN = ("both", "pseudonym", "text", "block")
 _LIMITS = {
     "draft_deg": (-15.0, 30.0),
@@ -29,22 +33,29 @@ class LastOrder:
 
     Parameters
     ----------
-    shop
-        Its blocks are found by name.
+    shop, own
+        Its blocks, and those of the clinic, are found by name.
     """
 
-    def __init__(self, path: Path, shop: Shop) -> None:
-        self._path = path
-        self._blocks = {block.name: block for block in shop.blocks}
+    def __init__(self, path: Path, shop: Shop, own: ClinicBlocks | None = None) -> None:
+        self._path, self._shop, self._own = path, shop, own
 
     def load(self) -> OrderChoice:
         """Return the settings of the last order, or the defaults."""
         hints = get_type_hints(OrderChoice)
         kinds = {name: hints[name] for name in _kept_names()} | {"block": str | None}
         stored = remembered(self._path, kinds)
-        block = self._blocks.get(str(stored.pop("block", None)))
+        blocks = {block.name: block for block in (*self._shop.blocks, *self._own_blocks())}
+        block = blocks.get(str(stored.pop("block", None)))
         kept = {name: value for name, value in stored.items() if _is_possible(name, value)}
         return OrderChoice(**kept, block=block)
+
+    def _own_blocks(self) -> tuple[Block, ...]:
+        try:
+            return () if self._own is None else self._own.load()
+        except InputError as error:
+            log.warning("the clinic's blocks are left out: %s", error)
+            return ()
 
     def save(self, choice: OrderChoice) -> None:
         """Store the settings of an order.

@@ -60,6 +60,9 @@ class CannedQuestions:
         self.path: Path | None = None
         self.asked: list[str] = []
 
+    def on(self, _window: object) -> CannedQuestions:
+        return self
+
     def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
         self.asked.append(trouble or "side")
         unit = self.units.pop(0) if self.units else None

@@ -13,6 +13,7 @@ from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
+from insole_studio.widgets.fields_dialog import Field
 
 
 @dataclass
@@ -41,6 +42,8 @@ class ScriptedAnswers:
         A line of text; None cancels.
     path
         A file or folder to open or to write; None cancels.
+    fields
+        Several lines of text by key; None cancels.
     """
 
     unsaved: Answer = Answer.DISCARD
@@ -53,6 +56,7 @@ class ScriptedAnswers:
     replace: bool = False
     typed: str | None = None
     path: Path | None = None
+    fields: dict[str, str] | None = None
 
 
 class AnsweredQuestions(Questions):
@@ -61,6 +65,10 @@ class AnsweredQuestions(Questions):
     def __init__(self, parent: QWidget, answers: ScriptedAnswers) -> None:
         super().__init__(parent)
         self.answers = answers
+
+    def on(self, window: QWidget) -> AnsweredQuestions:
+        """Return the same answers for another window."""
+        return AnsweredQuestions(window, self.answers)
 
     def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
         """Return side and unit; None when they were wrong."""
@@ -98,6 +106,12 @@ class AnsweredQuestions(Questions):
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         """Return the line of text."""
         return self.answers.typed
+
+    def fields(
+        self, _title: str, _sentence: str, _fields: Sequence[Field]
+    ) -> dict[str, str] | None:
+        """Return the lines of text."""
+        return self.answers.fields
 
     def may_replace(self, _paths: Sequence[Path]) -> bool:
         """Return whether existing files may be overwritten."""

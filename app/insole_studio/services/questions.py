@@ -6,12 +6,20 @@ from collections.abc import Sequence
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QInputDialog,
+    QLineEdit,
+    QMessageBox,
+    QWidget,
+)
 
 from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.scan_dialog import ScanAnswer, ScanDialog
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.fields_dialog import Field, FieldsDialog
 
 
 class Answer(Enum):
@@ -51,6 +59,10 @@ class Questions:
 
     def __init__(self, parent: QWidget) -> None:
         self._parent = parent
+
+    def on(self, window: QWidget) -> Questions:
+        """Return the same questions for another window: each is asked on the one it comes from."""
+        return Questions(window)
 
     def about_scan(self, path: Path, trouble: str = "") -> ScanAnswer | None:
         """Ask which foot a mesh shows, and in which unit.
@@ -183,6 +195,20 @@ class Questions:
             self._parent, title, question, QLineEdit.EchoMode.Normal, value
         )
         return text.strip() if is_given else None
+
+    def fields(self, title: str, sentence: str, fields: Sequence[Field]) -> dict[str, str] | None:
+        """Ask for several lines of text.
+
+        Returns
+        -------
+        dict or None
+            The texts by key; None if the user cancelled.
+        """
+        dialog = FieldsDialog(title, sentence, fields, self._parent)
+        is_given = dialog.exec() == QDialog.DialogCode.Accepted
+        texts = dialog.texts()
+        dialog.deleteLater()
+        return texts if is_given else None
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be replaced."""

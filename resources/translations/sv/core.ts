@@ -52,6 +52,10 @@
             <translation>En ChArUco-markör på {marker_mm:g} mm ryms inte i en ruta på {square_mm:g} mm; ange markörens egen storlek i mm.</translation>
         </message>
         <message>
+            <source>A block needs a name; type one.</source>
+            <translation>Ett block behöver ett namn; skriv ett.</translation>
+        </message>
+        <message>
             <source>A board of {columns}×{rows} is too small; it must have at least {least}×{least}.</source>
             <translation>Ett bräde med {columns}×{rows} är för litet; det måste ha minst {least}×{least}.</translation>
         </message>
@@ -728,8 +732,12 @@
             <translation>Konturen ligger bredvid foten, vilket inte ger något inlägg; rita den runt foten.</translation>
         </message>
         <message>
-            <source>The pair needs a block of {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, and this one has {length_mm:g} × {width_mm:g} × {height_mm:g} mm; take a larger block, or one for each side.</source>
-            <translation>Paret behöver ett block på {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, och detta har {length_mm:g} × {width_mm:g} × {height_mm:g} mm; ta ett större block, eller ett per sida.</translation>
+            <source>The pair needs a block of {need} mm, and this one has {there} mm; take a larger block, or one for each side.</source>
+            <translation>Paret behöver ett block på {need} mm, och detta har {there} mm; ta ett större block, eller ett för varje sida.</translation>
+        </message>
+        <message>
+            <source>The pair needs {need} mm, and the block has {there} mm.</source>
+            <translation>Paret behöver {need} mm, och blocket har {there} mm.</translation>
         </message>
         <message>
             <source>The picked points cannot place one surface on the other: {reason}</source>
@@ -754,6 +762,14 @@
         <message>
             <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
+        </message>
+        <message>
+            <source>The prescription cannot be written without {missing}; put in what is missing.</source>
+            <translation>Ordinationen kan inte skrivas utan {missing}; fyll i det som saknas.</translation>
+        </message>
+        <message>
+            <source>The prescription cannot be written: {doubts} Correct it in the patient panel.</source>
+            <translation>Ordinationen kan inte skrivas: {doubts} Rätta det i patientpanelen.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
@@ -920,12 +936,24 @@
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
         <message>
+            <source>The {what} cannot be right: {reason}</source>
+            <translation>{what} kan inte stämma: {reason}</translation>
+        </message>
+        <message>
             <source>The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.</source>
             <translation>{what} kan inte vara {value:g}; välj ett värde från {least:g} till {most:g}.</translation>
         </message>
         <message>
+            <source>The {what} holds the patient's name, which the shop must not get; use the pseudonym or an order number in its place.</source>
+            <translation>{what} innehåller patientens namn, som verkstaden inte får; använd pseudonymen eller ett ordernummer i stället.</translation>
+        </message>
+        <message>
             <source>There are no captures; capture a flat wall.</source>
             <translation>Det finns inga tagningar; ta en plan vägg.</translation>
+        </message>
+        <message>
+            <source>There is a block {name} already; give this one another name.</source>
+            <translation>Det finns redan ett block {name}; ge detta ett annat namn.</translation>
         </message>
         <message>
             <source>There is a variant {name} already; give this one another name.</source>
@@ -1080,6 +1108,10 @@
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
         </message>
         <message>
+            <source>birth date</source>
+            <translation>Födelsedatumet</translation>
+        </message>
+        <message>
             <source>bisection of the calcaneus against the Achilles axis; &gt; 0 is valgus</source>
             <translation>calcaneus mittlinje mot akillesaxeln; &gt; 0 är valgus</translation>
         </message>
@@ -1120,6 +1152,10 @@
             <translation>mörk</translation>
         </message>
         <message>
+            <source>date of the visit</source>
+            <translation>Besöksdatumet</translation>
+        </message>
+        <message>
             <source>degrees</source>
             <translation>grader</translation>
         </message>
@@ -1138,6 +1174,10 @@
         <message>
             <source>drop</source>
             <translation>droppe</translation>
+        </message>
+        <message>
+            <source>file name</source>
+            <translation>Filnamnet</translation>
         </message>
         <message>
             <source>foot length, rounded up to 5 mm</source>
@@ -1504,6 +1544,10 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>name of the material</source>
+            <translation>Materialets namn</translation>
+        </message>
+        <message>
             <source>name the same point twice</source>
             <translation>namnger samma punkt två gånger</translation>
         </message>
@@ -1628,6 +1672,10 @@
             <translation>formen</translation>
         </message>
         <message>
+            <source>pseudonym</source>
+            <translation>Pseudonymen</translation>
+        </message>
+        <message>
             <source>pternion to metatarsale tibiale, along the foot axis</source>
             <translation>pternion till metatarsale tibiale, längs fotaxeln</translation>
         </message>
@@ -1646,6 +1694,10 @@
         <message>
             <source>rearmost point</source>
             <translation>bakersta punkten</translation>
+        </message>
+        <message>
+            <source>reason for the export</source>
+            <translation>Skälet till exporten</translation>
         </message>
         <message>
             <source>resolution of the foot's surface (mm)</source>
@@ -1716,6 +1768,10 @@
             <translation>måttband runt foten genom trampans två punkter</translation>
         </message>
         <message>
+            <source>text on the bottom</source>
+            <translation>Texten på undersidan</translation>
+        </message>
+        <message>
             <source>the angle between the cameras</source>
             <translation>vinkeln mellan kamerorna</translation>
         </message>
@@ -1784,6 +1840,14 @@
             <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
         </message>
         <message>
+            <source>the maker</source>
+            <translation>tillverkaren</translation>
+        </message>
+        <message>
+            <source>the maker's address</source>
+            <translation>tillverkarens adress</translation>
+        </message>
+        <message>
             <source>the marker {marker} was pointed at where the colour image shows nothing ({u:.0f}, {v:.0f}); point at it again</source>
             <translation>markören {marker} pekades ut där färgbilden inte visar något ({u:.0f}, {v:.0f}); peka ut den igen</translation>
         </message>
@@ -1802,6 +1866,14 @@
         <message>
             <source>the navicular is not marked</source>
             <translation>naviculare är inte märkt</translation>
+        </message>
+        <message>
+            <source>the patient's name or a pseudonym</source>
+            <translation>patientens namn eller en pseudonym</translation>
+        </message>
+        <message>
+            <source>the prescriber</source>
+            <translation>förskrivaren</translation>
         </message>
         <message>
             <source>the same two points, perpendicular to the foot axis</source>
@@ -2466,6 +2538,14 @@
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
             <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
+        </message>
+        <message>
+            <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>
+            <translation>{text} är inget datum; skriv år, månad och dag, till exempel 1970-02-28.</translation>
+        </message>
+        <message>
+            <source>{text} is not between {first} and {last}; check the year.</source>
+            <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>

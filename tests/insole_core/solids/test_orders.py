@@ -23,10 +23,12 @@ from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
 
 SHOP = read_shop()
+RESPONSIBLE = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
 PAIR_BLOCK = Block("pair", (340.0, 240.0, 40.0))
 
 
@@ -109,7 +111,13 @@ def write(delivery: ExportJob, places: ExportPaths) -> None:
 def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
     pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
     places = ExportPaths(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
-    write(ExportJob(pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"}), places)
+    write(
+        ExportJob(
+            pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"},
+            responsible=RESPONSIBLE,
+        ),
+        places,
+    )  # fmt: skip
     model = zipfile.ZipFile(tmp_path / "pair.3mf").read("3D/3dmodel.model").decode()
     assert re.findall(r'<object id="\d" name="([^"]+)"', model) == ["left insole", "right insole"]
     assert set(json.loads((tmp_path / "c.json").read_text())) == {"left", "right"}
