@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import binary_fill_holes, distance_transform_edt
+from scipy.ndimage import binary_fill_holes, distance_transform_edt, gaussian_filter
 from scipy.spatial import KDTree
 
 from insole_core.foot.foot import Foot
@@ -16,6 +16,7 @@ from insole_core.insole.prescription.design import Outline
 from insole_core.insole.surface.height_field import HeightField
 
 _GAP_MM = 16.0  # narrower gaps and bays of a scan belong to the sole
+_EVEN_MM = 1.5  # standard deviation by which the border of the sole is evened
 _PITCH_MM = 0.25  # of the points along the edge for finding the nearest
 
 
@@ -52,7 +53,7 @@ def rim_band(
     covered = _without_gaps(measured[: rows + round(_GAP_MM / field.step_mm)], field.step_mm)
     beside = np.zeros((rows, measured.shape[1]))
     if covered.any():
-        beside = distance_transform_edt(~covered, sampling=field.step_mm)[:rows]
+        beside = _beside_mm(covered, field.step_mm)[:rows]
     room = np.zeros_like(beside)
     row, column = np.nonzero(beside)
     places = np.column_stack([field.x_mm[column], field.y_mm[row]])
@@ -67,6 +68,14 @@ def _without_gaps(measured: BoolArray, step_mm: float) -> BoolArray:
     closed = distance_transform_edt(grown, sampling=step_mm) > radius_mm
     inner = (slice(margin, -margin), slice(margin, -margin))
     return np.asarray(binary_fill_holes(closed[inner]))
+
+
+def _beside_mm(covered: BoolArray, step_mm: float) -> FloatArray:
+    """Return the distance from what is covered, evened: its border runs in steps of the grid."""
+    outer, inner = (distance_transform_edt(a, sampling=step_mm) for a in (~covered, covered))
+    from_border = np.where(covered, step_mm - inner, outer)
+    even = gaussian_filter(from_border, _EVEN_MM / step_mm, mode="nearest")
+    return np.where(covered, 0.0, np.maximum(even, 0.0))
 
 
 def _inside_mm(curve: FloatArray, places: FloatArray) -> FloatArray:

@@ -29,8 +29,8 @@ def bounds(depth_mm: float) -> tuple[float, float]:
 
     A deep cup must rise by its depth between the flank and the edge, a few millimetres apart.
     """
-    if depth_mm <= 14.0:
-        return 3.5, 2.5
+    if depth_mm <= 12.0:
+        return 3.5, 3.0
     return (7.0, 5.5) if depth_mm <= 20.0 else (9.0, 9.0)
 
 
