@@ -121,7 +121,7 @@ def material_problem(contact: HeightField) -> DesignError | None:
     It is fast enough to be called at every step of a drag.
     """
     row, column = np.unravel_index(contact.heights_mm.argmin(), contact.heights_mm.shape)
-    lowest = contact.heights_mm[row, column]
+    lowest = round(float(contact.heights_mm[row, column]), 1)  # as it is printed
     if lowest >= LEAST_MATERIAL_MM:
         return None
     return DesignError(

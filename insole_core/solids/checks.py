@@ -19,11 +19,17 @@ from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 
+DECIMALS: dict[CheckName, int] = {
+    "thickness": 1, "cutter": 2, "undercut": 0, "step": 1, "block": 1, "shoe_height": 1,
+}  # fmt: skip
+"""To which a value is rounded before it is compared with its limit, recorded and printed."""
+
 _PITCH_MM = 1.0
 _OFF_LATTICE = 0.3137  # rays avoid round coordinates, where lattices have their vertices
 _RIM_PIXELS = 3  # the rim tapers to an edge, which has no thickness
 _SKIN_MM = 0.01
 _DOWNWARD = -0.02
+_UNDERSIDE = -0.3  # z of a normal: faces down by more than a wall of the greatest inward draft
 
 Place = tuple[float, float, float]
 
@@ -35,7 +41,7 @@ class Finding:
     Parameters
     ----------
     value, limit, unit
-        Measured value, and the permitted one.
+        Measured value, rounded to `DECIMALS`, and the permitted one.
     place_mm
         Position of the worst value, in the frame of the solid; None if there is no single one.
     spots_mm : (n, 3) float64
@@ -196,7 +202,11 @@ def _watertight(survey: _Survey, _rules: ExportRules, policy: Policy) -> Finding
 
 
 def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    """Measure from each point of the upper side along the inward normal to the opposite side."""
+    """Measure from each point of the upper side along the inward normal to the underside.
+
+    Where the normal leaves through a wall instead, it measures how broad the rim is there, which
+    is no thickness: the rim tapers to an edge.
+    """
     heights, normals = survey.seen
     limit = rules.limits["thickness"]
     thickness = np.full(heights.shape, np.nan)
@@ -204,10 +214,10 @@ def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     into = -normals.reshape(-1, 3)[inner]
     points = np.dstack([survey.places, heights]).reshape(-1, 3)[inner]
     hits = survey.caster.cast(points + _SKIN_MM * into, into)
-    ends = np.einsum(
-        "nk,nkc->nc", hits.weights, survey.solid.vertices[survey.solid.triangles[hits.triangle]]
-    )
-    thickness.flat[inner[hits.ray]] = np.linalg.norm(ends - points[hits.ray], axis=1)
+    below = survey.solid.triangle_normals[hits.triangle, 2] < _UNDERSIDE
+    ray, triangle, weights = hits.ray[below], hits.triangle[below], hits.weights[below]
+    ends = np.einsum("nk,nkc->nc", weights, survey.solid.vertices[survey.solid.triangles[triangle]])
+    thickness.flat[inner[ray]] = np.linalg.norm(ends - points[ray], axis=1)
     return _graded(survey, "thickness", policy, -thickness, limit, unit="mm thick", least=True)
 
 
@@ -252,21 +262,21 @@ def _graded(
             "Too little of the solid is seen from above to check its {what}.", what=name
         )
         return Finding(name, policy, False, 0.0, limit, unit, sentence)
-    worst = _worst(badness)
+    worst, badness = _worst(badness), badness.round(DECIMALS[name])
     value = float(-badness[worst] if least else badness[worst])
     passed = value >= limit if least else value <= limit
     place = survey.place(worst)
     bad = badness > (-limit if least else limit)
     spots = np.dstack([survey.places, survey.seen[0]])[bad]
     sentence = Message(
-        "{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.",
+        "{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.",
         value=value,
         unit=unit,
         place=_at(place),
         limit=limit,
         bound="least" if least else "most",
     )
-    return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place, spots)
+    return Finding(name, policy, passed, value, limit, unit, sentence, place, spots)
 
 
 def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
@@ -277,7 +287,7 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     hidden = lifted & (solid.triangle_normals[:, 2] < _DOWNWARD)
     sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
     areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
-    area = float(areas.sum())
+    area = round(float(areas.sum()), DECIMALS["undercut"])
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
         x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
@@ -294,19 +304,18 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
             place=_at(place),
             limit=limit,
         )
-    return Finding(
-        "undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place, spots
-    )
+    return Finding("undercut", policy, area <= limit, area, limit, "mm²", sentence, place, spots)
 
 
 def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     extent = np.ptp(survey.solid.vertices, axis=0)
     size = np.concatenate([np.sort(extent[:2])[::-1], extent[2:]])
     stock = np.concatenate([np.sort(rules.block_mm[:2])[::-1], rules.block_mm[2:]])
-    over = float((size - stock).max())
-    needed = " × ".join(f"{value:.0f}" for value in size)
+    size = size.round(DECIMALS["block"])
+    over = round(float((size - stock).max()), DECIMALS["block"])
+    needed = " × ".join(f"{value:g}" for value in size)
     there = " × ".join(f"{value:g}" for value in stock)
     sentence = Message(
         "The solid needs {needed} mm, and the block has {there} mm.", needed=needed, there=there
     )
-    return Finding("block", policy, over <= 0, round(over, 2), 0.0, "mm too large", sentence)
+    return Finding("block", policy, over <= 0, over, 0.0, "mm too large", sentence)

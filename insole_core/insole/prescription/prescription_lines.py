@@ -20,7 +20,7 @@ def make_facts(design: InsoleDesign) -> dict[str, str]:
     """Return thickness, layers, bottom and outline, by name."""
     layers = design.layers
     facts = {
-        "least thickness": f"{design.least_thickness_mm:g} mm",
+        "prescribed thickness": f"{design.least_thickness_mm:g} mm",
         "bottom": design.bottom,
         "outline": f"{_words(design.outline.source)}, {_words(design.outline.extent)}",
     }

@@ -604,12 +604,12 @@
             <translation>Framfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
         </message>
         <message>
             <source>The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
@@ -2356,8 +2356,8 @@
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>
         <message>
-            <source>{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
-            <translation>{value:.2f} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
+            <source>{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
+            <translation>{value:g} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>

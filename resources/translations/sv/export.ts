@@ -280,6 +280,10 @@
             <translation>{value:.1f} mm på högsta stället</translation>
         </message>
         <message>
+            <source>{value:.1f} mm at the thinnest place</source>
+            <translation>{value:.1f} mm på tunnaste stället</translation>
+        </message>
+        <message>
             <source>{value:.1f} mm of rise over 1 mm</source>
             <translation>{value:.1f} mm stigning på 1 mm</translation>
         </message>
@@ -290,10 +294,6 @@
         <message>
             <source>{value:.1f} mm too large</source>
             <translation>{value:.1f} mm för stort</translation>
-        </message>
-        <message>
-            <source>{value:.2f} mm at the thinnest place</source>
-            <translation>{value:.2f} mm på tunnaste stället</translation>
         </message>
         <message>
             <source>{value:.2f} mm of material is left in hollows</source>

@@ -70,7 +70,7 @@ UNITS: dict[CheckName, str] = {
     "thickness": "mm", "cutter": "mm", "undercut": "mm²", "step": "mm", "shoe_height": "mm",
 }  # fmt: skip
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
-    "thickness": lambda: tr("{value:.2f} mm at the thinnest place"),
+    "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
     "cutter": lambda: tr("{value:.2f} mm of material is left in hollows"),
     "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
