@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
@@ -66,6 +67,9 @@ _SHOWN = 0.1
 _SHOWN_HEIGHT_MM = 1.0
 _SHOWN_SHARE = 0.01
 _STEP_MM = 2.0
+_MOST_OVERLAPS = (
+    10  # of which is warned: where very many pads lie on each other, no more are sought
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,7 +146,7 @@ def design_warnings(
         *_of_heel(design, rules),
         *_of_height(insole, rules),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
-        *_of_overlaps(pads, rules),
+        *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
     )
 
 
@@ -299,9 +303,12 @@ def _share_on_foot(insole: Insole, pad: Pelott) -> float:
 
 def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarning]:
     places = {pad.id: _places_in(pad) for pad in pads}
+    outlines = {pad.id: pad_outline(pad, 180) for pad in pads}
     for a, b in combinations(pads, 2):
+        if not _boxes_meet(outlines[a.id], outlines[b.id]):
+            continue
         small, large = sorted((a, b), key=lambda pad: len(places[pad.id]))
-        covered = inside_curve(pad_outline(large, 180), places[small.id])
+        covered = inside_curve(outlines[large.id], places[small.id])
         share = rounded(float(covered.mean()), _SHOWN_SHARE)
         if share > rules.greatest_overlap_share:
             overlap = Message(
@@ -313,7 +320,11 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
             yield DesignWarning(overlap, small.id, small.centre_mm)
 
 
-def _places_in(pad: Pelott) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _boxes_meet(a: FloatArray, b: FloatArray) -> bool:
+    return bool((a.min(axis=0) <= b.max(axis=0)).all() and (b.min(axis=0) <= a.max(axis=0)).all())
+
+
+def _places_in(pad: Pelott) -> FloatArray:
     """Return points (n, 2) spread evenly over a pad, at least its apex."""
     outline = pad_outline(pad, 180)
     low, high = outline.min(axis=0), outline.max(axis=0)

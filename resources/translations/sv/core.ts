@@ -620,6 +620,10 @@
             <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
         </message>
         <message>
+            <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
+            <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
+        </message>
+        <message>
             <source>The identification does not lie wholly on a flat bottom; write it elsewhere, smaller, or make the bottom flat.</source>
             <translation>Märkningen ligger inte helt på en plan undersida; skriv den på annan plats, mindre, eller gör undersidan plan.</translation>
         </message>
@@ -638,6 +642,10 @@
         <message>
             <source>The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; raise the thickness or make the recess shallower.</source>
             <translation>Inlägget skulle bara bli {thickness_mm:.1f} mm tjockt vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; öka tjockleken eller gör fördjupningen grundare.</translation>
+        </message>
+        <message>
+            <source>The insole would be {height_mm:.0f} mm high, and {most_mm:g} mm can be made; lower the corrections that lie on each other.</source>
+            <translation>Inlägget skulle bli {height_mm:.0f} mm högt, och {most_mm:g} mm kan tillverkas; sänk de korrektioner som ligger på varandra.</translation>
         </message>
         <message>
             <source>The known length ends at {markers}, which the pictures do not show twice; take more pictures or measure between other markers.</source>
@@ -726,6 +734,14 @@
         <message>
             <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
+        </message>
+        <message>
+            <source>The postings and twists turn the foot by {angle_deg:g}° together, and must be {range}; lower some of them.</source>
+            <translation>Kilningar och vridningar vrider tillsammans foten {angle_deg:g}°, och måste vara {range}; sänk några av dem.</translation>
+        </message>
+        <message>
+            <source>The prescription has {count} corrections, and {most} can be made into one insole; remove some.</source>
+            <translation>Ordinationen har {count} korrektioner, och {most} kan göras till ett inlägg; ta bort några.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; start it again.</source>
@@ -1066,6 +1082,10 @@
         <message>
             <source>colour pictures of the board</source>
             <translation>färgbilder av brädet</translation>
+        </message>
+        <message>
+            <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
+            <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
         <message>
             <source>corrections must be a list; put the corrections in [ ].</source>

@@ -24,6 +24,7 @@ from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.cli.main import run
 from insole_studio.scene.scene_view import SceneView
+from insole_studio.widgets.number_field import NumberField
 
 
 @pytest.fixture
@@ -134,3 +135,27 @@ def test_a_recess_deeper_than_the_insole_is_told_while_it_is_dragged(
     assert run([*call, "--out", str(tmp_path / "insole.stl")]) != 0
     assert told in capsys.readouterr().err.splitlines()[-1]
     assert not list(tmp_path.glob("*.stl"))
+
+
+def test_lifts_that_add_up_to_too_much_are_told_while_they_are_typed(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    label = opened.stage.insole.findChild(QLabel, "warning")
+    for height in ("12", "9"):
+        opened.window.actions_by_key["add_heel_lift"].trigger()
+        type_number(opened, "correction.height_mm", height)
+        settle()
+    assert label.text().startswith("The heel lifts add up to 21 mm, and must be -10 to 20 mm;")
+    assert label.isVisibleTo(opened.stage.insole)
+    type_number(opened, "correction.height_mm", "8")
+    settle()
+    assert label.text() == ""
+
+
+def type_number(app: Application, key: str, text: str) -> None:
+    fields = app.stage.parameters.findChildren(NumberField)
+    (field,) = (f for f in fields if f.property("key") == key)
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
