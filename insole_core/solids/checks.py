@@ -20,7 +20,7 @@ from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 
 DECIMALS: dict[CheckName, int] = {
-    "thickness": 1, "cutter": 2, "undercut": 0, "step": 1, "block": 1, "shoe_height": 1,
+    "thickness": 1, "cutter": 2, "undercut": 0, "step": 1, "block": 1, "shoe_height": 1, "grid": 2,
 }  # fmt: skip
 """To which a value is rounded before it is compared with its limit, recorded and printed."""
 
@@ -83,6 +83,7 @@ def check_solid(
     progress: Progress = SILENT,
     *,
     unmarked: TriangleMesh | None = None,
+    grid_mm: float = 0.0,
 ) -> tuple[Finding, ...]:
     """Run every check that is not switched off.
 
@@ -92,16 +93,19 @@ def check_solid(
         Standing on z = 0, the side to be milled upwards.
     unmarked : mm, optional
         The solid before letters were put on its bottom, which no cutter from above need reach.
+    grid_mm
+        Of the surface that the solid was made of; 0 for one that was made without a grid.
 
     Returns
     -------
     tuple of Finding
         One for each check, passed or not.
     """
-    survey = _Survey(solid, unmarked)
+    survey = _Survey(solid, unmarked, grid_mm)
     checks = {
         "watertight": _watertight, "thickness": _thickness, "cutter": _cutter,
         "undercut": _undercut, "step": _step, "block": _block, "shoe_height": _shoe_height,
+        "grid": _grid,
     }  # fmt: skip
     findings = []
     for number, (name, policy) in enumerate(rules.policies.items()):
@@ -152,9 +156,12 @@ def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
 class _Survey:
     """The solid as seen from above, on a grid."""
 
-    def __init__(self, solid: TriangleMesh, unmarked: TriangleMesh | None = None) -> None:
+    def __init__(
+        self, solid: TriangleMesh, unmarked: TriangleMesh | None = None, grid_mm: float = 0.0
+    ) -> None:
         self.solid = solid
         self.unmarked = unmarked or solid
+        self.grid_mm = grid_mm
         self.caster = RayCaster(solid)
         low, high = solid.bounds_mm[:, :2]
         first = np.floor(low) - 2 + _OFF_LATTICE
@@ -319,3 +326,14 @@ def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
         "The solid needs {needed} mm, and the block has {there} mm.", needed=needed, there=there
     )
     return Finding("block", policy, over <= 0, over, 0.0, "mm too large", sentence)
+
+
+def _grid(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
+    """Judge the grid itself: a coarse one makes facets that no other check sees."""
+    grid_mm, limit = round(survey.grid_mm, DECIMALS["grid"]), rules.limits["grid"]
+    sentence = Message(
+        "The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.",
+        grid_mm=grid_mm,
+        limit=limit,
+    )
+    return Finding("grid", policy, grid_mm <= limit, grid_mm, limit, "mm", sentence)

@@ -87,6 +87,7 @@ class ClinicRules:
     pelott_usual_behind_heads_mm: float
     least_on_foot_share: float
     greatest_overlap_share: float
+    greatest_grid_mm: float
     pronation: tuple[PronationStep, ...] = ()
 
 
@@ -136,7 +137,7 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, and pads; at most one about landmarks.
+        Landmarks first, then posting, heel, height, grid, and pads; at most one about landmarks.
     """
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
@@ -145,6 +146,7 @@ def design_warnings(
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
+        *_of_grid(design, rules),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
         *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
     )
@@ -252,6 +254,17 @@ def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
             usual_mm=rules.greatest_insole_height_mm,
         )
         yield DesignWarning(high, place_mm=place)
+
+
+def _of_grid(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
+    if design.grid_mm > rules.greatest_grid_mm:
+        coarse = Message(
+            "The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm "
+            "are usual.",
+            grid_mm=design.grid_mm,
+            usual_mm=rules.greatest_grid_mm,
+        )
+        yield DesignWarning(coarse)
 
 
 def _of_pad(

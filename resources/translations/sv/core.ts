@@ -612,6 +612,10 @@
             <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
         </message>
         <message>
+            <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
+            <translation>Rutnätet av {grid_mm:g} mm är för grovt för ett jämnt inlägg; upp till {usual_mm:g} mm är vanligt.</translation>
+        </message>
+        <message>
             <source>The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
             <translation>Hälen är höjd {height_mm:g} mm; på inlägget är upp till {usual_mm:g} mm vanligt.</translation>
         </message>
@@ -810,6 +814,10 @@
         <message>
             <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
             <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
+        </message>
+        <message>
+            <source>The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.</source>
+            <translation>Ytan beräknas på ett rutnät av {grid_mm:g} mm; {limit:g} är det mesta tillåtna.</translation>
         </message>
         <message>
             <source>The surface is flat, which is no foot; export the scan again.</source>

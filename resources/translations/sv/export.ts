@@ -68,6 +68,10 @@
             <translation>Färre trianglar</translation>
         </message>
         <message>
+            <source>Fine enough grid</source>
+            <translation>Tillräckligt fint rutnät</translation>
+        </message>
+        <message>
             <source>Fits the block</source>
             <translation>Ryms i blocket</translation>
         </message>
@@ -298,6 +302,10 @@
         <message>
             <source>{value:.2f} mm of material is left in hollows</source>
             <translation>{value:.2f} mm material blir kvar i hålkälar</translation>
+        </message>
+        <message>
+            <source>{value:g} mm between the points of the surface</source>
+            <translation>{value:g} mm mellan ytans punkter</translation>
         </message>
     </context>
 </TS>

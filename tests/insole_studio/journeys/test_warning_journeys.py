@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pointing import LEFT, drag, lead, pixel
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEventLoop, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
@@ -23,6 +23,7 @@ from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.cli.main import run
+from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.number_field import NumberField
 
@@ -150,6 +151,34 @@ def test_lifts_that_add_up_to_too_much_are_told_while_they_are_typed(
     type_number(opened, "correction.height_mm", "8")
     settle()
     assert label.text() == ""
+
+
+def test_a_coarse_grid_is_told_in_the_window_and_before_export(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    type_number(opened, "insole.grid_mm", "4.5")
+    settle()
+    (label,) = saying(opened, "too coarse")
+    assert "The grid of 4.5 mm is too coarse for a smooth insole; up to 2 mm" in label.text()
+    opened.window.actions_by_key["export"].trigger()
+    stage = opened.features.export.stage
+    assert stage is not None
+    finish(stage.jobs)
+    row = stage.view.check_list.rows["grid"]
+    assert row.sentence.text() == "4.5 mm between the points of the surface"
+    assert row.isVisibleTo(stage)
+    stage.close()
+    type_number(opened, "insole.grid_mm", "1")
+    settle()
+    assert saying(opened, "too coarse") == []
+
+
+def finish(jobs: Jobs) -> None:
+    while jobs.is_running():
+        loop = QEventLoop()
+        jobs.ended.connect(loop.quit)
+        loop.exec()
+    QApplication.processEvents()
 
 
 def type_number(app: Application, key: str, text: str) -> None:

@@ -65,9 +65,11 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Fits the shoe"),
+    "grid": lambda: tr("Fine enough grid"),
 }
 UNITS: dict[CheckName, str] = {
     "thickness": "mm", "cutter": "mm", "undercut": "mm²", "step": "mm", "shoe_height": "mm",
+    "grid": "mm",
 }  # fmt: skip
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
     "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
@@ -75,6 +77,7 @@ _SENTENCES: dict[CheckName, Callable[[], str]] = {
     "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
     "shoe_height": lambda: tr("{value:.1f} mm at the highest place"),
+    "grid": lambda: tr("{value:g} mm between the points of the surface"),
 }
 
 
