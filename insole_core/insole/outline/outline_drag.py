@@ -49,4 +49,4 @@ def _along_mm(points: FloatArray, number: int) -> FloatArray:
     steps_mm = np.hypot(*(np.roll(curve, -1, axis=0) - curve).T)
     at_mm = np.concatenate([[0.0], steps_mm.cumsum()])[:-1][:: len(curve) // len(points)]
     way_mm = np.abs(at_mm - at_mm[number])
-    return np.minimum(way_mm, steps_mm.sum() - way_mm)
+    return np.asarray(np.minimum(way_mm, steps_mm.sum() - way_mm))
