@@ -182,7 +182,7 @@ def follow(keyboard: Keyboard, keys: list[str]) -> None:
         elif name in NAMES:
             keyboard.strike(NAMES[name])
         else:
-            combination = QKeySequence(name)[0]
+            combination = QKeySequence(name.replace("Enter", "Return"))[0]
             keyboard.strike(combination.key(), combination.keyboardModifiers())
 
 
