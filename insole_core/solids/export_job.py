@@ -298,6 +298,9 @@ def _measures(piece: Part) -> dict[str, str]:
         "volume": f"{solid.volume_mm3 / 1000:.1f} cm³",
         "triangles": str(len(solid.triangles)),
     }
+    for finding in piece.findings:
+        if finding.name == "thickness":
+            facts["least thickness, without the rim"] = f"{finding.value:g} mm"
     if piece.deviation_mm > 0:
         facts["deviation of the triangles"] = f"{piece.deviation_mm:.3f} mm at most"
     return facts

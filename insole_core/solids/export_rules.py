@@ -17,7 +17,7 @@ from insole_core.resources import resource_path
 FORMAT, VERSION = "insole-export-rules", 1
 Policy: TypeAlias = Literal["blocking", "warning", "off"]
 CheckName: TypeAlias = Literal[
-    "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"
+    "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height", "grid"
 ]
 _LEAST_CUTTER_MM, _GREATEST_CUTTER_MM = 1.0, 40.0
 _GREATEST = 1000
@@ -35,7 +35,8 @@ class ExportRules:
         Checks that are not named are off.
     limits
         Thickness: least, mm. Cutter: most material left in hollows, mm. Undercut: most area, mm².
-        Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm.
+        Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm. Grid:
+        greatest distance of the points that the surface is computed at, mm.
     cutter_diameter_mm
         Of the ball-nose cutter.
     block_mm

@@ -13,7 +13,7 @@ from insole_core.insole.build import Insole
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid
-from insole_core.solids.export_rules import CheckName, ExportRules, Policy
+from insole_core.solids.export_rules import CHECK_NAMES, CheckName, ExportRules, Policy
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import Nest, closest_nest, nest_pair
@@ -22,9 +22,9 @@ from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
 
 CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
-    "insole": ("watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"),
-    "block": ("watertight", "thickness", "cutter", "step", "block"),
-    "positive": ("watertight", "undercut"),
+    "insole": CHECK_NAMES,
+    "block": ("watertight", "thickness", "cutter", "step", "block", "grid"),
+    "positive": ("watertight", "undercut", "grid"),
 }
 _MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
 """Under the heel, where every insole's bottom is wide and complete: shares of the length, mm."""
@@ -123,7 +123,11 @@ def make_part(
     progress.step(0.4, "Reducing the triangles")
     simple = _reduced(marked, order)
     findings = check_solid(
-        simple.mesh, rules.only(CHECKS_OF[order.kind]), progress.part(0.7, 1.0), unmarked=plain
+        simple.mesh,
+        rules.only(CHECKS_OF[order.kind]),
+        progress.part(0.7, 1.0),
+        unmarked=plain,
+        grid_mm=insole.design.grid_mm,
     )
     return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
 

@@ -29,7 +29,7 @@ def make_facts(design: InsoleDesign) -> dict[str, str]:
     """Return thickness, layers, bottom and outline, by name."""
     layers = design.layers
     facts = {
-        "least thickness": f"{plain_number(design.least_thickness_mm)} mm",
+        "prescribed thickness": f"{plain_number(design.least_thickness_mm)} mm",
         "bottom": design.bottom,
         "outline": f"{_words(design.outline.source)}, {_words(design.outline.extent)}",
     }

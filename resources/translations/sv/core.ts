@@ -636,12 +636,16 @@
             <translation>Framfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+        </message>
+        <message>
+            <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
+            <translation>Rutnätet av {grid_mm:g} mm är för grovt för ett jämnt inlägg; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
         <message>
             <source>The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
@@ -650,6 +654,10 @@
         <message>
             <source>The heel is missing, or cut off behind; lengths and everything placed from the heel are guesses. Scan the foot again with its heel.</source>
             <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
+        </message>
+        <message>
+            <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
+            <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
         <message>
             <source>The identification does not lie wholly on a flat bottom; write it elsewhere, smaller, or make the bottom flat.</source>
@@ -670,6 +678,10 @@
         <message>
             <source>The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; raise the thickness or make the recess shallower.</source>
             <translation>Inlägget skulle bara bli {thickness_mm:.1f} mm tjockt vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; öka tjockleken eller gör fördjupningen grundare.</translation>
+        </message>
+        <message>
+            <source>The insole would be {height_mm:.0f} mm high, and {most_mm:g} mm can be made; lower the corrections that lie on each other.</source>
+            <translation>Inlägget skulle bli {height_mm:.0f} mm högt, och {most_mm:g} mm kan tillverkas; sänk de korrektioner som ligger på varandra.</translation>
         </message>
         <message>
             <source>The known length ends at {markers}, which the pictures do not show twice; take more pictures or measure between other markers.</source>
@@ -764,12 +776,20 @@
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
         </message>
         <message>
+            <source>The postings and twists turn the foot by {angle_deg:g}° together, and must be {range}; lower some of them.</source>
+            <translation>Kilningar och vridningar vrider tillsammans foten {angle_deg:g}°, och måste vara {range}; sänk några av dem.</translation>
+        </message>
+        <message>
             <source>The prescription cannot be written without {missing}; put in what is missing.</source>
             <translation>Ordinationen kan inte skrivas utan {missing}; fyll i det som saknas.</translation>
         </message>
         <message>
             <source>The prescription cannot be written: {doubts} Correct it in the patient panel.</source>
             <translation>Ordinationen kan inte skrivas: {doubts} Rätta det i patientpanelen.</translation>
+        </message>
+        <message>
+            <source>The prescription has {count} corrections, and {most} can be made into one insole; remove some.</source>
+            <translation>Ordinationen har {count} korrektioner, och {most} kan göras till ett inlägg; ta bort några.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
@@ -838,6 +858,10 @@
         <message>
             <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
             <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
+        </message>
+        <message>
+            <source>The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.</source>
+            <translation>Ytan beräknas på ett rutnät av {grid_mm:g} mm; {limit:g} är det mesta tillåtna.</translation>
         </message>
         <message>
             <source>The surface is flat, which is no foot; export the scan again.</source>
@@ -1134,6 +1158,10 @@
         <message>
             <source>colour pictures of the board</source>
             <translation>färgbilder av brädet</translation>
+        </message>
+        <message>
+            <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
+            <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
         </message>
         <message>
             <source>corrections must be a list; put the corrections in [ ].</source>
@@ -2552,8 +2580,8 @@
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>
         <message>
-            <source>{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
-            <translation>{value:.2f} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
+            <source>{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
+            <translation>{value:g} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>

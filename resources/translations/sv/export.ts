@@ -92,6 +92,10 @@
             <translation>Färre trianglar</translation>
         </message>
         <message>
+            <source>Fine enough grid</source>
+            <translation>Tillräckligt fint rutnät</translation>
+        </message>
+        <message>
             <source>Fits the block</source>
             <translation>Ryms i blocket</translation>
         </message>
@@ -372,6 +376,10 @@
             <translation>{value:.1f} mm på högsta stället</translation>
         </message>
         <message>
+            <source>{value:.1f} mm at the thinnest place</source>
+            <translation>{value:.1f} mm på tunnaste stället</translation>
+        </message>
+        <message>
             <source>{value:.1f} mm of rise over 1 mm</source>
             <translation>{value:.1f} mm stigning på 1 mm</translation>
         </message>
@@ -384,12 +392,12 @@
             <translation>{value:.1f} mm för stort</translation>
         </message>
         <message>
-            <source>{value:.2f} mm at the thinnest place</source>
-            <translation>{value:.2f} mm på tunnaste stället</translation>
-        </message>
-        <message>
             <source>{value:.2f} mm of material is left in hollows</source>
             <translation>{value:.2f} mm material blir kvar i hålkälar</translation>
+        </message>
+        <message>
+            <source>{value:g} mm between the points of the surface</source>
+            <translation>{value:g} mm mellan ytans punkter</translation>
         </message>
     </context>
 </TS>

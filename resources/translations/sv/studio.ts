@@ -544,6 +544,10 @@
             <translation>Avsluta rundturen</translation>
         </message>
         <message>
+            <source>Expert</source>
+            <translation>Expert</translation>
+        </message>
+        <message>
             <source>Export insole…</source>
             <translation>Exportera inlägg…</translation>
         </message>

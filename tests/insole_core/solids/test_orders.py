@@ -15,6 +15,7 @@ import pytest
 
 from insole_core.errors import DesignError, InputError, UsageError
 from insole_core.export.lettering import as_written, font_path, missing_letters
+from insole_core.export.paper import JobSheet
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
@@ -105,6 +106,23 @@ def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
 def write(delivery: ExportJob, places: ExportPaths) -> None:
     with outputs(places) as beside:
         run_export_job(delivery, places, beside)
+
+
+def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatch):
+    sheets: list[JobSheet] = []
+    monkeypatch.setattr(
+        "insole_core.export.paper.write_job_sheet", lambda made, _path: sheets.extend(made)
+    )
+    insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=4.5))
+    piece = piece_of(insole, read_rules().only(("thickness",)))
+    paths = ExportPaths(tmp_path / "i.stl", tmp_path / "c.json", tmp_path / "j.pdf")
+    run_export_job(ExportJob((piece,), SHOP), paths, paths)
+    (sheet,) = sheets
+    assert sheet.make["prescribed thickness"] == "4.5 mm"
+    assert sheet.measures["least thickness, without the rim"] == "4.5 mm"
+    assert sheet.checks[0].startswith("✓ 4.5 mm thick at ")
+    (finding,) = json.loads((tmp_path / "c.json").read_text())["findings"]
+    assert finding["value"] == 4.5
 
 
 @pytest.mark.slow

@@ -147,3 +147,30 @@ def test_who_prescribes_and_makes_is_taken_from_the_settings(
     assert run([*call, "--out", str(tmp_path / "i.stl"), "--prescription-paper", str(paper)]) == 0
     for words in ("A. Ek", "Foot Clinic", "Sula AB", "Lund"):
         assert words in text_of_pdf(paper)
+
+
+def test_a_coarse_grid_is_told_before_the_file_is_used(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    prescription, checks = tmp_path / "design.json", tmp_path / "checks.json"
+    design = {"format": "insole-design", "version": 1, "side": "left", "corrections": []}
+    prescription.write_text(json.dumps({**design, "grid_mm": 4.5}))
+    papers = ["--prescription", str(prescription), "--checks", str(checks)]
+    assert run([*call, "--out", str(tmp_path / "i.stl"), *papers]) == 0
+    told = capsys.readouterr().err
+    assert "computed on a grid of 4.5 mm; 2 is the most allowed" in told
+    findings = json.loads(checks.read_text())["findings"]
+    assert [f["passed"] for f in findings if f["name"] == "grid"] == [False]
+
+
+def test_a_design_that_adds_up_to_too_much_is_refused(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    prescription = tmp_path / "design.json"
+    posting = {"type": "posting", "rearfoot_deg": 15}
+    design = {"format": "insole-design", "version": 1, "side": "left"}
+    prescription.write_text(json.dumps({**design, "corrections": [posting] * 100}))
+    out = tmp_path / "i.stl"
+    assert run([*call, "--out", str(out), "--prescription", str(prescription)]) == 1
+    assert "turn the foot by 1500° together, and must be -15 to 15 degrees" in last_line(capsys)
+    assert not out.exists()

@@ -66,16 +66,19 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Fits the shoe"),
+    "grid": lambda: tr("Fine enough grid"),
 }
 UNITS: dict[CheckName, str] = {
     "thickness": "mm", "cutter": "mm", "undercut": "mm²", "step": "mm", "shoe_height": "mm",
+    "grid": "mm",
 }  # fmt: skip
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
-    "thickness": lambda: tr("{value:.2f} mm at the thinnest place"),
+    "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
     "cutter": lambda: tr("{value:.2f} mm of material is left in hollows"),
     "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
     "shoe_height": lambda: tr("{value:.1f} mm at the highest place"),
+    "grid": lambda: tr("{value:g} mm between the points of the surface"),
 }
 
 
