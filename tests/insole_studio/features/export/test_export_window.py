@@ -22,6 +22,7 @@ from insole_core.solids.shop import Block
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.export.blocks_dialog import BlocksDialog
+from insole_studio.features.export.order_form import OrderForm
 from insole_studio.features.export.rows import CheckState
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.services.questions import Questions
@@ -224,14 +225,22 @@ def test_another_case_takes_nothing_of_the_one_before(
     number = stage.view.form.pseudonym.placeholderText()
     order(stage, pseudonym="P-7", relief="engraved", text="Left of P-7")
     settle()
-    app.case.open(case_of(make_foot, Patient("Otto Ek")), None)
+    form = form_of(app, case_of(make_foot, Patient("Otto Ek")), settle)
+    assert (form.choice().pseudonym, form.choice().text) == ("", "")
+    assert form.pseudonym.placeholderText() != number
+    form = form_of(app, case_of(make_foot, Patient("Otto Ek", pseudonym="P-9")), settle)
+    assert form.choice().pseudonym == "P-9"
+
+
+def form_of(app: Application, record: CaseRecord, settle: Callable[[], None]) -> OrderForm:
+    """The form of the stage, opened again for another case."""
+    app.case.open(record, None)
     settle()
-    choice = stage.view.form.choice()
-    assert (choice.pseudonym, choice.text) == ("", "")
-    assert stage.view.form.pseudonym.placeholderText() != number
-    app.case.open(case_of(make_foot, Patient("Otto Ek", pseudonym="P-9")), None)
+    app.window.actions_by_key["export"].trigger()
     settle()
-    assert stage.view.form.choice().pseudonym == "P-9"
+    assert app.features.export.stage is not None
+    form: OrderForm = app.features.export.stage.view.form
+    return form
 
 
 def test_a_name_typed_as_a_pseudonym_is_refused(
