@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from insole_core.errors import UsageError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
+from insole_core.export.transaction import Transaction
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override, require_export, survey_heights
@@ -115,11 +116,8 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
             )
-    with ExitStack() as stack:
-        opened = (
-            path and stack.enter_context(replacing_file(path)) for path in vars(places).values()
-        )
-        yield ExportPaths(*opened)
+    with Transaction() as transaction:
+        yield ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
 
 
 def run_export_job(
@@ -144,7 +142,7 @@ def run_export_job(
     write_solids(job.parts(), beside.solid, ascii_stl=job.ascii_stl)
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
-        beside.checks.write_text(text + "\n", encoding="utf-8")
+        write_text(text + "\n", beside.checks)
     if beside.job_sheet is not None:
         from insole_core.export.paper import write_job_sheet
 

@@ -16,12 +16,14 @@ import platformdirs
 
 from insole_core.errors import InputError, OutputError
 from insole_core.export.atomic import (
-    describe,
+    copy_into,
     make_private_folder,
-    replacing_file,
     replacing_folder,
     write_private,
+    write_text,
 )
+from insole_core.export.transaction import nothing_foreign
+from insole_core.export.write_errors import describe
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
@@ -29,6 +31,7 @@ from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Manifest
+from insole_core.recording.session_layout import foreign_in_session
 from insole_core.recording.writer import write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
@@ -201,7 +204,7 @@ class Draft:
         try:
             for writing in self._writing.pop(view):
                 writing.result()
-            with replacing_folder(target) as beside:
+            with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
         except OSError as error:
@@ -235,8 +238,8 @@ class Draft:
         if path.suffix.lower() == ".zip":
             write_session(session, path, progress=progress)
         else:
-            with replacing_folder(path) as beside:
-                shutil.copytree(self.folder, beside, dirs_exist_ok=True)
+            with replacing_folder(path, foreign_in_session) as beside:
+                copy_into(beside, self.folder)
         self.discard()
 
     def discard(self) -> None:
@@ -267,8 +270,7 @@ class Draft:
         }
         manifest = replace(self._manifest, views=self.views, extra=extra)
         text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
-        with replacing_file(self.folder / "manifest.json") as beside:
-            beside.write_text(text, encoding="utf-8")
+        write_text(text, self.folder / "manifest.json")
 
 
 def _write(path: Path, image: RawArray | ByteArray) -> None:
