@@ -14,13 +14,13 @@ from insole_core.recording.sensor_folder import CORRECTION_FILE, SENSOR_FILE
 from insole_core.recording.store import MAX_FILE_BYTES
 
 MANIFEST = "manifest.json"
-_VIEW_FILE = re.compile(
+_IN_SESSION = (MANIFEST, EDITS, "truth.ply", "truth_poses.json")
+_IN_VIEW = re.compile(
     rf"(?:depth_\d{{3,}}\.png|color_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
     rf"|{re.escape(CORRECTION_FILE)})"
 )
 _FILE = re.compile(
-    rf"(?:{re.escape(MANIFEST)}|{re.escape(EDITS)}|truth\.ply|truth_poses\.json"
-    rf"|views/[a-z0-9_]{{1,32}}/{_VIEW_FILE.pattern})"
+    rf"(?:{'|'.join(map(re.escape, _IN_SESSION))}|views/[a-z0-9_]{{1,32}}/{_IN_VIEW.pattern})"
 )
 _FOLDER = re.compile(r"views(?:/[a-z0-9_]{1,32})?")
 _BEGINNINGS = {".png": b"\x89PNG", ".npz": b"PK", ".ply": b"ply", ".json": b"{"}
@@ -28,9 +28,9 @@ _OF_THE_DESKTOP = (".DS_Store", "Thumbs.db", "desktop.ini")
 """What file managers leave in every folder that they show."""
 
 
-def is_session_file(name: str) -> bool:
-    """Return whether a path within a session, with slashes, is that of one of its files."""
-    return _FILE.fullmatch(name) is not None
+def is_input_name(name: str) -> bool:
+    """Return whether a file of this name is read wherever it lies in a folder of recordings."""
+    return name in _IN_SESSION or _IN_VIEW.fullmatch(name) is not None
 
 
 def foreign_in_session(folder: Path) -> str | None:
@@ -54,7 +54,7 @@ def foreign_in_session(folder: Path) -> str | None:
 
 def _is_of_session(folder: Path, inner: Path) -> bool:
     path = folder / inner
-    if not is_session_file(inner.as_posix()) or path.is_symlink() or not path.is_file():
+    if not _FILE.fullmatch(inner.as_posix()) or path.is_symlink() or not path.is_file():
         return False
     if inner.as_posix() == MANIFEST:
         return _is_manifest(path)

@@ -89,24 +89,23 @@ class ExportJob:
         return tuple(part for piece in self.pieces for part in piece.parts(self.shop))
 
 
-@contextmanager
-def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
-    """Open temporary files for every path before the work begins; none remains if it fails.
+def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
+    """Open temporary files for every path before the work begins.
 
     Parameters
     ----------
     places
-        The final paths, which the files take when the context ends without error.
+        The final paths, which the files take when the transaction ends without error.
 
-    Yields
-    ------
+    Returns
+    -------
     ExportPaths
         The temporary files to write.
 
     Raises
     ------
     UsageError
-        If a name has a suffix that is not supported.
+        If a name has a suffix that is not supported, or two results have the same name.
     OutputError
         If a path cannot be written.
     """
@@ -116,8 +115,14 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
             )
+    return ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
+
+
+@contextmanager
+def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
+    """Open temporary files for every path, as `opened`; none remains if the work fails."""
     with Transaction() as transaction:
-        yield ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
+        yield opened(places, transaction)
 
 
 def run_export_job(

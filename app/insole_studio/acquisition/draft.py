@@ -234,6 +234,12 @@ class Draft:
         OutputError
             When the destination cannot be written; the draft stays.
         """
+        if path.resolve().is_relative_to(self.folder.resolve()):
+            raise OutputError(
+                "{path} lies in the folder of the unfinished capture, which is removed; choose "
+                "another place.",
+                path=path,
+            )
         session = read_session(self.folder)
         if path.suffix.lower() == ".zip":
             write_session(session, path, progress=progress)

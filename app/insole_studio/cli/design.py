@@ -12,6 +12,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli import export_arguments
 from insole_studio.cli.foot_argument import read_foot
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -27,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
+        "--out", action=OutputPath, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
     )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
     parser.add_argument(
