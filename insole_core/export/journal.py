@@ -75,9 +75,10 @@ class Move:
             return
         if not os.path.lexists(self.beside) and os.path.lexists(self.path):
             self.path.replace(self.beside)
-        if self.replaces:
+        if self.replaces and os.path.lexists(self.path):
+            self.old.unlink()  # a second name of the file that is still there
+        elif self.replaces:
             self.old.replace(self.path)
-            self.old.unlink(missing_ok=True)  # a second name of the same file is not moved
 
 
 class NotTakenBack(OSError):  # noqa: N818 - the error it comes from is what is said
@@ -101,6 +102,8 @@ def make_moves(moves: Sequence[Move]) -> None:
     try:
         _make_all(moves)
     except NotTakenBack:
+        if journal is not None:
+            release(journal)
         raise
     except BaseException:
         _forget(journal)
@@ -170,7 +173,9 @@ def _take_back(moves: Sequence[Move]) -> None:
             move.take_back()
         _sync_folders(moves)
     except OSError as error:
-        raise NotTakenBack(error.errno, error.strerror) from error
+        raise NotTakenBack(
+            error.errno, error.strerror, error.filename, None, error.filename2
+        ) from error
 
 
 def _drop_old(moves: Sequence[Move], journal: Path | None) -> None:
@@ -208,13 +213,20 @@ def _written(moves: Sequence[Move]) -> Path | None:
     folder = journals_folder_of_user()
     try:
         folder.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
-        unfinished = make_file(folder, folder)
-        unfinished.write_text(text, encoding="utf-8")
-        sync(unfinished)
-        journal = unfinished.replace(folder / temporary_name(folder, SUFFIX))
-        release(unfinished)
-        sync(folder)
+        return _written_in(folder, text)
     except OSError as error:
         log.warning("Without a journal, a kill may leave some of the results: %s", error)
         return None
+
+
+def _written_in(folder: Path, text: str) -> Path:
+    unfinished = make_file(folder, folder)
+    try:
+        unfinished.write_text(text, encoding="utf-8")
+        sync(unfinished)
+        journal = unfinished.replace(folder / temporary_name(folder, SUFFIX))
+        sync(folder)
+    finally:
+        unfinished.unlink(missing_ok=True)
+        release(unfinished)
     return journal

@@ -38,7 +38,7 @@ _OF_WRITING = (*FULL, errno.EFBIG, errno.EROFS)
 
 def any_file(folder: Path) -> str | None:
     """Return the name of any file: only an empty folder may be replaced."""
-    return next((entry.name for entry in os.scandir(folder)), None)
+    return min(os.listdir(folder), default=None)  # noqa: PTH208 - a generator would stay open
 
 
 def nothing_foreign(_folder: Path) -> None:
@@ -140,12 +140,10 @@ class Transaction:
                 self._publish()
             elif isinstance(error, OSError) and (explained := self._explained(error)) is not None:
                 raise explained from error
-        except NotTakenBack as failure:  # the next start needs what was written
-            raise OutputError(describe(self._outputs[0].named, failure)) from failure
-        except BaseException:
-            self._remove()
-            raise
-        self._remove()
+        finally:
+            for output in self._outputs:
+                remove(output.beside)
+                release(output.beside)
 
     def _publish(self) -> None:
         try:
@@ -156,10 +154,17 @@ class Transaction:
                 moves[0].make_at_once()
             elif moves:
                 make_moves(moves)
-        except NotTakenBack:
-            raise
         except OSError as error:
-            raise OutputError(describe(self._place_of(error), error)) from error
+            place = self._place_of(error)
+            if isinstance(error, NotTakenBack):
+                self._leave()
+            raise OutputError(describe(place, error)) from error
+
+    def _leave(self) -> None:
+        """Leave the temporary files to the next start, which needs them to settle the journal."""
+        for output in self._outputs:
+            release(output.beside)
+        self._outputs.clear()
 
     def _explained(self, error: OSError) -> InsoleError | None:
         """Return the sentence about an error of the work; None if it says nothing of a file."""
@@ -186,12 +191,6 @@ class Transaction:
     def _fullest(self) -> _Output:
         """Return the result on the disk with the least room."""
         return min(self._outputs, key=lambda output: shutil.disk_usage(output.path.parent).free)
-
-    def _remove(self) -> None:
-        """Remove what did not take its place."""
-        for output in self._outputs:
-            remove(output.beside)
-            release(output.beside)
 
 
 def _paths_of(error: OSError) -> list[Path]:
