@@ -49,8 +49,8 @@ FOREIGN: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "a link to a folder": (lambda f: (f / "views/spare").symlink_to(f / "views/left"), "spare"),
     "another session within": (
-        lambda f: shutil.copytree(f / "views", f / "views" / "left" / "views"),
-        "views",
+        lambda f: shutil.copytree(f / "views" / "top", f / "views" / "left" / "top"),
+        "top",
     ),
 }
 
