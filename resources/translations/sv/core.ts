@@ -2325,7 +2325,7 @@
         </message>
         <message>
             <source>{path} lies in the folder of the unfinished capture, which is removed; choose another place.</source>
-            <translation>{path} ligger i mappen för den oavslutade upptagningen, som tas bort; välj en annan plats.</translation>
+            <translation>{path} ligger i mappen för den oavslutade avbildningen, som tas bort; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} may not be read; ask for permission.</source>
