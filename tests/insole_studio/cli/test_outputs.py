@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
+from insole_studio.stop_signals import STOP_SIGNALS
 
 SMALL_SESSION = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
@@ -164,6 +166,7 @@ def dying(real):
 for name in ("replace", "rename", "link"):
     setattr(os, name, dying(getattr(os, name)))
 from insole_studio.cli.main import run
+from insole_studio.stop_signals import STOP_SIGNALS
 sys.exit(run(sys.argv[2:]))
 """
 """Runs a command in a process that dies in the place of a renaming."""
@@ -231,3 +234,66 @@ def test_what_cannot_be_read_is_named(
     assert run([*call, argument, str(inputs / name)]) == 1
     assert f"{name} cannot be" in (line := last_line(capsys))
     assert "i.stl" not in line
+
+
+@pytest.fixture
+def full_disk(tmp_path: Path) -> Iterator[Path]:
+    """A disk of 64 KiB with 4 of them free; it is slow to fill nothing else."""
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(disk)]
+    done = subprocess.run(mount, check=False, capture_output=True)
+    if sys.platform != "linux" or done.returncode:
+        pytest.skip("only root makes a small disk, and not in every container")
+    (disk / "ballast").write_bytes(bytes(60 * 1024))
+    yield disk
+    subprocess.run(["umount", str(disk)], check=True)
+
+
+FILLING = {
+    "r.ply": f"reconstruct {SMALL_SESSION} --out disk/r.ply",
+    "m.json": "measure f.ply --side right --report disk/m.json",
+    "i.stl": "design f.ply --side right --out disk/i.stl",
+    "sheet.pdf": "design f.ply --side right --out i.stl --job-sheet disk/sheet.pdf",
+    "d.png": "compare f.ply f.ply --report c.json --picture disk/d.png",
+    "c.ply": "compare f.ply f.ply --report c.json --surface disk/c.ply",
+    "s.zip": "simulate disk/s.zip --ideal",
+    "session": "simulate disk/session --ideal",
+    "system.pdf": "calibrate reference --report disk/system.pdf",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FILLING)
+def test_a_full_disk_names_the_file_that_was_asked_for(
+    name: str,
+    full_disk: Path,
+    inputs: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(inputs)
+    before = sorted(inputs.rglob("*"))
+    assert run(FILLING[name].split()) == 1
+    assert last_line(capsys) == (
+        f"disk/{name} cannot be written: the disk is full; free some space and try again."
+    )
+    assert sorted(inputs.rglob("*")) == before
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", STOP_SIGNALS, ids=lambda number: number.name)
+def test_the_window_ends_alike_on_every_signal(number: signal.Signals) -> None:
+    code = (
+        "import os, signal, sys\n"
+        "from PySide6.QtCore import QTimer\n"
+        "from insole_studio.app.bootstrap import _quit_on_signals, qt_application\n"
+        "signal.signal(int(sys.argv[1]), signal.SIG_DFL)\n"
+        "qt = qt_application()\n"
+        "_quit_on_signals(qt)\n"
+        "QTimer.singleShot(0, lambda: os.kill(os.getpid(), int(sys.argv[1])))\n"
+        "sys.exit(qt.exec())\n"
+    )
+    call = [sys.executable, "-c", code, str(int(number))]
+    done = subprocess.run(call, check=False, capture_output=True, text=True)
+    assert done.returncode == 128 + number, done.stderr
