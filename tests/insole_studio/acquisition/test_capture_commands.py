@@ -179,6 +179,37 @@ def test_a_capture_that_is_stopped_says_how_to_go_on(
     assert not list((tmp_path / "drafts").iterdir())
 
 
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="files are named by /proc")
+@pytest.mark.parametrize("name", ["session", "session.zip"])
+def test_a_draft_goes_once_the_session_is_on_the_disk(
+    small_session: Path, tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[Path] = []
+    gone: list[Path] = []
+    fsync, rmtree = os.fsync, shutil.rmtree
+
+    def note_sync(handle: int) -> None:
+        synced.append(Path(f"/proc/self/fd/{handle}").readlink())
+        fsync(handle)
+
+    def note_removal(folder: Path, *more: object, **named: bool) -> None:
+        if folder.parent == tmp_path / "drafts":
+            gone.extend(synced)
+        rmtree(folder, *more, **named)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(os, "fsync", note_sync)
+    monkeypatch.setattr(shutil, "rmtree", note_removal)
+    serial = read_session(small_session).views[0].sensor.serial
+    call = ["capture", "--emulate", str(small_session), "--out", str(tmp_path / name)]
+    assert run([*call, "--views", f"left={serial}", "--frames", "2"]) == 0
+    assert gone[-1] == tmp_path  # the folder that holds the session, after all that is in it
+    names = [path.name for path in gone]
+    once = ["depth_000.png", "depth_001.png", "color_000.png", "sensor.json", "manifest.json"]
+    # In the draft, when the view is done; a zip archive then is one file.
+    assert all(names.count(one) >= (2 if name == "session" else 1) for one in once[:-1])
+    assert not list((tmp_path / "drafts").iterdir())
+
+
 @pytest.mark.parametrize("within", ["", "finished"])
 def test_a_draft_is_not_published_into_itself(
     small_session: Path, tmp_path: Path, within: str
