@@ -18,6 +18,17 @@ from insole_core.export.temporary import is_unfinished, make_folder, release, re
 from insole_core.export.transaction import FindForeign, Transaction, any_file
 from insole_core.export.write_errors import describe
 
+__all__ = [
+    "copy_into",
+    "describe",
+    "make_private_folder",
+    "replacing_file",
+    "replacing_folder",
+    "scratch_folder",
+    "write_private",
+    "write_text",
+]
+
 
 @contextmanager
 def replacing_file(path: Path) -> Iterator[Path]:
