@@ -7,6 +7,7 @@ back.
 
 from __future__ import annotations
 
+import errno
 import json
 import logging
 import os
@@ -56,7 +57,13 @@ class Move:
             return
         if self.replaces and not os.path.lexists(self.old):
             _set_aside(self.path, self.old)
+        if os.path.lexists(self.path) and not self._is_old():
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(self.path))
         self.beside.replace(self.path)
+
+    def _is_old(self) -> bool:
+        """Return whether the place still holds what is to be replaced, and nothing newer."""
+        return self.replaces and self.path.samefile(self.old)
 
     def make_at_once(self) -> None:
         """Put a single file, or a folder where there is none, in its place: no half of it exists.

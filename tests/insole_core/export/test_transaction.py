@@ -175,6 +175,19 @@ def refuse_all(_moves: object) -> None:
     raise journal.NotTakenBack(errno.EACCES, "no")
 
 
+def test_what_took_a_place_after_the_kill_is_kept(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(journal, "_make_all", refuse_all)
+        with pytest.raises(OutputError):
+            killed_transaction.write(place)
+    (place / "checks.json").write_text("newer")
+    settle_interrupted(journals_folder_of_user())
+    assert visible(killed_transaction.contents(place)) == {**OLD, "checks.json": "newer"}
+    assert list(journals_folder_of_user().iterdir()) == []
+
+
 def test_without_a_place_for_the_journal_the_work_is_done(
     place: Path, state_folder: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
