@@ -14,7 +14,7 @@ from pathlib import Path
 
 from insole_core.errors import OutputError
 from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
-from insole_core.export.temporary import is_unfinished, make_folder, release, remove
+from insole_core.export.temporary import is_temporary, is_unfinished, make_folder, release, remove
 from insole_core.export.transaction import FindForeign, Transaction, any_file
 from insole_core.export.write_errors import describe
 
@@ -68,7 +68,7 @@ def replacing_folder(path: Path, find_foreign: FindForeign = any_file) -> Iterat
 
 
 def copy_into(folder: Path, source: Path) -> None:
-    """Copy all that a folder holds into an unfinished one.
+    """Copy all that a folder holds into an unfinished one, but for what a killed program left.
 
     Raises
     ------
@@ -76,11 +76,13 @@ def copy_into(folder: Path, source: Path) -> None:
         The first one; `shutil.copytree` would go on and forget which it was.
     """
     for place, folders, files in os.walk(source):
+        folders[:] = [name for name in folders if not is_temporary(name)]
         within = folder / Path(place).relative_to(source)
         for name in folders:
             (within / name).mkdir(exist_ok=True)
         for name in files:
-            shutil.copyfile(Path(place, name), within / name)
+            if not is_temporary(name):
+                shutil.copyfile(Path(place, name), within / name)
 
 
 @contextmanager

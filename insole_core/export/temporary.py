@@ -91,6 +91,11 @@ def remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
+def is_temporary(name: str) -> bool:
+    """Return whether a name is one that this product gives to what it has not finished."""
+    return _NAME.fullmatch(name) is not None
+
+
 def is_left(name: str) -> bool:
     """Return whether a name is that of a process of this product that no longer runs."""
     match = _NAME.fullmatch(name)

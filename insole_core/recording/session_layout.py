@@ -7,6 +7,7 @@ import os
 import re
 from pathlib import Path
 
+from insole_core.export.temporary import is_left
 from insole_core.export.transaction import any_file, check_file, check_folder
 from insole_core.recording.hand_edits_file import NAME as EDITS
 from insole_core.recording.manifest_json import FORMAT
@@ -42,12 +43,14 @@ def foreign_in_session(folder: Path) -> str | None:
         return any_file(folder)
     for place, folders, files in os.walk(folder):
         within = Path(place).relative_to(folder)
+        folders[:] = [name for name in folders if not is_left(name)]
         for name in sorted(folders):
             inner = within / name
             if not _FOLDER.fullmatch(inner.as_posix()) or Path(place, name).is_symlink():
                 return str(inner)
         for name in sorted(files):
-            if name not in _OF_THE_DESKTOP and not _is_of_session(folder, within / name):
+            ours = name in _OF_THE_DESKTOP or is_left(name)
+            if not ours and not _is_of_session(folder, within / name):
                 return str(within / name)
     return None
 

@@ -59,7 +59,8 @@ class SensorStore:
 
     def serials(self) -> list[str]:
         """Return the serial numbers of the saved sensors, sorted."""
-        return sorted(path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
+        folders = (path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
+        return sorted(filter(_SERIAL.fullmatch, folders))
 
     def load(self, serial: str) -> Sensor | None:
         """Read a sensor; None when it was never saved.

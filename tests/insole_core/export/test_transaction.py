@@ -18,7 +18,7 @@ import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.export import journal, temporary
-from insole_core.export.atomic import replacing_file, replacing_folder, write_text
+from insole_core.export.atomic import copy_into, replacing_file, replacing_folder, write_text
 from insole_core.export.journal import journals_folder_of_user, settle_interrupted
 from insole_core.export.transaction import Transaction, nothing_foreign
 
@@ -316,6 +316,17 @@ def test_a_folder_that_was_left_is_swept(tmp_path: Path) -> None:
     os.utime(folder, (0, 0))
     write_text("new", tmp_path / "insole.stl")
     assert not folder.exists()
+
+
+def test_what_was_left_is_not_copied(tmp_path: Path) -> None:
+    source, target = tmp_path / "draft", tmp_path / "session"
+    (source / "views" / f".insole-studio-{DEAD}-0123456789ab").mkdir(parents=True)
+    left_file(source, DEAD, 0.0)
+    (source / "manifest.json").write_text("m")
+    target.mkdir()
+    copy_into(target, source)
+    found = {path.relative_to(target).as_posix() for path in target.rglob("*")}
+    assert found == {"manifest.json", "views"}
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,9 @@ def test_a_session_with_all_that_belongs_to_it_is_no_stranger(folder: Path) -> N
     (folder / "truth.ply").write_bytes(b"ply\n")
     (folder / "truth_poses.json").write_text("{}")
     (folder / "views" / ".DS_Store").write_bytes(b"of the desktop")
+    left = f".insole-studio-{2**22 - 1}-0123456789ab"
+    (folder / f"{left}.json").write_text("of a command that was killed")
+    (folder / "views" / left / "views").mkdir(parents=True)
     assert foreign_in_session(folder) is None
 
 
