@@ -243,8 +243,8 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
         )
     if foreign is not None:
         raise OutputError(
-            "{path} holds {name}, which no earlier result of this kind does, and nothing of it is "
-            "removed; choose a new or an empty folder.",
+            "{path} is not replaced: it holds {name}, which is not part of an earlier result; "
+            "choose a new or an empty folder.",
             path=path,
             name=foreign,
         )

@@ -2248,10 +2248,6 @@
             <translation>{path} innehåller {count_a} punkter av a och {count_b} av b; välj varje punkt på båda.</translation>
         </message>
         <message>
-            <source>{path} holds {name}, which no earlier result of this kind does, and nothing of it is removed; choose a new or an empty folder.</source>
-            <translation>{path} innehåller {name}, som inte hör till något tidigare resultat av det här slaget, och inget i den tas bort; välj en ny eller en tom mapp.</translation>
-        </message>
-        <message>
             <source>{path} is a mesh, which does not say which foot it is; add --side.</source>
             <translation>{path} är ett nät, som inte säger vilken fot det är; ange --side.</translation>
         </message>
@@ -2306,6 +2302,10 @@
         <message>
             <source>{path} is no valid JSON; correct the texts.</source>
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
+        </message>
+        <message>
+            <source>{path} is not replaced: it holds {name}, which is not part of an earlier result; choose a new or an empty folder.</source>
+            <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
         </message>
         <message>
             <source>{path} is read to make the result, which would replace it; give the result another name.</source>

@@ -263,7 +263,9 @@ def test_the_folder_that_one_works_in_is_not_replaced(
 
 def test_a_folder_with_anything_in_it_is_not_replaced(place: Path) -> None:
     with (
-        pytest.raises(OutputError, match=r"holds manifest\.json, which no earlier result"),
+        pytest.raises(
+            OutputError, match=r"holds manifest\.json, which is not part of an earlier result"
+        ),
         replacing_folder(place / "session"),
     ):
         pytest.fail("nothing may be computed for a place that cannot be written")

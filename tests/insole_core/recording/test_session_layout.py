@@ -63,6 +63,8 @@ def test_nothing_unknown_is_removed(session: Session, folder: Path, name: str) -
     change, found = FOREIGN[name]
     change(folder)
     before = {path: path.lstat().st_ino for path in folder.parent.rglob("*")}
-    with pytest.raises(OutputError, match=f"holds .*{found}.*, which no earlier result"):
+    with pytest.raises(
+        OutputError, match=f"holds .*{found}.*, which is not part of an earlier result"
+    ):
         write_session(session, folder)
     assert {path: path.lstat().st_ino for path in folder.parent.rglob("*")} == before

@@ -55,7 +55,10 @@ def test_a_folder_of_other_files_is_never_replaced(
 ) -> None:
     before = contents(documents.parent)
     assert run([word.format(docs=documents) for word in WRITING_FOLDERS[command]]) == 1
-    assert "docs holds thesis.txt, which no earlier result of this kind does" in last_line(capsys)
+    assert (
+        "docs is not replaced: it holds thesis.txt, which is not part of an earlier result"
+        in last_line(capsys)
+    )
     assert contents(documents.parent) == before
 
 
