@@ -236,7 +236,7 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
         foreign = find_foreign(real) if real.exists() else None
     except OSError as error:
         raise OutputError(describe(path, error)) from error
-    if Path.cwd().is_relative_to(real):
+    if _is_worked_in(real):
         raise OutputError(
             "{path} is the folder that you work in, or holds it; name a folder within it.",
             path=path,
@@ -248,6 +248,13 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
             path=path,
             name=foreign,
         )
+
+
+def _is_worked_in(folder: Path) -> bool:
+    try:
+        return Path.cwd().is_relative_to(folder)
+    except FileNotFoundError:  # the working folder is gone
+        return False
 
 
 def _check_parent(path: Path) -> None:
