@@ -19,6 +19,8 @@ from insole_core.export.transaction import FindForeign, Transaction, any_file
 from insole_core.export.write_errors import describe
 
 __all__ = [
+    "PRIVATE_FILE",
+    "PRIVATE_FOLDER",
     "copy_into",
     "describe",
     "make_private_folder",
