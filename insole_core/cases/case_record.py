@@ -6,6 +6,7 @@ All positions are in the insole frame: mm, +y from heel to toes, +z dorsal.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -295,6 +296,11 @@ class CaseRecord:
     def foot(self) -> Foot | None:
         """Surface of the current foot."""
         return None if self.current is None else self.current.foot
+
+    @property
+    def source_paths(self) -> tuple[Path, ...]:
+        """Return where the scans of all feet were read from."""
+        return tuple(Path(foot.source.path) for foot in self.feet)
 
     @property
     def source(self) -> ScanSource | None:

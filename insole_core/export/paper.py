@@ -305,9 +305,9 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
         line = as_written(foot.replace("#", str(page.getPageNumber())))
         page.drawString(_MARGIN + _PADDING, _MARGIN / 2, line)
 
-    with replacing_file(path) as beside:
+    with replacing_file(path) as beside, beside.open("wb") as file:
         document = SimpleDocTemplate(
-            str(beside), pagesize=A4, title=title, author="Insole Studio",
+            file, pagesize=A4, title=title, author="Insole Studio",
             leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
         )  # fmt: skip
         document.build(story, onFirstPage=draw_foot, onLaterPages=draw_foot)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from insole_core.errors import UsageError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
+from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.insole.prescription.prescription_lines import make_facts, plain_number
@@ -147,24 +148,23 @@ class PlacedPart:
         return survey_heights(self.part.solid.transformed(self.insole2file))
 
 
-@contextmanager
-def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
-    """Open temporary files for every path before the work begins; none remains if it fails.
+def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
+    """Open temporary files for every path before the work begins.
 
     Parameters
     ----------
     places
-        The final paths, which the files take when the context ends without error.
+        The final paths, which the files take when the transaction ends without error.
 
-    Yields
-    ------
+    Returns
+    -------
     ExportPaths
         The temporary files to write.
 
     Raises
     ------
     UsageError
-        If a name has a suffix that is not supported.
+        If a name has a suffix that is not supported, or two results have the same name.
     OutputError
         If a path cannot be written.
     """
@@ -174,11 +174,14 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
             )
-    with ExitStack() as stack:
-        opened = (
-            path and stack.enter_context(replacing_file(path)) for path in vars(places).values()
-        )
-        yield ExportPaths(*opened)
+    return ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
+
+
+@contextmanager
+def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
+    """Open temporary files for every path, as `opened`; none remains if the work fails."""
+    with Transaction() as transaction:
+        yield opened(places, transaction)
 
 
 def run_export_job(
@@ -208,7 +211,7 @@ def run_export_job(
     write_solids(objects, beside.solid, ascii_stl=job.ascii_stl, label=label)
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
-        beside.checks.write_text(text + "\n", encoding="utf-8")
+        write_text(text + "\n", beside.checks)
     if beside.job_sheet is not None:
         from insole_core.export.paper import write_job_sheet
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path
@@ -131,5 +131,4 @@ def write_rules(rules: ExportRules, path: Path) -> None:
     if rules.block_mm is not None:
         content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
     text = json.dumps({"format": FORMAT, "version": VERSION, "rules": content}, indent=1)
-    with replacing_file(path) as beside:
-        beside.write_text(text + "\n", encoding="utf-8")
+    write_text(text + "\n", path)

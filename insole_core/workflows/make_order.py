@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
@@ -13,12 +12,13 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import InputError
+from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_job import ExportJob, ExportPaths, opened, run_export_job
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.marking import Relief
 from insole_core.solids.order import Order, Part, checked_together, make_part
@@ -211,8 +211,8 @@ def write_order(
     layered = choice.layered and choice.suffix == ".3mf"
     pieces = [replace(piece, order=replace(piece.order, layered=layered)) for piece in pieces]
     groups = _groups(pieces, choice)
-    with ExitStack() as stack:
-        beside = [stack.enter_context(outputs(place)) for place in places]
+    with Transaction() as transaction:
+        beside = [opened(place, transaction) for place in places]
         for group, place, temporary, part in zip(
             groups, places, beside, progress.parts(len(groups)), strict=True
         ):

@@ -16,12 +16,14 @@ import platformdirs
 
 from insole_core.errors import InputError, OutputError
 from insole_core.export.atomic import (
-    describe,
+    copy_into,
     make_private_folder,
-    replacing_file,
     replacing_folder,
     write_private,
+    write_text,
 )
+from insole_core.export.transaction import nothing_foreign
+from insole_core.export.write_errors import describe
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
@@ -29,6 +31,7 @@ from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import CaptureCondition, Manifest
+from insole_core.recording.session_layout import foreign_in_session
 from insole_core.recording.writer import write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
@@ -209,7 +212,7 @@ class Draft:
         try:
             for writing in self._writing.pop(view):
                 writing.result()
-            with replacing_folder(target) as beside:
+            with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
         except OSError as error:
@@ -239,12 +242,18 @@ class Draft:
         OutputError
             When the destination cannot be written; the draft stays.
         """
+        if path.resolve().is_relative_to(self.folder.resolve()):
+            raise OutputError(
+                "{path} lies in the folder of the unfinished capture, which is removed; choose "
+                "another place.",
+                path=path,
+            )
         session = read_session(self.folder)
         if path.suffix.lower() == ".zip":
             write_session(session, path, progress=progress)
         else:
-            with replacing_folder(path) as beside:
-                shutil.copytree(self.folder, beside, dirs_exist_ok=True)
+            with replacing_folder(path, foreign_in_session) as beside:
+                copy_into(beside, self.folder)
         self.discard()
 
     def discard(self) -> None:
@@ -278,8 +287,7 @@ class Draft:
         }
         manifest = replace(self._manifest, views=self.views, extra=extra)
         text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
-        with replacing_file(self.folder / "manifest.json") as beside:
-            beside.write_text(text, encoding="utf-8")
+        write_text(text, self.folder / "manifest.json")
 
 
 def is_abandoned(folder: Path) -> bool:

@@ -41,6 +41,7 @@ from insole_studio.services.notices import Notices
 from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings
+from insole_studio.stop_signals import STOP_SIGNALS, is_switched_off
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -237,9 +238,10 @@ def qt_application() -> QApplication:
 
 
 def _quit_on_signals(qt: QApplication) -> None:
-    """Quit on SIGTERM and Ctrl-C; the autosaved case is offered at the next start."""
-    for name in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(name, lambda _number, _frame: qt.quit())
+    """Quit on Ctrl-C and the like; the autosaved case is offered at the next start."""
+    for number in STOP_SIGNALS:
+        if not is_switched_off(number):
+            signal.signal(number, lambda number, _frame: qt.exit(128 + number))
     # Inside Qt's event loop Python handles signals only when the interpreter gets to run.
     turn = QTimer(qt)
     turn.timeout.connect(lambda: None)

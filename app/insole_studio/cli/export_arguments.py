@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -48,9 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
-    papers.add_argument("--checks", type=Path, metavar="checks.json", help="outcome of the checks")
-    papers.add_argument("--job-sheet", type=Path, metavar="sheet.pdf")
-    papers.add_argument("--prescription-paper", type=Path, metavar="prescription.pdf")
+    papers.add_argument(
+        "--checks", action=OutputPath, metavar="checks.json", help="outcome of the checks"
+    )
+    papers.add_argument("--job-sheet", action=OutputPath, metavar="sheet.pdf")
+    papers.add_argument("--prescription-paper", action=OutputPath, metavar="prescription.pdf")
     papers.add_argument(
         "--pseudonym", default="", metavar="TEXT",
         help="of the patient, in the file and on papers; without it, an order number is made",

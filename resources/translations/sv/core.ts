@@ -2328,6 +2328,10 @@
             <translation>{part_0} med {part_1} med {part_2}</translation>
         </message>
         <message>
+            <source>{path} cannot be read ({reason}); check that it is there and that you may read it.</source>
+            <translation>{path} kan inte läsas ({reason}); kontrollera att den finns och att du får läsa den.</translation>
+        </message>
+        <message>
             <source>{path} cannot be read ({reason}); name a folder that holds a sensor.json.</source>
             <translation>{path} kan inte läsas ({reason}); ange en mapp som innehåller en sensor.json.</translation>
         </message>
@@ -2424,6 +2428,10 @@
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} is named for two results; give each of them a name of its own.</source>
+            <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
+        </message>
+        <message>
             <source>{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or zip archive of a session, or a {mesh_suffixes} file.</source>
             <translation>{path} är varken ett fall, en session eller ett nät; öppna en {case_suffix}-fil, en sessions mapp eller zip-arkiv, eller en fil av typen {mesh_suffixes}.</translation>
         </message>
@@ -2464,6 +2472,10 @@
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
         </message>
         <message>
+            <source>{path} is not replaced: it holds {name}, which is not part of an earlier result; choose a new or an empty folder.</source>
+            <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
+        </message>
+        <message>
             <source>{path} is open in another window.</source>
             <translation>{path} är öppen i ett annat fönster.</translation>
         </message>
@@ -2472,12 +2484,24 @@
             <translation>{path} är öppen på en annan dator, {host}.</translation>
         </message>
         <message>
+            <source>{path} is read to make the result, which would replace it; give the result another name.</source>
+            <translation>{path} läses för att göra resultatet, som skulle ersätta den; ge resultatet ett annat namn.</translation>
+        </message>
+        <message>
+            <source>{path} is the folder that you work in, or holds it; name a folder within it.</source>
+            <translation>{path} är mappen som du arbetar i, eller innehåller den; ange en mapp inuti den.</translation>
+        </message>
+        <message>
             <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
             <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
         </message>
         <message>
             <source>{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; choose another unit.</source>
             <translation>{path} är {length_mm:.0f} mm lång om den läses i {unit}, vilket inte är någon fot; välj en annan enhet.</translation>
+        </message>
+        <message>
+            <source>{path} lies in the folder of the unfinished capture, which is removed; choose another place.</source>
+            <translation>{path} ligger i mappen för den oavslutade avbildningen, som tas bort; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} may not be read; ask for permission.</source>

@@ -8,18 +8,20 @@ import shutil
 import stat
 import subprocess
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from insole_core.errors import OutputError
 from insole_core.export.atomic import (
-    describe,
     make_private_folder,
     replacing_file,
     replacing_folder,
     write_private,
 )
+from insole_core.export.transaction import nothing_foreign
+from insole_core.export.write_errors import describe
 
 
 def test_file_takes_its_place_at_the_end(tmp_path: Path) -> None:
@@ -120,10 +122,13 @@ def test_nothing_touches_the_umask() -> None:
     assert [p for p in sources if "umask" in p.read_text(encoding="utf-8")] == []
 
 
-@pytest.mark.parametrize("replacing", [replacing_file, replacing_folder])
+replacing_own_folder = partial(replacing_folder, find_foreign=nothing_foreign)
+
+
+@pytest.mark.parametrize("replacing", [replacing_file, replacing_own_folder])
 def test_failure_keeps_what_was_there(tmp_path: Path, replacing: object) -> None:
     target = tmp_path / "result"
-    if replacing is replacing_folder:
+    if replacing is replacing_own_folder:
         target.mkdir()
         (target / "old").touch()
     else:
@@ -138,7 +143,7 @@ def test_folder_replaces_folder(tmp_path: Path) -> None:
     target = tmp_path / "session"
     target.mkdir()
     (target / "old").touch()
-    with replacing_folder(target) as beside:
+    with replacing_own_folder(target) as beside:
         (beside / "new").touch()
     assert sorted(tmp_path.rglob("*")) == [target, target / "new"]
 

@@ -111,7 +111,8 @@ def write(delivery: ExportJob, places: ExportPaths) -> None:
 def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatch):
     sheets: list[JobSheet] = []
     monkeypatch.setattr(
-        "insole_core.export.paper.write_job_sheet", lambda made, _path, _nesting=None: sheets.extend(made)
+        "insole_core.export.paper.write_job_sheet",
+        lambda made, _path, _nesting=None: sheets.extend(made),
     )
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=4.5))
     piece = piece_of(insole, read_rules().only(("thickness",)))

@@ -33,6 +33,7 @@ from insole_core.workflows.make_order import (
     word_of,
     write_order,
 )
+from insole_core.workflows.overwriting import check_overwriting
 from insole_studio.document.case import Case
 from insole_studio.features.export.rows import (
     TITLES,
@@ -282,6 +283,8 @@ class ExportPresenter:
         override, responsible = self._override(), self._asker.responsible()
 
         def write(progress: Progress) -> tuple[Path, ...]:
+            files = files_of(pieces, choice, path, override is not None)
+            check_overwriting(files, record.source_paths)
             return write_order(
                 pieces, choice, path,
                 shop=self._shop, patient=record.patient, responsible=responsible,

@@ -198,6 +198,26 @@ def test_files_that_are_there_are_replaced_only_on_demand(
     assert (tmp_path / "anna-left-job-sheet.pdf").read_bytes().startswith(b"%PDF")
 
 
+def test_an_export_does_not_take_the_place_of_the_scan(
+    case: Case,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    chosen: Chosen,
+    tmp_path: Path,
+) -> None:
+    scan = tmp_path / "scan-left.stl"
+    scan.write_text("of the patient")
+    left = replace(case.record.feet[0], source=ScanSource("mesh", str(scan), "0" * 64))
+    case.open(replace(case.record, feet=(left,)), None)
+    stage.presenter.remake()
+    settle()
+    chosen.path, chosen.replace = tmp_path / "scan.stl", True
+    stage.view.export.click()
+    settle()
+    assert "is read to make the result" in stage.view.error.text()
+    assert scan.read_text() == "of the patient"
+
+
 @pytest.mark.slow
 def test_order_is_remembered_without_the_patient(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
