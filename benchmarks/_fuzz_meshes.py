@@ -49,7 +49,11 @@ def damaged_files(name: str, content: bytes, rng: random.Random) -> Iterator[Mut
         yield from _ply_headers(content)
     if name == "binary.stl":
         for count in (0, 1, 10**6, 2**32 - 1):
-            yield f"{count} facets declared", content[:80] + np.uint32(count).tobytes() + content[84:], "refused"
+            yield (
+                f"{count} facets declared",
+                content[:80] + np.uint32(count).tobytes() + content[84:],
+                "refused",
+            )
         yield "trailing bytes", content + b"end\n", "accepted"
         yield "trailing kilobytes", content + bytes(5000), "accepted"
         yield "solid in the header", b"solid" + content[5:], "accepted"
@@ -81,7 +85,16 @@ def _ply_counts(content: bytes) -> Iterator[Mutation]:
     mesh = samples.foot_mesh()
     for element, true in (("vertex", len(mesh.vertices)), ("face", len(mesh.triangles))):
         line = f"element {element} {true}".encode()
-        for count in (b"1000000000", b"0", b"-5", b"nan", b"", b"7" * 400, str(true + 1).encode(), str(true - 1).encode()):
+        for count in (
+            b"1000000000",
+            b"0",
+            b"-5",
+            b"nan",
+            b"",
+            b"7" * 400,
+            str(true + 1).encode(),
+            str(true - 1).encode(),
+        ):
             bad = content.replace(line, f"element {element} ".encode() + count)
             yield f"{element} count {count[:12]!r}", bad, "refused"
 
@@ -113,7 +126,10 @@ def bad_shapes() -> Iterator[Mutation]:
     shapes: dict[str, tuple[TriangleMesh, Expected]] = {
         "foot": (mesh, "accepted"),
         "box": (_own(make.box((90, 240, 60))), "refused"),
-        "box, finely": (_own(make.box((90, 240, 60)).subdivide().subdivide().subdivide()), "refused"),
+        "box, finely": (
+            _own(make.box((90, 240, 60)).subdivide().subdivide().subdivide()),
+            "refused",
+        ),
         "plate of 5 mm": (_own(make.box((90, 240, 5))), "refused"),
         "capsule": (_own(make.capsule(180, 35)), "refused"),
         "ball": (_own(make.icosphere(4, 100)), "refused"),
@@ -143,6 +159,6 @@ def _scaled(mesh: TriangleMesh, factor: float) -> TriangleMesh:
 
 def _insole() -> TriangleMesh:
     from insole_core.insole.build import build_insole
-    from insole_core.solids.solid import SolidOptions, insole_solid
+    from insole_core.solids.solid import insole_solid
 
-    return insole_solid(build_insole(samples.foot(), samples.design()), "insole", SolidOptions()).mesh
+    return insole_solid(build_insole(samples.foot(), samples.design()))

@@ -15,7 +15,13 @@ from typing import Any
 
 from benchmarks._fuzz_pool import Expected
 
-_RAW = {"@nan": "NaN", "@inf": "-Infinity", "@400": "7" * 400, "@e400": "1e400", "@5000": "7" * 5000}
+_RAW = {
+    "@nan": "NaN",
+    "@inf": "-Infinity",
+    "@400": "7" * 400,
+    "@e400": "1e400",
+    "@5000": "7" * 5000,
+}
 """Numbers that `json.dumps` cannot write."""
 _NO_NUMBERS = ["@nan", "@inf", "@400", "@e400", "@5000", "12", True, None, [], {}]
 _LARGE = [1e308, -1e308, 1e30, -1, 0, 1e-300]
@@ -52,7 +58,9 @@ def _replacements(
     if isinstance(value, bool):
         yield from ((bad, "refused") for bad in (0, "yes", [], "@nan"))
     elif isinstance(value, int | float):
-        yield from ((b, "refused") for b in _NO_NUMBERS if b is not None or path[-1] not in optional)
+        yield from (
+            (b, "refused") for b in _NO_NUMBERS if b is not None or path[-1] not in optional
+        )
         yield from ((bad, large if abs(bad) == 1e308 else "any") for bad in _LARGE)
     elif isinstance(value, str):
         yield from ((bad, "refused") for bad in _NO_TEXTS)
@@ -189,7 +197,11 @@ def zip_mutations(archive: bytes, rng: random.Random) -> Iterator[Mutation]:
     yield "unknown compression", with_method(archive, 99), "refused"
     yield "LZMA", zip_of(entries, zipfile.ZIP_LZMA), "any"
     yield "BZIP2", zip_of(entries, zipfile.ZIP_BZIP2), "any"
-    yield "surrogates", zip_of([*entries, ("x\udc80".encode("utf-8", "replace").decode(), b"")]), "any"
+    yield (
+        "surrogates",
+        zip_of([*entries, ("x\udc80".encode("utf-8", "replace").decode(), b"")]),
+        "any",
+    )
     yield "self-extracting", b"MZ" + bytes(1000) + archive, "any"
     yield "trailing bytes", archive + bytes(1000), "any"
     for name, content in entries:

@@ -27,7 +27,7 @@ Expected = Literal["refused", "accepted", "any"]
 
 MOST_SECONDS = 10.0
 """Of processor time; waiting for other processes of a busy machine does not count."""
-MOST_WAIT = 45.0
+MOST_WAIT = 30.0
 MOST_BYTES = 2 * 2**30
 _GUARD_BYTES = 5 * 2**30
 """Address space above that of the parent: the machine is protected, and the excess measured."""
@@ -147,9 +147,7 @@ def _listen(running: Iterable[_Running]) -> None:
     time.sleep(0.002)
 
 
-def _judge(
-    one: _Running, status: int, usage: resource.struct_rusage, base_bytes: int
-) -> Outcome:
+def _judge(one: _Running, status: int, usage: resource.struct_rusage, base_bytes: int) -> Outcome:
     with contextlib.suppress(BlockingIOError):
         while more := os.read(one.pipe, 65536):
             one.said += more

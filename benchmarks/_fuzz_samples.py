@@ -45,7 +45,12 @@ def foot() -> Foot:
 def design() -> InsoleDesign:
     """Return a design with a correction of every type and a grid that is quick."""
     given: dict[str, dict[str, Any]] = {
-        "pelott": {"centre_mm": (5.0, 150.0), "length_mm": 60.0, "width_mm": 40.0, "height_mm": 4.0},
+        "pelott": {
+            "centre_mm": (5.0, 150.0),
+            "length_mm": 60.0,
+            "width_mm": 40.0,
+            "height_mm": 4.0,
+        },
         "posting": {"rearfoot_deg": 4.0, "forefoot_deg": 0.0},
         "brush": {"points_mm": ((0.0, 60.0), (5.0, 70.0)), "radius_mm": 12.0, "strength": 0.5},
     }

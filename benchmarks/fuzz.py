@@ -76,7 +76,12 @@ def main() -> None:
          f"{max(largest[family], 0):.0f}"]
         for family in families
     ]  # fmt: skip
-    total = ["all", *(sum(row[column] for row in rows) for column in range(1, 4 + len(FAULTS)))]
+    total = [
+        "all",
+        *(sum(row[column] for row in rows) for column in range(1, 4 + len(FAULTS))),
+        "",
+        "",
+    ]
     head = ["family", "inputs", "refused", "accepted", *FAULTS, "seconds", "MB"]
     print_table(head, [*rows, total])
     print(f"seed {seed}, {time.perf_counter() - start:.0f} s")
@@ -103,7 +108,13 @@ def _file_trials(
         yield Trial(family, f"{name}: {what}", partial(_write, name, content), read, expected)
     for what, place in PLACES.items():
         expected = "refused"
-        yield Trial(family, f"{name}: {what}", lambda folder, place=place: place(folder / name), read, expected)
+        yield Trial(
+            family,
+            f"{name}: {what}",
+            lambda folder, place=place: place(folder / name),
+            read,
+            expected,
+        )
 
 
 def _write(name: str, content: bytes, folder: Path) -> None:
@@ -114,7 +125,10 @@ def _write(name: str, content: bytes, folder: Path) -> None:
 
 
 def _sessions_as_zip(rng: random.Random) -> Iterator[Trial]:
-    mutations = [*zip_mutations(samples.SESSION, rng), *byte_mutations(samples.SESSION, rng, 60, 30)]
+    mutations = [
+        *zip_mutations(samples.SESSION, rng),
+        *byte_mutations(samples.SESSION, rng, 60, 30),
+    ]
     yield from _file_trials("session zip", "session.zip", mutations, _read_session)
     yield Trial("session zip", "900 frames a view", _many_frames, _read_session, "any")
 
@@ -234,16 +248,30 @@ def _corrections(rng: random.Random) -> Iterator[Trial]:
         arrays = {key: stored[key] for key in stored.files}
     mutations: list[Mutation] = [("as it is", sound, "accepted")]
     for key, bad, expected in _bad_arrays(arrays):
-        changed = {**arrays, key: bad} if bad is not None else {k: v for k, v in arrays.items() if k != key}
+        changed = (
+            {**arrays, key: bad}
+            if bad is not None
+            else {k: v for k, v in arrays.items() if k != key}
+        )
         what = f"{key} = {getattr(bad, 'dtype', None)} {getattr(bad, 'shape', None)}"
         mutations.append((what, _npz(changed), expected))
     record = json.loads(str(arrays["record"]))
     for what, content, expected in json_mutations(record, "any"):
         text = np.array(content.decode(errors="replace"))
-        mutations.append((f"record: {what}", _npz({**arrays, "record": text}), expected if "figures" not in what else "any"))
+        mutations.append(
+            (
+                f"record: {what}",
+                _npz({**arrays, "record": text}),
+                expected if "figures" not in what else "any",
+            )
+        )
     mutations += [m for m in zip_mutations(sound, rng) if m[0] not in _SESSION_FOLDERS]
     mutations += byte_mutations(sound, rng, 90, 30)
-    mutations += [(f"header of {key}: {what}", content, "refused") for key in ("offset", "slope") for what, content in _lying_headers(arrays, key)]
+    mutations += [
+        (f"header of {key}: {what}", content, "refused")
+        for key in ("offset", "slope")
+        for what, content in _lying_headers(arrays, key)
+    ]
     yield from _file_trials("correction", "correction.npz", mutations, _read_correction)
 
 
@@ -322,19 +350,34 @@ def _cases(rng: random.Random) -> Iterator[Trial]:
     texts = json_mutations(json.loads(entries["case.json"]), "refused")
     for what, content, expected in _sampled(texts, rng, _MOST_PER_FAMILY):
         exempt = "notes" in what or what.startswith("feet.0.foot")
-        mutations.append((what, zip_of([*others, ("case.json", content)]), "any" if exempt else expected))
+        mutations.append(
+            (what, zip_of([*others, ("case.json", content)]), "any" if exempt else expected)
+        )
     mutations += byte_mutations(sound, rng, 60, 25)
     unused = (*_SESSION_FOLDERS, "100 001 files")
     mutations += [m for m in zip_mutations(sound, rng) if m[0] not in unused]
-    mutations += [("version 1", samples.CASES[1], "accepted"), ("version 2", samples.CASES[2], "accepted")]
+    mutations += [
+        ("version 1", samples.CASES[1], "accepted"),
+        ("version 2", samples.CASES[2], "accepted"),
+    ]
     foot = entries["left.npz"]
     with np.load(io.BytesIO(foot)) as stored:
         arrays = {key: stored[key] for key in stored.files}
     case = ("case.json", entries["case.json"])
     for key, bad, expected in _bad_arrays(arrays):
-        changed = {**arrays, key: bad} if bad is not None else {k: v for k, v in arrays.items() if k != key}
+        changed = (
+            {**arrays, key: bad}
+            if bad is not None
+            else {k: v for k, v in arrays.items() if k != key}
+        )
         expected = "refused" if bad is not None or key in ("vertices", "triangles") else "any"
-        mutations.append((f"left.npz: {key} = {getattr(bad, 'dtype', None)}", zip_of([case, ("left.npz", _npz(changed))]), expected))
+        mutations.append(
+            (
+                f"left.npz: {key} = {getattr(bad, 'dtype', None)}",
+                zip_of([case, ("left.npz", _npz(changed))]),
+                expected,
+            )
+        )
     for what, content in _lying_headers(arrays, "vertices"):
         mutations.append((f"left.npz: {what}", zip_of([case, ("left.npz", content)]), "refused"))
     for at in (rng.randrange(len(foot)) for _ in range(60)):
@@ -356,7 +399,11 @@ def _read_case(given: Path, made: Path) -> None:
 
     record = read_case(given / "case.insole")
     write_case(record, made / "copy.insole")
-    if record.foot is not None and record.design is not None and len(record.foot.mesh.vertices) > 99:
+    if (
+        record.foot is not None
+        and record.design is not None
+        and len(record.foot.mesh.vertices) > 99
+    ):
         find_landmarks(record.foot)
         try:
             build_insole(record.foot, record.design)
@@ -414,8 +461,16 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     def points(path: Path) -> None:
         fit_points(*read_picked_points(path))
 
-    object_points = {"points": [{"name": f"p{n}", "true_mm": [n, 2, 3], "depth_px": [300 + n, 200]} for n in range(4)]}
-    pairs = {"points": [{"depth_px": [300 + n, 200], "depth_mm": 800, "color_px": [600, 500]} for n in range(4)]}
+    object_points = {
+        "points": [
+            {"name": f"p{n}", "true_mm": [n, 2, 3], "depth_px": [300 + n, 200]} for n in range(4)
+        ]
+    }
+    pairs = {
+        "points": [
+            {"depth_px": [300 + n, 200], "depth_mm": 800, "color_px": [600, 500]} for n in range(4)
+        ]
+    }
     picked = {key: [[0, 0, 0], [9, 0, 0], [0, 9, 0], [1, 2, 3]] for key in "ab"}
     readers: list[tuple[str, Any, Callable[[Path], object], int]] = [
         ("reference system", samples.resource_values("reference_systems/lego-20.json"), reference, 90),
@@ -433,10 +488,21 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         mutations += byte_mutations(json.dumps(values).encode(), rng, 8, 6)
         # What is not one of the product's own keys is ignored, whatever it is.
         mutations = [(what, c, "any" if _ignored(what) else e) for what, c, e in mutations]
-        yield from _file_trials(family, "file.json", mutations, lambda given, _, read=read: read(given / "file.json"))  # type: ignore[misc]
+        yield from _file_trials(
+            family, "file.json", mutations, lambda given, _, read=read: read(given / "file.json")
+        )  # type: ignore[misc]
     settings = {"theme": "dark", "linked_views": True, "recent": ["a"], "largest_residual_mm": 2.0}
-    for what, content, _ in [*json_mutations(settings), *byte_mutations(b'{"theme": "dark"}', rng, 9, 9)]:
-        yield Trial("settings", what, partial(_write, "file.json", content), lambda given, _: load_settings(given / "file.json") and None, "accepted")
+    for what, content, _ in [
+        *json_mutations(settings),
+        *byte_mutations(b'{"theme": "dark"}', rng, 9, 9),
+    ]:
+        yield Trial(
+            "settings",
+            what,
+            partial(_write, "file.json", content),
+            lambda given, _: load_settings(given / "file.json") and None,
+            "accepted",
+        )
 
 
 def _ignored(what: str) -> bool:
@@ -463,13 +529,25 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
     for what, content, expected in mutations:
         make = partial(_recording, content)
         unused = not what.startswith(("reg_info.zero_plane_info.", "const_shift", "serial"))
-        yield Trial("recording", f"device.json: {what}", make, _import, "any" if unused or "serial" in what else expected)
+        yield Trial(
+            "recording",
+            f"device.json: {what}",
+            make,
+            _import,
+            "any" if unused or "serial" in what else expected,
+        )
     for name in ("INDEX.txt", "d-1.000000-5.pgm", "r-1.000000-5.ppm"):
-        for what, content, expected in byte_mutations(b"P5 640 480 65535\n" + bytes(900), rng, 4, 4):
-            yield Trial("recording", f"{name}: {what}", partial(_recording, None, (name, content)), _import)
+        for what, content, expected in byte_mutations(
+            b"P5 640 480 65535\n" + bytes(900), rng, 4, 4
+        ):
+            yield Trial(
+                "recording", f"{name}: {what}", partial(_recording, None, (name, content)), _import
+            )
 
 
-def _recording(device: bytes | None, other: tuple[str, bytes] | None = None, folder: Path = Path()) -> None:
+def _recording(
+    device: bytes | None, other: tuple[str, bytes] | None = None, folder: Path = Path()
+) -> None:
     files = {
         "INDEX.txt": b"d-1.000000-5.pgm\nr-1.000000-5.ppm\n",
         "d-1.000000-5.pgm": b"P5 640 480 65535\n" + bytes(640 * 480 * 2),
@@ -512,7 +590,9 @@ def _calibration(rng: random.Random) -> Iterator[Trial]:
             expected: Expected = "any" if what in ("depth",) or "bit" in what else "refused"
             if step in ("wall", "noise") and what == "colour":
                 expected = "any"
-            yield Trial("calibration", f"{step}: {what}", make, partial(_command, arguments), expected)
+            yield Trial(
+                "calibration", f"{step}: {what}", make, partial(_command, arguments), expected
+            )
 
 
 def _pictures(content: bytes, folder: Path) -> None:
@@ -526,7 +606,9 @@ def png_of(width: int, height: int) -> bytes:
     import zlib
 
     def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
 
     packer = zlib.compressobj(1)
     row = bytes(1 + width)
@@ -572,9 +654,27 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
                 refuse = word in ("nan", "inf", "-inf") and call[at - 1].startswith("--") and call[at - 1] not in (
                     "--mark", "--pseudonym", "--notes", "--serial", "--out")  # fmt: skip
                 expected: Expected = "refused" if refuse else "any"
-                yield Trial("command line", f"{name}: {call[at - 1]} {call[at][:20]} -> {word[:20]!r}", _files, partial(_command, changed), expected)
-        yield Trial("command line", f"{name}: unknown option", _files, partial(_command, [*call, "--unknown"]), "refused")
-        yield Trial("command line", f"{name}: too little", _files, partial(_command, call[: first]), "refused" if name not in ("sensors", "reference") else "any")
+                yield Trial(
+                    "command line",
+                    f"{name}: {call[at - 1]} {call[at][:20]} -> {word[:20]!r}",
+                    _files,
+                    partial(_command, changed),
+                    expected,
+                )
+        yield Trial(
+            "command line",
+            f"{name}: unknown option",
+            _files,
+            partial(_command, [*call, "--unknown"]),
+            "refused",
+        )
+        yield Trial(
+            "command line",
+            f"{name}: too little",
+            _files,
+            partial(_command, call[:first]),
+            "refused" if name not in ("sensors", "reference") else "any",
+        )
 
 
 def _files(folder: Path) -> None:
@@ -591,7 +691,11 @@ def _command(arguments: list[str], given: Path, made: Path) -> None:
         str(places[word.split("/")[0]] / word.partition("/")[2]) if word.split("/")[0] in places else word
         for word in arguments
     ]  # fmt: skip
-    store = ["--sensors", str(made / "sensors")] if arguments[0] in ("calibrate", "evaluate") and arguments[1] != "reference" else []
+    store = (
+        ["--sensors", str(made / "sensors")]
+        if arguments[0] in ("calibrate", "evaluate") and arguments[1] != "reference"
+        else []
+    )
     os.environ["XDG_DATA_HOME"] = str(made / "data")
     os.chdir(made)
     run_command([*words, *store])
@@ -604,11 +708,19 @@ def _meshes(rng: random.Random) -> Iterator[Trial]:
     from benchmarks._fuzz_meshes import bad_shapes, damaged_files, sound_files
 
     for name, content in sound_files():
-        yield Trial("mesh", f"{name}: sound", partial(_write, name, content), _read_mesh, "accepted")
+        yield Trial(
+            "mesh", f"{name}: sound", partial(_write, name, content), _read_mesh, "accepted"
+        )
         for what, bad, expected in damaged_files(name, content, rng):
             yield Trial("mesh", f"{name}: {what}", partial(_write, name, bad), _read_mesh, expected)
         for what, place in PLACES.items():
-            yield Trial("mesh", f"{name}: {what}", lambda folder, place=place, name=name: place(folder / name), _read_mesh, "refused")
+            yield Trial(
+                "mesh",
+                f"{name}: {what}",
+                lambda folder, place=place, name=name: place(folder / name),
+                _read_mesh,
+                "refused",
+            )
     for what, content, expected in bad_shapes():
         yield Trial("shape", what, partial(_write, "foot.stl", content), _read_mesh, expected)
 

@@ -24,15 +24,11 @@ def read_sensor(folder: Path) -> Sensor:
         When a file is missing, or violates the format.
     """
     path = folder / SENSOR_FILE
-    try:
-        content = path.read_bytes()
-    except OSError as error:
+    if not path.exists():
         raise InputError(
-            "{path} cannot be read ({reason}); name a folder that holds a sensor.json.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
-    root = JsonObject.parse(SENSOR_FILE, content)
+            "{path} does not exist; name a folder that holds a sensor.json.", path=path
+        )
+    root = JsonObject.read(path)
     named = correction_name(root)
     return parse_sensor(root, None if named is None else load_correction(folder / named))
 

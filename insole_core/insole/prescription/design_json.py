@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
+from insole_core.given_file import read_given
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
     Correction,
@@ -17,6 +18,7 @@ from insole_core.insole.prescription.design import (
     Outline,
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
+from insole_core.strict_json import MOST_BYTES, load_strictly
 
 FORMAT, VERSION = "insole-design", 1
 
@@ -34,28 +36,18 @@ def read_design(path: Path) -> InsoleDesign:
     InputError
         Naming the file, and the key that is missing, unknown or out of range.
     """
+    text = read_given(path, MOST_BYTES)
     try:
-        content = json.loads(
-            path.read_text(encoding="utf-8"),
-            parse_constant=_refuse_constant,
-            object_pairs_hook=_without_doubles,
-        )
-        return design_from_json(content)
-    except OSError as error:
-        raise InputError(
-            "{path} cannot be read: {reason}; check the name of the file.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
+        return design_from_json(load_strictly(text, parse_constant=_refuse_constant))
     except UnicodeDecodeError as error:
         raise InputError("{path} is no UTF-8 text; hand in a design as JSON.", path=path) from error
-    except (json.JSONDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(
             "{path} is no valid JSON: {reason}; export the design again.",
             path=path,
             reason=str(error),
         ) from error
-    except DesignError as error:
+    except (DesignError, InputError) as error:
         raise InputError("{path}: {reason}", path=path, reason=str(error)) from error
 
 
@@ -225,12 +217,3 @@ def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
 
 def _refuse_constant(name: str) -> NoReturn:
     raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
-
-
-def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    content = dict(pairs)
-    if len(content) < len(pairs):
-        keys = [key for key, _ in pairs]
-        twice = next(key for key in keys if keys.count(key) > 1)
-        raise DesignError('the key "{twice}" stands twice in one object; keep one.', twice=twice)
-    return content
