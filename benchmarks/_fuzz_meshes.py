@@ -55,7 +55,7 @@ def damaged_files(name: str, content: bytes, rng: random.Random) -> Iterator[Mut
                 "refused",
             )
         yield "trailing bytes", content + b"end\n", "accepted"
-        yield "trailing kilobytes", content + bytes(5000), "accepted"
+        yield "trailing kilobytes", content + bytes(5000), "refused"
         yield "solid in the header", b"solid" + content[5:], "accepted"
         yield "all NaN", content[:84] + b"\xff" * (len(content) - 84), "refused"
     if name.endswith(".obj"):

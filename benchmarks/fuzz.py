@@ -729,8 +729,8 @@ def _read_mesh(given: Path, made: Path) -> None:
     from insole_core.geometry.side import Side
     from insole_core.workflows.open_scan import open_scan
 
-    (path,) = given.iterdir() or [given / "foot.stl"]
-    open_scan(path, Side.LEFT, force=True)
+    path = next(given.iterdir(), given / "foot.stl")
+    open_scan(path, Side.LEFT)
 
 
 _FAMILIES: dict[str, Callable[[random.Random], Iterator[Trial]]] = {
