@@ -27,7 +27,7 @@ Expected = Literal["refused", "accepted", "any"]
 
 MOST_SECONDS = 10.0
 """Of processor time; waiting for other processes of a busy machine does not count."""
-MOST_WAIT = 30.0
+MOST_SECONDS_WITH_PROGRESS = 60.0
 MOST_BYTES = 2 * 2**30
 _GUARD_BYTES = 5 * 2**30
 """Address space above that of the parent: the machine is protected, and the excess measured."""
@@ -43,6 +43,8 @@ class Trial:
         Writes the input into an empty folder.
     read
         Reads it; raises `InsoleError` to refuse it. What it writes goes to a second folder.
+    most_seconds
+        Longer where the reading reports its progress, and can be stopped.
     expected
         Of the reading; "any" where only a crash would be wrong.
     """
@@ -52,6 +54,7 @@ class Trial:
     make: Callable[[Path], None]
     read: Callable[[Path, Path], None]
     expected: Expected = "any"
+    most_seconds: float = MOST_SECONDS
 
 
 @dataclass(frozen=True)
@@ -90,7 +93,7 @@ def run_trials(trials: Iterable[Trial], at_once: int = 2) -> Iterator[Outcome]:
             one = running[pid]
             done, status, usage = os.wait4(pid, os.WNOHANG)
             seconds = time.monotonic() - one.started
-            if not done and seconds > MOST_WAIT:
+            if not done and seconds > 3 * one.trial.most_seconds:
                 os.kill(pid, signal.SIGKILL)
             if done:
                 del running[pid]
@@ -128,7 +131,7 @@ def _child(trial: Trial, folder: Path, pipe: int) -> None:
     space = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (space + _GUARD_BYTES,) * 2)
     # Time spent on making the input counts too, so that it is kept small.
-    resource.setrlimit(resource.RLIMIT_CPU, (int(MOST_SECONDS) + 1, int(MOST_SECONDS) + 2))
+    resource.setrlimit(resource.RLIMIT_CPU, (int(trial.most_seconds) + 1, int(trial.most_seconds) + 2))
     verdict, sentence = "accepted", ""
     try:
         trial.read(given, made)
@@ -166,7 +169,7 @@ def _judge(one: _Running, status: int, usage: resource.struct_rusage, base_bytes
         faults.append("memory" if "MemoryError" in sentence else "traceback")
     if peak > MOST_BYTES and "memory" not in faults:
         faults.append("memory")
-    if seconds > MOST_SECONDS and "hang" not in faults:
+    if seconds > one.trial.most_seconds and "hang" not in faults:
         faults.append("hang")
     if not kept:
         faults.append("input changed")
@@ -225,4 +228,4 @@ def run_command(arguments: list[str]) -> None:
 def is_helpful(sentence: str) -> bool:
     """Return whether a sentence may say what is wrong and what to do: it ends, and has two parts."""
     ends = sentence.rstrip().endswith((".", "]", "?"))
-    return bool(ends and sentence[:1].strip() and len(sentence) > 20)
+    return bool((ends or " --" in sentence) and sentence[:1].strip() and len(sentence) > 20)

@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force", action="store_true",
         help="go on although the shape looks like the other foot, or has no proportions of one",
-    )
+    )  # fmt: skip
 
 
 def read_foot(

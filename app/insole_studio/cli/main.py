@@ -29,6 +29,7 @@ from insole_studio.cli import (
     simulate,
     window,
 )
+from insole_studio.cli.argument_parser import Parser
 from insole_studio.cli.subcommands import Command
 
 COMMANDS: tuple[Command, ...] = (
@@ -55,21 +56,34 @@ def run(arguments: list[str]) -> int:
     except InsoleError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
+    except OSError as error:
+        if error.filename is None:
+            return _report_fault(error)
+        print(
+            f"{error.filename} cannot be used: {error.strerror}; check the name, and that you may "
+            "read and write there.",
+            file=sys.stderr,
+        )
+        return 1
     except KeyboardInterrupt:
         print("Stopped on request; nothing was written.", file=sys.stderr)
         return 1
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
-        traceback.print_exc()
-        print(
-            f"An error in the program itself ({error}); please report it with the lines above.",
-            file=sys.stderr,
-        )
-        return 1
+        return _report_fault(error)
     return 0
 
 
+def _report_fault(error: Exception) -> int:
+    traceback.print_exc()
+    print(
+        f"An error in the program itself ({error}); please report it with the lines above.",
+        file=sys.stderr,
+    )
+    return 1
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="insole-studio",
         description="Custom insoles from scans of the foot. Without a command the window opens.",
     )
