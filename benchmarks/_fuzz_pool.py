@@ -131,7 +131,9 @@ def _child(trial: Trial, folder: Path, pipe: int) -> None:
     space = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (space + _GUARD_BYTES,) * 2)
     # Time spent on making the input counts too, so that it is kept small.
-    resource.setrlimit(resource.RLIMIT_CPU, (int(trial.most_seconds) + 1, int(trial.most_seconds) + 2))
+    resource.setrlimit(
+        resource.RLIMIT_CPU, (int(trial.most_seconds) + 1, int(trial.most_seconds) + 2)
+    )
     verdict, sentence = "accepted", ""
     try:
         trial.read(given, made)

@@ -40,7 +40,13 @@ from benchmarks._fuzz_mutations import (
     zip_mutations,
     zip_of,
 )
-from benchmarks._fuzz_pool import MOST_SECONDS_WITH_PROGRESS, Expected, Trial, run_command, run_trials
+from benchmarks._fuzz_pool import (
+    MOST_SECONDS_WITH_PROGRESS,
+    Expected,
+    Trial,
+    run_command,
+    run_trials,
+)
 from benchmarks._measure import print_table
 
 FAULTS = ("traceback", "hang", "memory", "wrongly accepted", "wrongly refused", "input changed")
@@ -193,7 +199,14 @@ def _reconstructions(rng: random.Random) -> Iterator[Trial]:
         odd = [m for m in json_mutations(values) if m[2] == "any"]
         for what, content, expected in _sampled(odd, rng, 45):
             make = partial(_damaged_session, file, content)
-            yield Trial("reconstruction", f"{file}: {what}", make, _make_foot, expected, MOST_SECONDS_WITH_PROGRESS)
+            yield Trial(
+                "reconstruction",
+                f"{file}: {what}",
+                make,
+                _make_foot,
+                expected,
+                MOST_SECONDS_WITH_PROGRESS,
+            )
     manifest = samples.session_values("manifest.json")
     frame = manifest["reference_frame"]
     for count in (200, 1000, 20_000):
@@ -202,7 +215,14 @@ def _reconstructions(rng: random.Random) -> Iterator[Trial]:
             for n in range(count)
         ] + [{"id": f"A{n}", "position_mm": [n * 9.0, 0, n], "face": "achilles"} for n in range(9)]
         make = partial(_damaged_session, "manifest.json", json.dumps(manifest).encode())
-        yield Trial("reconstruction", f"{count} markers", make, _make_foot, "any", MOST_SECONDS_WITH_PROGRESS)
+        yield Trial(
+            "reconstruction",
+            f"{count} markers",
+            make,
+            _make_foot,
+            "any",
+            MOST_SECONDS_WITH_PROGRESS,
+        )
 
 
 def _damaged_session(file: str, content: bytes, folder: Path) -> None:
@@ -246,6 +266,11 @@ def _corrections(rng: random.Random) -> Iterator[Trial]:
     sound = dict(entries_of(samples.SESSION))["views/left/correction.npz"]
     with np.load(io.BytesIO(sound)) as stored:
         arrays = {key: stored[key] for key in stored.files}
+    arrays |= {
+        "slope": arrays["offset"] / 1000, "coverage": np.ones((480, 640), np.uint8),
+        "reference_raw": np.float64(650), "decay": np.float64(0.002),
+        "raw_range": np.array([500.0, 900.0]),
+    }  # fmt: skip
     mutations: list[Mutation] = [("as it is", sound, "accepted")]
     for key, bad, expected in _bad_arrays(arrays):
         changed = (
