@@ -552,7 +552,7 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
     mutations = _sampled(json_mutations(samples.device_values(), "any"), rng, 200)
     mutations += byte_mutations(json.dumps(samples.device_values()).encode(), rng, 10, 6)
     for what, content, expected in mutations:
-        make = partial(_recording, content)
+        make = partial(_recording, content, None)
         unused = not what.startswith(("reg_info.zero_plane_info.", "const_shift", "serial"))
         yield Trial(
             "recording",
@@ -570,9 +570,7 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
             )
 
 
-def _recording(
-    device: bytes | None, other: tuple[str, bytes] | None = None, folder: Path = Path()
-) -> None:
+def _recording(device: bytes | None, other: tuple[str, bytes] | None, folder: Path) -> None:
     files = {
         "INDEX.txt": b"d-1.000000-5.pgm\nr-1.000000-5.ppm\n",
         "d-1.000000-5.pgm": b"P5 640 480 65535\n" + bytes(640 * 480 * 2),
