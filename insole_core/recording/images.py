@@ -152,13 +152,15 @@ def read_picture(path: Path, flags: int) -> npt.NDArray[Any] | None:
     Returns
     -------
     array or None
-        None where it is no picture, or damaged.
+        None where there is no picture, or a damaged one.
 
     Raises
     ------
     InputError
         When it cannot be read, or is far larger than what a sensor sends.
     """
+    if not path.exists():
+        return None
     content = read_given(path, MAX_PICTURE_BYTES)
     size = _picture_size(content)
     if size is None:
