@@ -157,3 +157,38 @@ def test_a_foot_that_lies_wrongly_is_turned_by_right_angles(
 def click_proposal(app: Application, key: str) -> None:
     buttons = app.stage.parameters.findChildren(QAbstractButton)
     QTest.mouseClick(next(b for b in buttons if b.property("offer") == key), LEFT)
+
+
+def test_landmarks_are_confirmed_by_a_button_that_answers(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    opened.window.actions_by_key["tool_key_point"].trigger()
+    click_proposal(opened, "action.confirm_landmarks")
+    settle()
+    assert "confirmed" in opened.window.statusBar().currentMessage()
+    named = {point.name for point in opened.case.record.annotations.key_points}
+    assert "metatarsal_head_1" in named
+
+
+def test_posting_is_set_from_behind_where_the_axis_can_be_read(
+    app: Application, settle: Callable[[], None]
+) -> None:
+    app.features.case_files.opener.open_example()
+    settle()
+    before = app.stage.foot.scene.camera
+    assert before.preset is Preset.PLANTAR
+    app.window.actions_by_key["tool_posting"].trigger()
+    assert app.stage.foot.scene.camera.preset is Preset.POSTERIOR
+    assert app.stage.insole.scene.camera.preset is Preset.POSTERIOR
+    app.window.actions_by_key["tool_section"].trigger()
+    assert app.stage.foot.scene.camera == before
+
+
+def test_posting_stays_in_the_view_that_was_chosen(
+    app: Application, settle: Callable[[], None]
+) -> None:
+    app.features.case_files.opener.open_example()
+    settle()
+    app.stage.look(Preset.MEDIAL)
+    app.window.actions_by_key["tool_posting"].trigger()
+    assert app.stage.foot.scene.camera.preset is Preset.MEDIAL

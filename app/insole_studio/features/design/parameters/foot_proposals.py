@@ -44,7 +44,7 @@ class FootProposals:
         """Return the pose of the foot, and each pen mark with the landmarks it may stand for."""
         marks = self._marks.of(self._case.record)
         groups = (self._mark_group(number, mark) for number, mark in enumerate(marks))
-        return [self._pose_group(), *groups]
+        return [_confirm_group(), self._pose_group(), *groups]
 
     def pose_groups(self) -> list[FieldGroup]:
         """Return the groups of the pose of the foot, small angles and right ones."""
@@ -174,6 +174,13 @@ class FootProposals:
     def _proposed_deg(self) -> float:
         eversion = self._eversion_deg()
         return 0.0 if eversion is None else proposed_post_deg(eversion, self._rules.pronation)
+
+
+def _confirm_group() -> FieldGroup:
+    tip = tr("Take all landmarks as they are shown")
+    return FieldGroup(
+        tr("Landmarks"), (), (Proposal("action.confirm_landmarks", tr("Confirm landmarks"), tip),)
+    )
 
 
 def _quarter_group() -> FieldGroup:
