@@ -86,7 +86,9 @@ def _check_stl_text(path: Path) -> None:
         file.seek(max(0, size - _STL_TAIL))
         tail = file.read()
     if b"endsolid" not in tail.lower():
-        raise InputError('{path} does not end in "endsolid"; it is cut off.', path=path)
+        raise InputError(
+            '{path} does not end in "endsolid", so it is cut off; export it again.', path=path
+        )
 
 
 def _check_ply(path: Path) -> None:

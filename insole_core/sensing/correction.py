@@ -198,9 +198,7 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         arrays = read_arrays(name, content, MAX_BYTES)
     except InputError as error:
         raise InputError(
-            '{name} holds no readable array "offset" ({reason}) Calibrate the sensor again.',
-            name=name,
-            reason=error.message,
+            '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
         ) from error
     if "offset" not in arrays:
         raise InputError(
@@ -214,9 +212,7 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         record = _record(name, str(arrays["record"]))
     except InputError as error:
         raise InputError(
-            '{name} holds no readable array "record" ({reason}) Calibrate the sensor again.',
-            name=name,
-            reason=error.message,
+            '{name} holds no readable array "record"; calibrate the sensor again.', name=name
         ) from error
     if record.version > VERSION:
         raise InputError(
