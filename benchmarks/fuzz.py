@@ -60,6 +60,7 @@ def main() -> None:
     only = [name for name in os.environ.get("FUZZ_ONLY", "").split(",") if name]
     sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     start = time.perf_counter()
+    _preload()
     counts: Counter[tuple[str, str]] = Counter()
     slowest: dict[str, float] = {}
     largest: dict[str, float] = {}
@@ -93,6 +94,24 @@ def main() -> None:
     print(f"seed {seed}, {time.perf_counter() - start:.0f} s")
     if any(counts[family, fault] for family in families for fault in FAULTS):
         raise SystemExit(1)
+
+
+def _preload() -> None:
+    """Import now what every process would import for itself."""
+    import importlib
+    import pkgutil
+
+    import insole_core
+    import insole_studio.acquisition
+    import insole_studio.cli
+
+    for package in (insole_core, insole_studio.acquisition, insole_studio.cli):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
+    for name in ("matplotlib.pyplot", "trimesh.exchange.load", "scipy.spatial", "reportlab.pdfgen"):
+        importlib.import_module(name)
+    samples.foot()
+    samples.design()
 
 
 def _trials(seed: int, only: list[str]) -> Iterator[Trial]:

@@ -44,12 +44,17 @@ def read_arrays(name: str, content: bytes, most_bytes: int) -> dict[str, npt.NDA
         When the file is damaged, larger, or holds anything but such arrays.
     """
     archive = ZipArchive(name, content)
-    arrays, free = {}, most_bytes
-    for member in archive.names:
-        packed = archive.read(member, free)
-        free -= len(packed)
-        arrays[member.removesuffix(_SUFFIX)] = _array(name, member, packed)
-    return arrays
+    if archive.stated_bytes > most_bytes:  # reading a file ensures that it is as large as stated
+        raise InputError(
+            "{path} is larger than {limit_mb} MB, which no file of its kind is; choose another "
+            "file.",
+            path=name,
+            limit_mb=most_bytes // 2**20,
+        )
+    return {
+        member.removesuffix(_SUFFIX): _array(name, member, archive.read(member, most_bytes))
+        for member in archive.names
+    }
 
 
 def _array(name: str, member: str, packed: bytes) -> npt.NDArray[Any]:

@@ -16,7 +16,7 @@ LENGTH_MM = (90.0, 350.0)
 """EU 16 to 52, and somewhat more."""
 _BALL_SHARES, _HEEL_SHARES = (0.60, 0.75), (0.08, 0.20)
 _BALL_TO_LENGTH = (0.26, 0.60)
-_HEEL_TO_BALL = (0.40, 0.92)
+_HEEL_TO_BALL = (0.40, 0.88)
 _BORDERS = (0.5, 99.5)
 _LEAST_HEIGHT_TO_LENGTH = 0.07
 """Mean thickness of a closed surface; of a foot it is 0.13 or more, of an insole 0.04."""
