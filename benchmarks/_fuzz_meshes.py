@@ -101,10 +101,14 @@ def _ply_counts(content: bytes) -> Iterator[Mutation]:
 
 def _ply_headers(content: bytes) -> Iterator[Mutation]:
     for old, new in (
-        (b"property float x", b"property double x"), (b"property float x", b"property list uchar float x"),
-        (b"property float x", b"property strange x"), (b"format ", b"format binary_big_endian 1.0\nformat "),
-        (b"end_header", b""), (b"end_header", b"element face 9\nend_header"), (b"ply", b"plx"),
-    ):  # fmt: skip
+        (b"property float x", b"property double x"),
+        (b"property float x", b"property list uchar float x"),
+        (b"property float x", b"property strange x"),
+        (b"format ", b"format binary_big_endian 1.0\nformat "),
+        (b"end_header", b""),
+        (b"end_header", b"element face 9\nend_header"),
+        (b"ply", b"plx"),
+    ):
         yield f"{old!r} -> {new[:30]!r}", content.replace(old, new, 1), "any"
 
 

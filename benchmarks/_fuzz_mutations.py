@@ -152,7 +152,7 @@ def empty_zip() -> bytes:
 PLACES: dict[str, Callable[[Path], None]] = {
     "missing": lambda path: None,
     "folder": lambda path: path.mkdir(),
-    "FIFO": lambda path: os.mkfifo(path),
+    "FIFO": os.mkfifo,
     "link to itself": lambda path: path.symlink_to(path.name),
     "link to zeros": lambda path: path.symlink_to("/dev/zero"),
 }

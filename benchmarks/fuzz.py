@@ -1,12 +1,12 @@
 """Bad input: every reader of the product against thousands of damaged files and command lines.
 
-Each is read in a process of its own, bounded in time and memory. The table counts, for every family,
-the inputs and the faults among them: a traceback (or an error that is no sentence with a remedy), a
-hang (more than 10 s), memory (more than 2 GB), an input that was accepted although it must be
-refused (or the reverse), and an input that reading has changed. All must be 0.
+Each is read in a process of its own, bounded in time and memory. The table counts, for every
+family, the inputs and the faults among them: a traceback (or an error that is no sentence with a
+remedy), a hang (more than 10 s), memory (more than 2 GB), an input that was accepted although it
+must be refused (or the reverse), and an input that reading has changed. All must be 0.
 
-The same seed gives the same inputs. ``FUZZ_ONLY=mesh,case`` runs some families, ``FUZZ_SEED=2`` takes
-other places for cuts and flipped bits.
+The same seed gives the same inputs. ``FUZZ_ONLY=mesh,case`` runs some families, ``FUZZ_SEED=2``
+takes other places for cuts and flipped bits.
 """
 
 from __future__ import annotations
@@ -78,11 +78,17 @@ def main() -> None:
         sys.stdout.flush()
     families = list(dict.fromkeys(family for family, _ in counts))
     rows = [
-        [family, counts[family, "inputs"], counts[family, "refused"], counts[family, "accepted"],
-         *(counts[family, fault] for fault in FAULTS), f"{slowest[family]:.1f}",
-         f"{max(largest[family], 0):.0f}"]
+        [
+            family,
+            counts[family, "inputs"],
+            counts[family, "refused"],
+            counts[family, "accepted"],
+            *(counts[family, fault] for fault in FAULTS),
+            f"{slowest[family]:.1f}",
+            f"{max(largest[family], 0):.0f}",
+        ]
         for family in families
-    ]  # fmt: skip
+    ]
     total = [
         "all",
         *(sum(row[column] for row in rows) for column in range(1, 4 + len(FAULTS))),
@@ -172,22 +178,30 @@ def _session_folders(rng: random.Random) -> Iterator[Trial]:
         contents = [*mutations, *byte_mutations(b"{" + bytes(99), rng, 0, 0)]
         for what, content, expected in contents:
             make = partial(_damaged_session, file, content)
-            expected = "any" if "notes" in what else expected
-            yield Trial("session JSON", f"{file}: {what}", make, _read_session, expected)
+            wanted: Expected = "any" if "notes" in what else expected
+            yield Trial("session JSON", f"{file}: {what}", make, _read_session, wanted)
     for file in ("views/left/depth_001.png", "views/right/color_000.png"):
         content = dict(entries_of(samples.SESSION))[file]
         others = dict(entries_of(samples.SESSION))
         wrong = [
             *byte_mutations(content, rng, 25, 15, "refused"),
-            ("swapped", others["views/top/color_000.png" if "depth" in file else "views/top/depth_000.png"], "refused"),
+            (
+                "swapped",
+                others["views/top/color_000.png" if "depth" in file else "views/top/depth_000.png"],
+                "refused",
+            ),
             ("huge size", png_of(60_000, 60_000), "refused"),
             ("other size", png_of(320, 240), "refused"),
-        ]  # fmt: skip
+        ]
         for what, content, expected in wrong:
             make = partial(_damaged_session, file, content)
             yield Trial("session picture", f"{file}: {what}", make, _read_session, expected)
-    for file in ("manifest.json", "views/left/sensor.json", "views/left/depth_001.png",
-                 "views/left/correction.npz"):  # fmt: skip
+    for file in (
+        "manifest.json",
+        "views/left/sensor.json",
+        "views/left/depth_001.png",
+        "views/left/correction.npz",
+    ):
         for what, place in PLACES.items():
             make = partial(_session_with, file, place)
             yield Trial("session places", f"{file}: {what}", make, _read_session, "refused")
@@ -197,11 +211,19 @@ def _marker_edits(rng: random.Random) -> Iterator[Trial]:
     spots = [{"id": f"S{n}", "pixel": [100.0 * n, 400.0], "exact": n == 1} for n in (1, 2)]
     region = [[0, 0], [10, 0], [10, 10.5]]
     edits = {
-        "format": "insole-marker-edits", "version": 1,
-        "views": {"left": {"off": False, "excluded": ["S3"], "named": spots,
-                           "ignored": [region], "searched": region}},
+        "format": "insole-marker-edits",
+        "version": 1,
+        "views": {
+            "left": {
+                "off": False,
+                "excluded": ["S3"],
+                "named": spots,
+                "ignored": [region],
+                "searched": region,
+            }
+        },
         "volume_of_interest_mm": {"min": [-70, -150, -40], "max": [70, 150, 160]},
-    }  # fmt: skip
+    }
     mutations = _sampled(json_mutations(edits, "refused", ("searched",)), rng, 200)
     same = [{**spot, "pixel": [5, 5]} for spot in spots]
     edits["views"]["left"]["named"] = same  # type: ignore[index]
@@ -286,10 +308,12 @@ def _corrections(rng: random.Random) -> Iterator[Trial]:
     with np.load(io.BytesIO(sound)) as stored:
         arrays = {key: stored[key] for key in stored.files}
     arrays |= {
-        "slope": arrays["offset"] / 1000, "coverage": np.ones((480, 640), np.uint8),
-        "reference_raw": np.float64(650), "decay": np.float64(0.002),
+        "slope": arrays["offset"] / 1000,
+        "coverage": np.ones((480, 640), np.uint8),
+        "reference_raw": np.float64(650),
+        "decay": np.float64(0.002),
         "raw_range": np.array([500.0, 900.0]),
-    }  # fmt: skip
+    }
     mutations: list[Mutation] = [("as it is", sound, "accepted")]
     for key, bad, expected in _bad_arrays(arrays):
         changed = (
@@ -320,13 +344,19 @@ def _corrections(rng: random.Random) -> Iterator[Trial]:
 
 
 _SESSION_FOLDERS = (
-    "Mac folder", "top folder", "top and Mac folder", "backslashes", "backslashes and a folder", "out of it",
-    "absolute", "drive",
-)  # fmt: skip
+    "Mac folder",
+    "top folder",
+    "top and Mac folder",
+    "backslashes",
+    "backslashes and a folder",
+    "out of it",
+    "absolute",
+    "drive",
+)
 
 
 def _bad_arrays(arrays: dict[str, Any]) -> Iterator[tuple[str, Any, Expected]]:
-    for key in arrays:
+    for key, array in arrays.items():
         required: Expected = "refused" if key == "offset" else "any"
         yield key, None, required
         yield key, np.array("text"), "refused"
@@ -337,7 +367,7 @@ def _bad_arrays(arrays: dict[str, Any]) -> Iterator[tuple[str, Any, Expected]]:
         yield key, np.array({"a": 1}, object), "refused"
         yield key, np.zeros(7, [("a", "i4"), ("b", "f8")]), "refused"
         if key != "record":
-            like = np.asarray(arrays[key], float)
+            like = np.asarray(array, float)
             yield key, np.full(like.shape, np.nan), "refused"
             yield key, np.full(like.shape, np.inf), "refused"
             yield key, np.full(like.shape, 1e300), "refused"
@@ -408,13 +438,15 @@ def _cases(rng: random.Random) -> Iterator[Trial]:
     with np.load(io.BytesIO(foot)) as stored:
         arrays = {key: stored[key] for key in stored.files}
     case = ("case.json", entries["case.json"])
-    for key, bad, expected in _bad_arrays(arrays):
+    for key, bad, _expected in _bad_arrays(arrays):
         changed = (
             {**arrays, key: bad}
             if bad is not None
             else {k: v for k, v in arrays.items() if k != key}
         )
-        expected = "refused" if bad is not None or key in ("vertices", "triangles") else "any"
+        expected: Expected = (
+            "refused" if bad is not None or key in ("vertices", "triangles") else "any"
+        )
         mutations.append(
             (
                 f"left.npz: {key} = {getattr(bad, 'dtype', None)}",
@@ -488,10 +520,10 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.compare.picked_points import fit_points, read_picked_points
     from insole_core.evaluation.acceptance_limits import load_limits
     from insole_core.evaluation.marked_points import load_correspondences, load_object_points
-    from insole_core.insole.prescription.clinic_rules import load_rules
-    from insole_core.insole.prescription.template import apply_template, read_template
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.geometry.side import Side
+    from insole_core.insole.prescription.clinic_rules import load_rules
+    from insole_core.insole.prescription.template import apply_template, read_template
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.shop import read_shop
     from insole_studio.settings import load_settings
@@ -517,7 +549,12 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     }
     picked = {key: [[0, 0, 0], [9, 0, 0], [0, 9, 0], [1, 2, 3]] for key in "ab"}
     readers: list[tuple[str, Any, Callable[[Path], object], int]] = [
-        ("reference system", samples.resource_values("reference_systems/lego-20.json"), reference, 90),
+        (
+            "reference system",
+            samples.resource_values("reference_systems/lego-20.json"),
+            reference,
+            90,
+        ),
         ("template", samples.template_values(), template, 150),
         ("picked points", picked, points, 90),
         ("rules", samples.resource_values("rules/rules.json"), load_rules, 90),
@@ -526,7 +563,7 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         ("limits", samples.resource_values("limits/kinect-v1.json"), load_limits, 60),
         ("object points", object_points, load_object_points, 60),
         ("pairs of points", pairs, load_correspondences, 60),
-    ]  # fmt: skip
+    ]
     for family, values, read, most in readers:
         mutations = _sampled(json_mutations(values, "any"), rng, most)
         mutations += byte_mutations(json.dumps(values).encode(), rng, 8, 6)
@@ -581,7 +618,7 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
             "any" if unused or "serial" in what else expected,
         )
     for name in ("INDEX.txt", "d-1.000000-5.pgm", "r-1.000000-5.ppm"):
-        for what, content, expected in byte_mutations(
+        for what, content, _expected in byte_mutations(
             b"P5 640 480 65535\n" + bytes(900), rng, 4, 4
         ):
             yield Trial(
@@ -615,17 +652,30 @@ def _calibration(rng: random.Random) -> Iterator[Trial]:
         "depth": ["calibrate", "depth", "in", *board],
         "stereo": ["calibrate", "stereo", "in", *board],
         "distortion": ["calibrate", "distortion", "in", "--serial", "A1"],
-        "disparity": ["calibrate", "disparity", "in", "--serial", "A1", "--distances", "700", "900"],
+        "disparity": [
+            "calibrate",
+            "disparity",
+            "in",
+            "--serial",
+            "A1",
+            "--distances",
+            "700",
+            "900",
+        ],
         "shift": ["calibrate", "shift", "in", *board],
         "wall": ["evaluate", "wall", "in"],
         "noise": ["evaluate", "noise", "in"],
-    }  # fmt: skip
+    }
     pictures: list[tuple[str, bytes]] = [
         *((what, content) for what, content, _ in byte_mutations(depth, rng, 3, 2)),
         *((what, content) for what, content, _ in byte_mutations(color, rng, 3, 2)),
-        ("depth", depth), ("colour", color), ("6000 x 6000", png_of(6000, 6000)),
-        ("60 000 x 60 000", png_of(60_000, 60_000)), ("1 x 1", png_of(1, 1)), ("20 000 x 1", png_of(20_000, 1)),
-    ]  # fmt: skip
+        ("depth", depth),
+        ("colour", color),
+        ("6000 x 6000", png_of(6000, 6000)),
+        ("60 000 x 60 000", png_of(60_000, 60_000)),
+        ("1 x 1", png_of(1, 1)),
+        ("20 000 x 1", png_of(20_000, 1)),
+    ]
     for step, arguments in steps.items():
         for what, content in pictures:
             make = partial(_pictures, content)
@@ -665,27 +715,152 @@ def png_of(width: int, height: int) -> bytes:
 
 def _command_lines(rng: random.Random) -> Iterator[Trial]:
     calls: dict[str, list[str]] = {
-        "simulate": ["simulate", "out/s", "--seed", "1", "--distance", "800", "--bursts", "1", "--side", "left"],
+        "simulate": [
+            "simulate",
+            "out/s",
+            "--seed",
+            "1",
+            "--distance",
+            "800",
+            "--bursts",
+            "1",
+            "--side",
+            "left",
+        ],
         "reconstruct": ["reconstruct", "in/s.zip", "--out", "out/f.ply", "--method", "fused"],
-        "measure": ["measure", "in/f.ply", "--side", "left", "--report", "out/m.json", "--csv", "out/m.csv"],
-        "design": ["design", "in/f.ply", "--side", "left", "--out", "out/i.stl", "--draft", "3",
-                   "--chamfer", "0", "--triangles", "5000", "--deviation", "0.05", "--cutter", "6",
-                   "--mark", "A", "--pseudonym", "P", "--prescription", "in/d.json", "--kind", "insole"],
-        "compare": ["compare", "in/f.ply", "in/f.ply", "--report", "out/c.json", "--align", "best",
-                    "--median", "1", "--picture", "out/c.png"],
-        "reference": ["calibrate", "reference", "--length", "S1", "S2", "100", "--sessions", "in/s.zip",
-                      "--moved", "1", "--out", "out/r.json"],
-        "disparity": ["calibrate", "disparity", "in", "--serial", "A1", "--distances", "700", "900"],
-        "color": ["calibrate", "color", "in", "--serial", "A1", "--board", "6x5", "--square", "30",
-                  "--marker", "20", "--dictionary", "DICT_5X5_250"],
+        "measure": [
+            "measure",
+            "in/f.ply",
+            "--side",
+            "left",
+            "--report",
+            "out/m.json",
+            "--csv",
+            "out/m.csv",
+        ],
+        "design": [
+            "design",
+            "in/f.ply",
+            "--side",
+            "left",
+            "--out",
+            "out/i.stl",
+            "--draft",
+            "3",
+            "--chamfer",
+            "0",
+            "--triangles",
+            "5000",
+            "--deviation",
+            "0.05",
+            "--cutter",
+            "6",
+            "--mark",
+            "A",
+            "--pseudonym",
+            "P",
+            "--prescription",
+            "in/d.json",
+            "--kind",
+            "insole",
+        ],
+        "compare": [
+            "compare",
+            "in/f.ply",
+            "in/f.ply",
+            "--report",
+            "out/c.json",
+            "--align",
+            "best",
+            "--median",
+            "1",
+            "--picture",
+            "out/c.png",
+        ],
+        "reference": [
+            "calibrate",
+            "reference",
+            "--length",
+            "S1",
+            "S2",
+            "100",
+            "--sessions",
+            "in/s.zip",
+            "--moved",
+            "1",
+            "--out",
+            "out/r.json",
+        ],
+        "disparity": [
+            "calibrate",
+            "disparity",
+            "in",
+            "--serial",
+            "A1",
+            "--distances",
+            "700",
+            "900",
+        ],
+        "color": [
+            "calibrate",
+            "color",
+            "in",
+            "--serial",
+            "A1",
+            "--board",
+            "6x5",
+            "--square",
+            "30",
+            "--marker",
+            "20",
+            "--dictionary",
+            "DICT_5X5_250",
+        ],
         "session": ["calibrate", "session", "in/s.zip", "--out", "out/s2"],
         "wall": ["evaluate", "wall", "in", "--limit", "a=1"],
-        "capture": ["--emulate", "in/s.zip", "capture", "--out", "out/c", "--frames", "1", "--color-frames", "1",
-                    "--bursts", "1", "--side", "left", "--notes", "x"],
+        "capture": [
+            "--emulate",
+            "in/s.zip",
+            "capture",
+            "--out",
+            "out/c",
+            "--frames",
+            "1",
+            "--color-frames",
+            "1",
+            "--bursts",
+            "1",
+            "--side",
+            "left",
+            "--notes",
+            "x",
+        ],
         "sensors": ["--emulate", "in/s.zip", "sensors", "--json"],
-    }  # fmt: skip
-    bad = ["nan", "inf", "-inf", "1e308", "-1", "0", "1e1", "7" * 400, "", " ", "x" * 5000, "\udc80",
-           "--", "../in", "/dev/full", "/dev/zero", "/proc/self/mem", "in", "in/none", "in/f.ply", "in/s.zip", "in/d.json"]  # fmt: skip
+    }
+    bad = [
+        "nan",
+        "inf",
+        "-inf",
+        "1e308",
+        "-1",
+        "0",
+        "1e1",
+        "7" * 400,
+        "",
+        " ",
+        "x" * 5000,
+        "\udc80",
+        "--",
+        "../in",
+        "/dev/full",
+        "/dev/zero",
+        "/proc/self/mem",
+        "in",
+        "in/none",
+        "in/f.ply",
+        "in/s.zip",
+        "in/d.json",
+    ]
     for name, call in calls.items():
         first = 3 if call[0] == "--emulate" else 1
         for at in range(first, len(call)):
@@ -694,8 +869,12 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
             is_output = call[at].startswith("out/")
             for word in rng.sample([w for w in bad if not (is_output and "in" in w)], 5):
                 changed = [*call[:at], word, *call[at + 1 :]]
-                refuse = word in ("nan", "inf", "-inf") and call[at - 1].startswith("--") and call[at - 1] not in (
-                    "--mark", "--pseudonym", "--notes", "--serial", "--out")  # fmt: skip
+                refuse = (
+                    word in ("nan", "inf", "-inf")
+                    and call[at - 1].startswith("--")
+                    and call[at - 1]
+                    not in ("--mark", "--pseudonym", "--notes", "--serial", "--out")
+                )
                 expected: Expected = "refused" if refuse else "any"
                 yield Trial(
                     "command line",
@@ -732,9 +911,11 @@ def _files(folder: Path) -> None:
 def _command(arguments: list[str], given: Path, made: Path) -> None:
     places = {"in": given, "out": made}
     words = [
-        str(places[word.split("/")[0]] / word.partition("/")[2]) if word.split("/")[0] in places else word
+        str(places[word.split("/")[0]] / word.partition("/")[2])
+        if word.split("/")[0] in places
+        else word
         for word in arguments
-    ]  # fmt: skip
+    ]
     store = (
         ["--sensors", str(made / "sensors")]
         if arguments[0] in ("calibrate", "evaluate") and arguments[1] != "reference"

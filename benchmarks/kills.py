@@ -50,26 +50,79 @@ class Command:
 
 
 COMMANDS = (
-    Command("design", ("design", "foot.ply", "--side", "left", "--out", "i.stl", "--checks", "c.json",
-            "--job-sheet", "s.pdf", "--prescription", "d.json", "--prescription-paper", "p.pdf"),
-            ("i.stl", "c.json", "s.pdf", "p.pdf")),
-    Command("reconstruct", ("reconstruct", "s.zip", "--out", "f.ply", "--report", "r.json"),
-            ("f.ply", "r.json")),
-    Command("measure", ("measure", "foot.ply", "--side", "left", "--report", "m.json", "--csv", "m.csv"),
-            ("m.json", "m.csv")),
-    Command("compare", ("compare", "foot.ply", "foot.ply", "--report", "c.json", "--surface", "c.ply",
-            "--picture", "c.png", "--align", "none"), ("c.json", "c.ply", "c.png")),
-    Command("calibrate session", ("calibrate", "session", "s.zip", "--out", "session"), ("session",)),
-    Command("calibrate session zip", ("calibrate", "session", "s.zip", "--out", "t.zip"), ("t.zip",)),
-    Command("import-fakenect", ("import-fakenect", "recording", "--out", "imported"), ("imported",)),
-    Command("capture", ("--emulate", "s.zip", "capture", "--out", "captured", "--frames", "1"),
-            ("captured",)),
-    Command("capture zip", ("--emulate", "s.zip", "capture", "--out", "captured.zip", "--frames", "1"),
-            ("captured.zip",)),
-    Command("calibrate reference", ("calibrate", "reference", "--report", "r.html", "r.json"),
-            ("r.html", "r.json")),
+    Command(
+        "design",
+        (
+            "design",
+            "foot.ply",
+            "--side",
+            "left",
+            "--out",
+            "i.stl",
+            "--checks",
+            "c.json",
+            "--job-sheet",
+            "s.pdf",
+            "--prescription",
+            "d.json",
+            "--prescription-paper",
+            "p.pdf",
+        ),
+        ("i.stl", "c.json", "s.pdf", "p.pdf"),
+    ),
+    Command(
+        "reconstruct",
+        ("reconstruct", "s.zip", "--out", "f.ply", "--report", "r.json"),
+        ("f.ply", "r.json"),
+    ),
+    Command(
+        "measure",
+        ("measure", "foot.ply", "--side", "left", "--report", "m.json", "--csv", "m.csv"),
+        ("m.json", "m.csv"),
+    ),
+    Command(
+        "compare",
+        (
+            "compare",
+            "foot.ply",
+            "foot.ply",
+            "--report",
+            "c.json",
+            "--surface",
+            "c.ply",
+            "--picture",
+            "c.png",
+            "--align",
+            "none",
+        ),
+        ("c.json", "c.ply", "c.png"),
+    ),
+    Command(
+        "calibrate session", ("calibrate", "session", "s.zip", "--out", "session"), ("session",)
+    ),
+    Command(
+        "calibrate session zip", ("calibrate", "session", "s.zip", "--out", "t.zip"), ("t.zip",)
+    ),
+    Command(
+        "import-fakenect", ("import-fakenect", "recording", "--out", "imported"), ("imported",)
+    ),
+    Command(
+        "capture",
+        ("--emulate", "s.zip", "capture", "--out", "captured", "--frames", "1"),
+        ("captured",),
+    ),
+    Command(
+        "capture zip",
+        ("--emulate", "s.zip", "capture", "--out", "captured.zip", "--frames", "1"),
+        ("captured.zip",),
+    ),
+    Command(
+        "calibrate reference",
+        ("calibrate", "reference", "--report", "r.html", "r.json"),
+        ("r.html", "r.json"),
+    ),
     Command("simulate", ("simulate", "simulated", "--seed", "1", "--ideal"), ("simulated",)),
-)  # fmt: skip
+)
 
 
 def main() -> None:
@@ -128,7 +181,7 @@ def _attempts(
             return what, _verdict(command, before, folder)
 
     with _copy(before) as folder:
-        code, seconds = _run(command, folder, _count_steps)
+        _code, seconds = _run(command, folder, _count_steps)
         steps = int((folder / "steps.txt").read_text())
     for number in range(count):
         moment = seconds * (rng.uniform(0.0, 1.0) if number % 2 else rng.uniform(0.85, 1.05))
@@ -285,5 +338,8 @@ def _next_start(folder: Path) -> None:
     environment = {**os.environ, "XDG_DATA_HOME": str(folder.parent / "data")}
     subprocess.run(
         [sys.executable, "-m", "insole_studio", "calibrate", "reference"],
-        check=True, cwd=folder, env=environment, capture_output=True,
-    )  # fmt: skip
+        check=True,
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+    )

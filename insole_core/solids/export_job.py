@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from insole_core.errors import UsageError
+from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
@@ -24,6 +24,8 @@ from insole_core.solids.shop import Block, Shop
 if TYPE_CHECKING:
     from insole_core.export.paper import JobSheet
 
+MOST_LETTERS = 200
+"""Of a pseudonym or a material: what a page of the papers holds."""
 _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 """Share of the length or width, and whether the cut goes across."""
 
@@ -122,6 +124,17 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
         yield ExportPaths(*opened)
 
 
+def _check_texts(texts: Iterable[str]) -> None:
+    for text in texts:
+        if len(text) > MOST_LETTERS:
+            raise DesignError(
+                '"{start}…" has {count} characters, and the papers take at most {most}; shorten it.',
+                start=text[:20],
+                count=len(text),
+                most=MOST_LETTERS,
+            )
+
+
 def run_export_job(
     job: ExportJob, places: ExportPaths, beside: ExportPaths, progress: Progress = SILENT
 ) -> None:
@@ -137,8 +150,10 @@ def run_export_job(
     Raises
     ------
     DesignError
-        If a blocking check failed and is not overridden, or a pair does not fit its block.
+        If a blocking check failed and is not overridden, a pair does not fit its block, or a text
+        is too long for the papers.
     """
+    _check_texts((*job.identification.values(), job.material))
     records = [require_export(piece.findings, job.override) for piece in job.pieces]
     progress.step(0.1, "Writing the file")
     write_solids(job.parts(), beside.solid, ascii_stl=job.ascii_stl)

@@ -8,7 +8,7 @@ import sys
 from typing import NoReturn
 
 _MOST = 2**32
-_LONGEST = 300
+_LONGEST, _LONGEST_NUMBER = 300, 20
 
 
 class Parser(argparse.ArgumentParser):
@@ -25,7 +25,7 @@ def number(text: str) -> float:
     """Convert an argument to a finite number."""
     value = float(text)
     if not (math.isfinite(value) and abs(value) <= _MOST):
-        raise argparse.ArgumentTypeError(f"{text[:40]} is no usual number")
+        raise argparse.ArgumentTypeError(f"{_cut(text)} is no usual number")
     return value
 
 
@@ -33,5 +33,9 @@ def whole(text: str) -> int:
     """Convert an argument to a whole number."""
     value = int(text)
     if abs(value) > _MOST:
-        raise argparse.ArgumentTypeError(f"{text[:40]} is no usual number")
+        raise argparse.ArgumentTypeError(f"{_cut(text)} is no usual number")
     return value
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _LONGEST_NUMBER else f"{text[:_LONGEST_NUMBER]}…"

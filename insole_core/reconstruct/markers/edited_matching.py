@@ -229,7 +229,10 @@ def follow_names(
 
 def _pose_of(places: FloatArray, rays: FloatArray) -> PoseBatch:
     """Compute the pose from markers (k, 3) and their normalised image coordinates (k, 2), k > 3."""
-    found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    try:
+        found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    except cv2.error:  # the rays are almost one
+        found = False
     if not found:
         return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
     return PoseBatch(cv2.Rodrigues(turn)[0][None], shift.reshape(1, 3))

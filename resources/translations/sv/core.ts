@@ -20,6 +20,10 @@
             <translation>”{serial}” är inget serienummer för en sensor; ange dess bokstäver och siffror som de står på etiketten.</translation>
         </message>
         <message>
+            <source>"{start}…" has {count} characters, and the papers take at most {most}; shorten it.</source>
+            <translation>”{start}…” har {count} tecken, och papperen rymmer högst {most}; förkorta texten.</translation>
+        </message>
+        <message>
             <source>"{text}" names no view and sensor; write for example left=A00362A.</source>
             <translation>”{text}” anger ingen vy och sensor; skriv till exempel left=A00362A.</translation>
         </message>
