@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from insole_core.compare.difference import Difference
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 FILE, FOLDER = "file", "folder"
 """Keys of the choices that ask for a path."""
@@ -59,13 +59,18 @@ def figure_rows(
     statistics = difference.statistics
     fit = difference.fit.residual_mm
     rows = [FigureRow(tr("Difference"))]
-    rows += [FigureRow(text(), f"{statistics[key]:.2f} mm") for key, text in STATISTICS.items()]
+    rows += [
+        FigureRow(text(), f"{localised(statistics[key], '.2f')} mm")
+        for key, text in STATISTICS.items()
+    ]
     rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
     if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
-        rows.append(FigureRow(tr("Residual of the fit"), f"{fit:.2f} mm"))
+        rows.append(FigureRow(tr("Residual of the fit"), f"{localised(fit, '.2f')} mm"))
     rows.append(FigureRow(tr("Measures"), "A", "B"))
     rows += [
-        FigureRow(text(), f"{measures['a'][key]:.1f} mm", f"{measures['b'][key]:.1f} mm")
+        FigureRow(
+            text(), f"{localised(measures['a'][key])} mm", f"{localised(measures['b'][key])} mm"
+        )
         for key, text in MEASURES.items()
     ]
     return tuple(rows)

@@ -31,7 +31,7 @@ from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
@@ -337,4 +337,4 @@ def _describe(event: PointerEvent) -> str:
     if event.surface_mm is None:
         return ""
     x, y, z = np.round(event.surface_mm, 1) + 0.0
-    return f"x {x:.1f}   y {y:.1f}   " + tr("height") + f" {z:.1f} mm"
+    return f"x {localised(x)}   y {localised(y)}   {tr('height')} {localised(z)} mm"

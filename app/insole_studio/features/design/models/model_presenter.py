@@ -45,7 +45,7 @@ from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
@@ -274,7 +274,7 @@ class ModelPresenter:
             return
         way = self._on_surface(np.stack([found.front, found.nearest]))
         lines = self._on_surface(found.line), way
-        self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
+        self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane
