@@ -128,7 +128,8 @@ def _check_texts(texts: Iterable[str]) -> None:
     for text in texts:
         if len(text) > MOST_LETTERS:
             raise DesignError(
-                '"{start}…" has {count} characters, and the papers take at most {most}; shorten it.',
+                '"{start}…" has {count} characters, and the papers take at most {most}; '
+                "shorten it.",
                 start=text[:20],
                 count=len(text),
                 most=MOST_LETTERS,
