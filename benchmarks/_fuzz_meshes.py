@@ -137,7 +137,7 @@ def bad_shapes() -> Iterator[Mutation]:
         "plate of 5 mm": (_own(make.box((90, 240, 5))), "refused"),
         "capsule": (_own(make.capsule(180, 35)), "refused"),
         "ball": (_own(make.icosphere(4, 100)), "refused"),
-        "cylinder": (_own(make.cylinder(40, 240)), "refused"),
+        "cylinder": (_own(make.cylinder(40, 240)), "any"),
         "finished insole": (_insole(), "refused"),
         "twice the size": (_scaled(mesh, 2.0), "refused"),
         "1.45 times": (_scaled(mesh, 1.45), "refused"),

@@ -230,4 +230,4 @@ def run_command(arguments: list[str]) -> None:
 def is_helpful(sentence: str) -> bool:
     """Return whether a sentence has an end, and is long enough to name a remedy."""
     ends = sentence.rstrip().endswith((".", "]", "?"))
-    return bool((ends or " --" in sentence) and sentence[:1].strip() and len(sentence) > 20)
+    return bool((ends or " --" in sentence) and len(sentence) > 20)

@@ -873,7 +873,7 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
                     word in ("nan", "inf", "-inf")
                     and call[at - 1].startswith("--")
                     and call[at - 1]
-                    not in ("--mark", "--pseudonym", "--notes", "--serial", "--out")
+                    not in ("--mark", "--pseudonym", "--notes", "--serial", "--out", "--report")
                 )
                 expected: Expected = "refused" if refuse else "any"
                 yield Trial(
@@ -918,7 +918,7 @@ def _command(arguments: list[str], given: Path, made: Path) -> None:
     ]
     store = (
         ["--sensors", str(made / "sensors")]
-        if arguments[0] in ("calibrate", "evaluate") and arguments[1] != "reference"
+        if arguments[0] in ("calibrate", "evaluate") and arguments[1:2] != ["reference"]
         else []
     )
     os.environ["XDG_DATA_HOME"] = str(made / "data")
