@@ -873,7 +873,15 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
                     word in ("nan", "inf", "-inf")
                     and call[at - 1].startswith("--")
                     and call[at - 1]
-                    not in ("--mark", "--pseudonym", "--notes", "--serial", "--out", "--report")
+                    not in (
+                        "--mark",
+                        "--pseudonym",
+                        "--notes",
+                        "--serial",
+                        "--out",
+                        "--report",
+                        "--report",
+                    )
                 )
                 expected: Expected = "refused" if refuse else "any"
                 yield Trial(

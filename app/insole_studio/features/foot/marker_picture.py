@@ -89,6 +89,12 @@ class MarkerPicture(QWidget):
         self.show_whole()
         self._fits_marks = True
 
+    def show_nothing(self) -> None:
+        """Show no image, no marks and no regions."""
+        self._image = QImage()
+        self.show_marks(())
+        self.show_regions((), None)
+
     def show_whole(self) -> None:
         """Show the whole image."""
         self._zoom, self._middle = 1.0, QPointF(self._image.rect().center())

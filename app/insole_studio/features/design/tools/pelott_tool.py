@@ -51,6 +51,10 @@ class PelottTool(Tool):
     key = "pelott"
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
         self.template = Pelott(centre_mm=(0.0, 0.0))
 
     def hint(self, case: Case) -> str:
