@@ -12,12 +12,14 @@ import math
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any, TypeVar
 
 from insole_core.errors import InputError
+from insole_core.given_file import read_given
 from insole_core.messages import Message, Value
-from insole_core.regular_file import read_regular
+from insole_core.strict_json import MOST_BYTES, load_strictly
 
 _Word = TypeVar("_Word", bound=str)
 
@@ -50,15 +52,7 @@ class JsonObject:
         InputError
             When the file cannot be read, or holds no JSON object.
         """
-        try:
-            text = read_regular(path)
-        except OSError as error:
-            raise InputError(
-                "{path} cannot be read: {reason}; check the name of the file.",
-                path=path,
-                reason=str(error.strerror),
-            ) from error
-        return cls.parse(str(path), text)
+        return cls.parse(str(path), read_given(path, MOST_BYTES))
 
     @classmethod
     def parse(cls, file: str, text: bytes) -> JsonObject:
@@ -75,7 +69,9 @@ class JsonObject:
             When the text is not a JSON object.
         """
         try:
-            values = json.loads(text)
+            values = load_strictly(text)
+        except InputError as error:
+            raise InputError("{file}: {reason}", file=file, reason=error.message) from error
         except (ValueError, RecursionError) as error:
             raise InputError(
                 "{file} is not valid JSON ({reason}); restore the file.",
@@ -185,6 +181,17 @@ class JsonObject:
             raise self.fail(key, "must be a text that is not empty")
         return value
 
+    def date(self, key: str) -> str:
+        """Return a date, with or without a time, as ISO 8601."""
+        text = self.text(key)
+        try:
+            datetime.fromisoformat(text)
+        except ValueError:
+            raise self.fail(
+                key, 'is "{text}", but must be a date such as 2026-11-20T10:00:00Z', text=_cut(text)
+            ) from None
+        return text
+
     def choice(self, key: str, allowed: Sequence[_Word]) -> _Word:
         """Return a string that must be one of `allowed`, as that item (a member of a `StrEnum`)."""
         value = self.value(key)
@@ -215,7 +222,7 @@ class JsonObject:
             raise self.fail(
                 key,
                 "is {value}, but must lie between {least:g} and {most:g}",
-                value=value,
+                value=_cut(str(value)),
                 least=low,
                 most=high,
             )
@@ -242,15 +249,20 @@ class JsonObject:
             )
         return tuple(listed.number(number, low, high) for number in listed.values)
 
-    def pair(self, key: str) -> tuple[float, float]:
-        """Return a list of two finite numbers."""
-        u, v = self.numbers(key, 2)
+    def pair(self, key: str, most: float = math.inf) -> tuple[float, float]:
+        """Return a list of two finite numbers from -`most` to `most`."""
+        u, v = self.numbers(key, 2, -most, most)
         return u, v
 
-    def triple(self, key: str) -> tuple[float, float, float]:
-        """Return a list of three finite numbers."""
-        x, y, z = self.numbers(key, 3)
+    def triple(self, key: str, most: float = math.inf) -> tuple[float, float, float]:
+        """Return a list of three finite numbers from -`most` to `most`."""
+        x, y, z = self.numbers(key, 3, -most, most)
         return x, y, z
+
+    def texts(self, key: str) -> list[str]:
+        """Return a list of strings."""
+        listed = self.listed(key)
+        return [listed.text(number, empty=True) for number in listed.values]
 
     def vectors(self, key: str, count: int) -> list[tuple[float, ...]]:
         """Return a list of lists of exactly `count` finite numbers each."""

@@ -9,7 +9,6 @@ import hashlib
 import io
 import json
 import zipfile
-import zlib
 from pathlib import Path
 from typing import BinaryIO
 
@@ -20,16 +19,22 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 from insole_core.regular_file import blocks_of, open_regular
+from insole_core.stored_arrays import read_arrays
+from insole_core.strict_json import MOST_BYTES
+from insole_core.zip_archive import DamagedArchiveError, ZipArchive
 
 CASE_NAME = "case.json"
 FOOT_NAMES = {side: f"{side}.npz" for side in Side}
-MAX_PART_BYTES = 512 * 2**20
+MAX_PART_BYTES = 256 * 2**20
+"""The surface of a foot of four million triangles has 150 MB."""
 MAX_CASE_BYTES = 3 * MAX_PART_BYTES
+_MOST_MM = 1e4
 _PARTS = (CASE_NAME, FOOT_NAME_1, *FOOT_NAMES.values())
 _WHEN = (1980, 1, 1, 0, 0, 0)
 
@@ -145,14 +150,12 @@ def _pack_mesh(mesh: TriangleMesh) -> bytes:
 
 def _unpack_mesh(packed: bytes, path: Path, name: str) -> TriangleMesh:
     try:
-        with np.load(io.BytesIO(packed), allow_pickle=False) as arrays:
-            touches = None
-            if "touched" in arrays:
-                touches = ContourConstraints(arrays["touched"], arrays["touched_normals"])
-            mesh = TriangleMesh(
-                arrays["vertices"], arrays["triangles"], arrays.get("colors"), touches
-            )
-    except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        arrays = read_arrays(name, packed, MAX_PART_BYTES)
+        touches = None
+        if "touched" in arrays:
+            touches = ContourConstraints(arrays["touched"], arrays["touched_normals"])
+        mesh = TriangleMesh(arrays["vertices"], arrays["triangles"], arrays.get("colors"), touches)
+    except (InputError, KeyError) as error:
         raise _damaged(path, name) from error
     if not _is_sound(mesh):
         raise _damaged(path, name)
@@ -163,7 +166,7 @@ def _is_sound(mesh: TriangleMesh) -> bool:
     vertices, triangles, colors = mesh.vertices, mesh.triangles, mesh.colors
     kinds = vertices.dtype == np.float64 and triangles.dtype == np.int32
     shapes = vertices.ndim == triangles.ndim == 2 and vertices.shape[1] == triangles.shape[1] == 3
-    if not (kinds and shapes and len(triangles) and np.isfinite(vertices).all()):
+    if not (kinds and shapes and len(triangles) and _are_near(vertices)):
         return False
     if colors is not None and (colors.dtype != np.uint8 or colors.shape != vertices.shape):
         return False
@@ -176,21 +179,26 @@ def _are_sound(touches: ContourConstraints) -> bool:
     points, normals = touches.points, touches.normals
     shapes = points.ndim == 2 and points.shape[1] == 3 and points.shape == normals.shape
     kinds = points.dtype == normals.dtype == np.float64
-    return bool(kinds and shapes and np.isfinite(points).all() and np.isfinite(normals).all())
+    return bool(kinds and shapes and _are_near(points) and _are_near(normals))
+
+
+def _are_near(points: FloatArray) -> bool:
+    """Return whether all coordinates are finite and near the foot, so that nothing overflows."""
+    return bool((np.abs(points) < _MOST_MM).all())
 
 
 def _read_parts(path: Path) -> tuple[dict[str, bytes], str]:
     try:
         with open_regular(path) as file:
-            digest = _digest(file)
-            with zipfile.ZipFile(file) as archive:
-                known = [name for name in _PARTS if name in archive.namelist()]
-                return {name: _read_part(archive, name, path) for name in known}, digest
+            digest = _digest(file)  # before the content: what changes between is noticed on saving
+        archive = ZipArchive(str(path), path)
+        known = [name for name in _PARTS if name in archive.names]
+        return {name: archive.read(name, _most_bytes(name)) for name in known}, digest
     except FileNotFoundError as error:
         raise InputError("{path} does not exist; check the name.", path=path) from error
     except PermissionError as error:
         raise InputError("{path} may not be read; ask for permission.", path=path) from error
-    except (zipfile.BadZipFile, OSError, EOFError, zlib.error, NotImplementedError) as error:
+    except (DamagedArchiveError, OSError) as error:
         raise InputError(
             "{path} is no readable case file; it may be damaged or cut off, so restore it from a "
             "backup.",
@@ -198,17 +206,8 @@ def _read_parts(path: Path) -> tuple[dict[str, bytes], str]:
         ) from error
 
 
-def _read_part(archive: zipfile.ZipFile, name: str, path: Path) -> bytes:
-    # The sizes that the archive states are not trusted: never inflate past the limit.
-    with archive.open(name) as file:
-        content = file.read(MAX_PART_BYTES + 1)
-    if len(content) > MAX_PART_BYTES:
-        raise InputError(
-            "{path}: {file} is far larger than a case has; do not use this file.",
-            path=path,
-            file=name,
-        )
-    return content
+def _most_bytes(name: str) -> int:
+    return MOST_BYTES if name == CASE_NAME else MAX_PART_BYTES
 
 
 def _damaged(path: Path, name: str) -> InputError:

@@ -28,6 +28,7 @@ from insole_core.insole.prescription.template import Template, template_from_jso
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-case", 2
+_MOST_MM, _MOST_SOURCE_MM = 1e4, 1e9
 
 
 def case_to_json(record: CaseRecord) -> dict[str, Any]:
@@ -128,14 +129,15 @@ def _foot_record(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> F
 
 def _foot(foot: JsonObject, side: Side, mesh_of: Callable[[Side], TriangleMesh]) -> Foot:
     matrix = np.array(foot.matrix("source2insole", 4))
-    if not is_rotation(matrix[:3, :3]) or not np.array_equal(matrix[3], [0, 0, 0, 1]):
+    is_near = np.abs(matrix).max() < _MOST_SOURCE_MM
+    if not (is_near and is_rotation(matrix[:3, :3]) and np.array_equal(matrix[3], [0, 0, 0, 1])):
         raise foot.fail("source2insole", "is no rigid transform")
     return Foot(
         side=side,
         mesh=mesh_of(side),
         source2insole=matrix,
         length_mm=foot.number("length_mm", 50, 500),
-        notes=tuple(str(note) for note in foot.items("notes")),
+        notes=tuple(foot.texts("notes")),
     )
 
 
@@ -180,7 +182,7 @@ def _patient(patient: JsonObject) -> Patient:
 
 def _annotations(annotations: JsonObject) -> Annotations:
     points = tuple(
-        KeyPoint(point.text("name"), point.triple("position_mm"))
+        KeyPoint(point.text("name"), point.triple("position_mm", _MOST_MM))
         for point in annotations.objects("key_points")
     )
     names = [point.name for point in points]
@@ -190,7 +192,7 @@ def _annotations(annotations: JsonObject) -> Annotations:
         return Annotations(points)
     plane = annotations.object("plane")
     pitch, roll = plane.number("pitch_deg", -90, 90), plane.number("roll_deg", -90, 90)
-    return Annotations(points, ReferencePlane(plane.triple("origin_mm"), pitch, roll))
+    return Annotations(points, ReferencePlane(plane.triple("origin_mm", _MOST_MM), pitch, roll))
 
 
 def _source(source: JsonObject) -> ScanSource:

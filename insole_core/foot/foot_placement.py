@@ -10,6 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_proportions import check_length, check_proportions
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
@@ -77,7 +78,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         "reference": toes towards +y and dorsal +z are known, and only the last degrees are found;
         "unknown": the surface may lie in any way.
     force
-        Continue even if the shape looks like the other foot.
+        Continue even if the shape looks like the other foot, or has unusual proportions.
 
     Returns
     -------
@@ -89,7 +90,8 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     SideMismatchError
         When the shape is clearly that of the other foot, unless `force`.
     InputError
-        When the surface does not look like a foot in any pose, or has no sole.
+        When the surface does not look like a foot in any pose, has no sole, or, in an unknown
+        frame, has a size that no foot has or, without `force`, proportions that none has.
     """
     mesh, scraps = without_scraps(mesh)
     points = surface_points(mesh)
@@ -106,6 +108,10 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
     placed = mesh.transformed(found.source2insole)
+    if frame == "unknown":
+        check_length(found.length_mm)
+        if not force:
+            check_proportions(placed, found.length_mm)
     notes = (
         _side_note(asked, other),
         *_pose_notes(asked, frame),

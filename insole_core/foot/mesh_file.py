@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
+from insole_core.foot.mesh_content import check_text, read_binary_stl
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
@@ -29,6 +30,7 @@ _UNIT_NAMES: dict[Unit, str] = {
 }  # fmt: skip
 _LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
 _FOOT_MM = (140.0, 330.0)  # of a whole foot; no number is one of these in two units
+_MOST_AREA_MM2 = 3e6  # ten times a foot with its lower leg
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_BYTES = 600_000_000
 _MOST_TRIANGLES = 4_000_000
@@ -81,6 +83,13 @@ def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
     mesh = _without_waste(_load(path), path)
     unit = _unit(mesh, unit, path)
     mesh = _in_mm(mesh, _MM_PER_UNIT[unit])
+    if mesh.area_mm2 > _MOST_AREA_MM2:
+        raise InputError(
+            "{path} has triangles of {area_m2:.0f} m² together, far more than a leg and a foot; "
+            "their corners are mixed up, so export it again.",
+            path=path,
+            area_m2=mesh.area_mm2 / 1e6,
+        )
     extent = np.ptp(mesh.vertices, axis=0).max()
     notes: list[str] = [
         Message(
@@ -124,6 +133,11 @@ def _load(path: Path) -> TriangleMesh:
         raise InputError(_too_large(path))
     import trimesh  # with all that it imports it would take a third of the start of the window
 
+    if path.suffix.lower() == ".stl" and (solid := read_binary_stl(path)) is not None:
+        if len(solid.triangles) > _MOST_TRIANGLES:
+            raise InputError(_too_large(path))
+        return _checked(solid, path)
+    check_text(path)
     try:
         loaded = _loaded(path)
         vertices = np.array(loaded.vertices, dtype=float)

@@ -24,6 +24,8 @@ from insole_core.recording.store import ZipStore
 FORMAT = "insole-marker-edits"
 VERSION = 1
 NAME = "marker_edits.json"
+_MOST_PX = 1e5
+_MOST_CORNERS = 10_000
 
 
 def edits_path(session: Path) -> Path:
@@ -123,7 +125,7 @@ def _view(root: JsonObject, manifest: Manifest) -> ViewEdits:
                 "excluded", "names {marker!r}, which no marker of this session is", marker=marker
             )
     named = tuple(
-        NamedSpot(spot.choice("id", known), spot.pair("pixel"), spot.flag("exact"))
+        NamedSpot(spot.choice("id", known), spot.pair("pixel", _MOST_PX), spot.flag("exact"))
         for spot in root.objects("named")
     )
     if len({spot.id for spot in named}) < len(named):
@@ -142,4 +144,6 @@ def _region(root: JsonObject, key: str) -> Region:
     corners = root.listed(key)
     if len(corners.values) < 3:
         raise root.fail(key, "must be a list of three corners or more")
-    return tuple(corners.pair(number) for number in corners.values)
+    if len(corners.values) > _MOST_CORNERS:
+        raise root.fail(key, "has more than {most} corners", most=_MOST_CORNERS)
+    return tuple(corners.pair(number, _MOST_PX) for number in corners.values)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from datetime import datetime
 from typing import Any
 
 from insole_core.geometry.side import Side
@@ -18,6 +17,10 @@ _KNOWN = {
     "format", "version", "recorded_at", "side", "reference_frame", "views",
     "volume_of_interest_mm", "capture_condition",
 }  # fmt: skip
+MOST_MM = 10_000.0
+"""No sensor sees farther; larger numbers are mistakes, and overflow."""
+MOST_MARKERS = 100
+"""Naming the markers in a picture takes long with more of them."""
 _VIEW_NAME = re.compile(r"[a-z0-9_]{1,32}")
 
 
@@ -37,7 +40,7 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
     root = JsonObject.parse(file, text)
     root.check_format(FORMAT, VERSION)
     return Manifest(
-        recorded_at=_date(root),
+        recorded_at=root.date("recorded_at"),
         side=root.choice("side", list(Side)),
         reference_system=parse_reference_system(root.object("reference_frame")),
         views=_view_names(root),
@@ -68,17 +71,6 @@ def manifest_json(manifest: Manifest) -> dict[str, Any]:
     return {**values, **manifest.extra}
 
 
-def _date(root: JsonObject) -> str:
-    text = root.text("recorded_at")
-    try:
-        datetime.fromisoformat(text)
-    except ValueError:
-        raise root.fail(
-            "recorded_at", 'is "{text}", but must be a date such as 2026-11-20T10:00:00Z', text=text
-        ) from None
-    return text
-
-
 def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
     """Read a reference system, from a manifest or from a file of its own.
 
@@ -88,11 +80,18 @@ def parse_reference_system(frame: JsonObject) -> ReferenceSystem:
         Names the file and the key of the first violation.
     """
     markers = tuple(
-        Marker(item.text("id"), item.triple("position_mm"), item.text("face"))
+        Marker(item.text("id"), item.triple("position_mm", MOST_MM), item.text("face"))
         for item in frame.objects("markers")
     )
     if len({marker.id for marker in markers}) < len(markers):
         raise frame.fail("markers", "names the same marker id twice")
+    if len(markers) > MOST_MARKERS:
+        raise frame.fail(
+            "markers",
+            "has {count} markers, but a reference system has at most {most}",
+            count=len(markers),
+            most=MOST_MARKERS,
+        )
     if not markers:
         raise frame.fail("markers", "is empty, but a reference system has at least 4 markers")
     return ReferenceSystem(frame.text("name"), markers)
@@ -131,7 +130,7 @@ def parse_box(root: JsonObject) -> Box:
         Names the file and the key of the first violation.
     """
     box = root.object("volume_of_interest_mm")
-    low, high = box.triple("min"), box.triple("max")
+    low, high = box.triple("min", MOST_MM), box.triple("max", MOST_MM)
     if not all(a < b for a, b in zip(low, high, strict=True)):
         raise root.fail("volume_of_interest_mm", "must have min below max in x, y and z")
     return Box(low, high)
@@ -139,9 +138,9 @@ def parse_box(root: JsonObject) -> Box:
 
 def _condition(root: JsonObject) -> CaptureCondition:
     condition = root.object("capture_condition")
-    notes = condition.value("notes") if condition.has("notes") else ""
+    notes = condition.text("notes", empty=True) if condition.has("notes") else ""
     return CaptureCondition(
         condition.choice("weight_bearing", WEIGHT_BEARING),
         condition.flag("held") if condition.has("held") else False,
-        str(notes),
+        notes,
     )

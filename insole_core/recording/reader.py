@@ -23,6 +23,8 @@ from insole_core.sensing.correction import DisparityCorrection, parse_correction
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _GREY, _RGB = 0, 2
+MOST_FRAMES = 1000
+"""Of each kind in a view: half a minute of a Kinect."""
 
 
 def read_session(path: Path) -> Session:
@@ -42,7 +44,7 @@ def read_session(path: Path) -> Session:
             "zip archive of a session.",
             path=path,
         )
-    manifest = parse_manifest("manifest.json", store.read("manifest.json"))
+    manifest = parse_manifest(store.place("manifest.json"), store.read("manifest.json"))
     views = [_view(store, name, manifest) for name in manifest.views]
     return Session(manifest, _with_shared_cameras(views), str(path), _edits(store, path, manifest))
 
@@ -65,9 +67,9 @@ def _edits(store: Store, path: Path, manifest: Manifest) -> HandEdits:
     place = edits_path(path)
     if path.is_file() and place.is_file():
         beside = FolderStore(place.parent)
-        return parse_edits(place.name, beside.read(place.name), manifest)
+        return parse_edits(str(place), beside.read(place.name), manifest)
     if EDITS in store.names():
-        return parse_edits(EDITS, store.read(EDITS), manifest)
+        return parse_edits(store.place(EDITS), store.read(EDITS), manifest)
     return NO_EDITS
 
 
@@ -86,9 +88,12 @@ def _view(store: Store, name: str, manifest: Manifest) -> View:
     file = f"{folder}/sensor.json"
     if file not in store.names():
         raise InputError(
-            "{file} is missing, but manifest.json names the view {view}.", file=file, view=name
+            "{file} is missing, but manifest.json names the view {view}; restore it from the "
+            "recording.",
+            file=store.place(file),
+            view=name,
         )
-    root = JsonObject.parse(file, store.read(file))
+    root = JsonObject.parse(store.place(file), store.read(file))
     named = correction_name(root)
     correction = None if named is None else _correction(store, f"{folder}/{named}")
     sensor = parse_sensor(root, correction)
@@ -124,34 +129,45 @@ def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str
     )
     if not numbers:
         raise InputError(
-            "{folder} holds no {kind}_000.png, but a view has at least one.",
-            folder=folder,
+            "{folder} holds no {kind}_000.png, but a view has at least one; restore it from the "
+            "recording.",
+            folder=store.place(folder),
             kind=kind,
         )
+    if len(numbers) > MOST_FRAMES:
+        raise InputError(
+            "{folder} holds {count} {kind} frames, but a view has at most {most}; take the others "
+            "out.",
+            folder=store.place(folder),
+            count=len(numbers),
+            kind=kind,
+            most=MOST_FRAMES,
+        )
     names = [f"{folder}/{kind}_{number:03d}.png" for number in range(len(numbers))]
-    gap = next(
-        (name for name, n in zip(names, numbers, strict=True) if n != int(name[-7:-4])), None
-    )
+    gap = next((names[i] for i, number in enumerate(numbers) if number != i), None)
     if gap is not None:
         raise InputError(
-            "{frame} is missing, but later frames are there; restore it or renumber.", frame=gap
+            "{frame} is missing, but later frames are there; restore it or renumber.",
+            frame=store.place(gap),
         )
     for name in names:
-        check_png(name, store.read(name), expected)
+        check_png(store.place(name), store.read(name), expected)
     return names
 
 
 def _read_depth(store: Store, names: list[str], index: int) -> RawArray:
-    return decode_depth(names[index], store.read(names[index]))
+    return decode_depth(store.place(names[index]), store.read(names[index]))
 
 
 def _read_color(store: Store, names: list[str], index: int) -> ByteArray:
-    return decode_color(names[index], store.read(names[index]))
+    return decode_color(store.place(names[index]), store.read(names[index]))
 
 
 def _correction(store: Store, name: str) -> DisparityCorrection:
     if name not in store.names():
         raise InputError(
-            "{name} is missing, but sensor.json names it as disparity_correction.", name=name
+            "{name} is missing, but sensor.json names it as disparity_correction; restore it from "
+            "the recording.",
+            name=store.place(name),
         )
-    return parse_correction(name, store.read(name))
+    return parse_correction(store.place(name), store.read(name))

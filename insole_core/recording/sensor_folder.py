@@ -9,7 +9,6 @@ from insole_core.errors import InputError
 from insole_core.export.atomic import write_private
 from insole_core.json_object import JsonObject
 from insole_core.recording.sensor_json import correction_name, parse_sensor, sensor_json
-from insole_core.regular_file import read_regular
 from insole_core.sensing.correction import load_correction
 from insole_core.sensing.sensor import Sensor
 
@@ -26,15 +25,11 @@ def read_sensor(folder: Path) -> Sensor:
         When a file is missing, or violates the format.
     """
     path = folder / SENSOR_FILE
-    try:
-        content = read_regular(path)
-    except OSError as error:
+    if not path.exists():
         raise InputError(
-            "{path} cannot be read ({reason}); name a folder that holds a sensor.json.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
-    root = JsonObject.parse(SENSOR_FILE, content)
+            "{path} does not exist; name a folder that holds a sensor.json.", path=path
+        )
+    root = JsonObject.read(path)
     named = correction_name(root)
     return parse_sensor(root, None if named is None else load_correction(folder / named))
 

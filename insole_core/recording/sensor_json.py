@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -24,6 +23,8 @@ from insole_core.sensing.sensor import Sensor
 DEPTH_SIZE = (640, 480)
 COLOR_SIZES = ((1280, 1024), (1280, 960), (640, 480))
 _TINY = 1e-9
+_MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
+"""Far beyond any camera; larger numbers are mistakes, and overflow."""
 
 
 def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
@@ -108,16 +109,16 @@ def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCame
             height=height,
             allowed=allowed,
         )
-    k1, k2, p1, p2, k3 = item.numbers("distortion", 5)
+    k1, k2, p1, p2, k3 = item.numbers("distortion", 5, -_MOST_DISTORTION, _MOST_DISTORTION)
     return PinholeCamera(
         width=width,
         height=height,
-        fx=item.number("fx", 1, 1e5),
-        fy=item.number("fy", 1, 1e5),
-        cx=item.number("cx"),
-        cy=item.number("cy"),
+        fx=item.number("fx", 1, _MOST_PX),
+        fy=item.number("fy", 1, _MOST_PX),
+        cx=item.number("cx", -_MOST_PX, _MOST_PX),
+        cy=item.number("cy", -_MOST_PX, _MOST_PX),
         distortion=(k1, k2, p1, p2, k3),
-        skew=item.number("skew") if item.has("skew") else 0.0,
+        skew=item.number("skew", -_MOST_PX, _MOST_PX) if item.has("skew") else 0.0,
     )
 
 
@@ -136,22 +137,26 @@ def _depth2color(item: JsonObject) -> FloatArray:
         raise item.fail(
             "rotation", "is {what}; its rows must be right-handed unit vectors", what=kind
         )
-    return rigid(rotation, np.array(item.numbers("translation_mm", 3)))
+    return rigid(rotation, np.array(item.triple("translation_mm", _MOST_MM)))
 
 
 def _disparity(item: JsonObject) -> DisparityModel:
     model = item.choice("model", ["kinect-v1-factory", "linear-inverse", "tangent"])
     if model == "kinect-v1-factory":
         return FactoryDisparity(
-            item.number("reference_distance_mm", _TINY),
-            item.number("reference_pixel_size_mm", _TINY),
-            item.number("baseline_mm", _TINY),
-            item.number("constant_shift"),
+            item.number("reference_distance_mm", _TINY, _MOST_MM),
+            item.number("reference_pixel_size_mm", _TINY, _MOST_MM),
+            item.number("baseline_mm", _TINY, _MOST_MM),
+            item.number("constant_shift", -_MOST_PX, _MOST_PX),
         )
     if model == "linear-inverse":
-        return LinearInverseDisparity(item.number("a"), item.number("b", -math.inf, -_TINY))
+        return LinearInverseDisparity(
+            item.number("a", -_MOST_PX, _MOST_PX), item.number("b", -_MOST_PX, -_TINY)
+        )
     return TangentDisparity(
-        item.number("k1_mm", _TINY), item.number("k2", _TINY), item.number("k3")
+        item.number("k1_mm", _TINY, _MOST_MM),
+        item.number("k2", _TINY, _MOST_PX),
+        item.number("k3", -_MOST_PX, _MOST_PX),
     )
 
 

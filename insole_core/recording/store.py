@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import errno
-import zipfile
-import zlib
+from itertools import chain
 from pathlib import Path, PurePosixPath
 from typing import Protocol
 
 from insole_core.errors import InputError
 from insole_core.messages import Message
-from insole_core.regular_file import open_regular, read_regular
+from insole_core.regular_file import read_regular
+from insole_core.zip_archive import ZipArchive
 
 MAX_FILE_BYTES = 64 * 2**20
 """No file of a session is larger: a 1280×1024 colour image has 4 MB before compression."""
 
 MAX_ARCHIVE_BYTES = 8 * 2**30
 MAX_ARCHIVE_FILES = 100_000
+_OF_A_MAC = "__MACOSX/"
+"""Holds what macOS knows about the files, beside them."""
 
 
 class Store(Protocol):
@@ -24,6 +26,10 @@ class Store(Protocol):
 
     def names(self) -> list[str]:
         """Return the names of all files, with forward slashes."""
+        ...
+
+    def place(self, name: str) -> str:
+        """Return the name of a file for messages, which says in which session it is."""
         ...
 
     def read(self, name: str) -> bytes:
@@ -38,15 +44,20 @@ class Store(Protocol):
 
 
 class FolderStore:
-    """The files below a folder."""
+    """The files in a folder and below its ``views``."""
 
     def __init__(self, root: Path) -> None:
         self._root = root
 
     def names(self) -> list[str]:
         """Return the names of all files, with forward slashes."""
-        paths = self._root.rglob("*")
+        # Not all below the folder: somebody may name one that holds a whole disk.
+        paths = chain(self._root.glob("*"), (self._root / "views").rglob("*"))
         return sorted(p.relative_to(self._root).as_posix() for p in paths if p.is_file())
+
+    def place(self, name: str) -> str:
+        """Return the path of a file."""
+        return str(self._root / name)
 
     def read(self, name: str) -> bytes:
         """Return the content of a file.
@@ -61,10 +72,10 @@ class FolderStore:
             return read_regular(path, MAX_FILE_BYTES)
         except OSError as error:
             if error.errno == errno.EFBIG:
-                raise InputError(_too_large(name)) from error
+                raise InputError(_too_large(self.place(name))) from error
             raise InputError(
                 "{name} cannot be read ({reason}); check the disk and the permissions.",
-                name=name,
+                name=self.place(name),
                 reason=str(error.strerror),
             ) from error
 
@@ -79,26 +90,21 @@ class ZipStore:
     """
 
     def __init__(self, archive: Path) -> None:
-        self._archive = archive
-        try:
-            with open_regular(archive) as file, zipfile.ZipFile(file) as opened:
-                entries = [entry for entry in opened.infolist() if not entry.is_dir()]
-        except (zipfile.BadZipFile, OSError, NotImplementedError) as error:
-            raise InputError(
-                "{archive} is not a readable zip archive; copy it again from its source.",
-                archive=archive,
-            ) from error
-        _check_entries(archive, entries)
-        self._prefix = _prefix([entry.filename for entry in entries])
+        self._archive = ZipArchive(str(archive), archive)
+        _check_entries(self._archive)
+        names = [name for name in self._archive.names if not name.startswith(_OF_A_MAC)]
+        self._prefix = _prefix(names)
         self._names = sorted(
-            entry.filename.removeprefix(self._prefix)
-            for entry in entries
-            if entry.filename.startswith(self._prefix)
+            name.removeprefix(self._prefix) for name in names if name.startswith(self._prefix)
         )
 
     def names(self) -> list[str]:
         """Return the names of all files, with forward slashes."""
         return self._names
+
+    def place(self, name: str) -> str:
+        """Return the name of the archive, and of the file in it."""
+        return f"{self._archive.name}: {name}"
 
     def read(self, name: str) -> bytes:
         """Return the content of a file.
@@ -108,23 +114,7 @@ class ZipStore:
         InputError
             When it cannot be read, or is larger than any file of a session.
         """
-        try:
-            # The sizes that the archive states are not trusted: never inflate past the limit.
-            with (
-                open_regular(self._archive) as packed,
-                zipfile.ZipFile(packed) as opened,
-                opened.open(self._prefix + name) as file,
-            ):
-                content = file.read(MAX_FILE_BYTES + 1)
-        except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, zlib.error) as error:
-            raise InputError(
-                "{file} inside {archive} is damaged; copy the archive again from its source.",
-                file=name,
-                archive=self._archive,
-            ) from error
-        if len(content) > MAX_FILE_BYTES:
-            raise InputError(_too_large(name))
-        return content
+        return self._archive.read(self._prefix + name, MAX_FILE_BYTES)
 
 
 def _too_large(name: str) -> str:
@@ -136,24 +126,23 @@ def _too_large(name: str) -> str:
     )
 
 
-def _check_entries(archive: Path, entries: list[zipfile.ZipInfo]) -> None:
-    for entry in entries:
-        path = PurePosixPath(entry.filename.replace("\\", "/"))
-        if path.is_absolute() or ".." in path.parts or ":" in entry.filename:
+def _check_entries(archive: ZipArchive) -> None:
+    for name in archive.names:
+        path = PurePosixPath(name)
+        if path.is_absolute() or ".." in path.parts or ":" in name:
             raise InputError(
                 '{archive} holds the path "{file}", which leads out of the archive; do not use '
                 "this file.",
-                archive=archive,
-                file=entry.filename,
+                archive=archive.name,
+                file=name,
             )
-    total = sum(entry.file_size for entry in entries)
-    if total > MAX_ARCHIVE_BYTES or len(entries) > MAX_ARCHIVE_FILES:
+    if archive.stated_bytes > MAX_ARCHIVE_BYTES or len(archive.names) > MAX_ARCHIVE_FILES:
         raise InputError(
             "{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session "
             "has; do not use this file.",
-            archive=archive,
-            size_gb=total / 2**30,
-            files=len(entries),
+            archive=archive.name,
+            size_gb=archive.stated_bytes / 2**30,
+            files=len(archive.names),
         )
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import json
-import zipfile
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -16,13 +14,18 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
-from insole_core.regular_file import read_regular
+from insole_core.given_file import read_given
+from insole_core.json_object import JsonObject
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.stored_arrays import read_arrays
 
 VERSION = 2
 _SHAPE = (480, 640)
 _ARRAYS = ("slope", "deviation")
 _WHOLE_RANGE = (0.0, 2047.0)
+_MOST_NUMBER = 1e6  # raw numbers have 11 bits
+MAX_BYTES = 32 * 2**20
+"""The maps of a correction have 4 MB."""
 
 
 @dataclass(frozen=True)
@@ -174,15 +177,7 @@ def load_correction(path: Path) -> DisparityCorrection:
     InputError
         When it is missing, damaged, or of a newer version.
     """
-    try:
-        content = read_regular(path)
-    except OSError as error:
-        raise InputError(
-            "The correction {path} cannot be read ({reason}); calibrate the sensor again.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
-    return parse_correction(path.name, content)
+    return parse_correction(path.name, read_given(path, MAX_BYTES))
 
 
 def parse_correction(name: str, content: bytes) -> DisparityCorrection:
@@ -204,42 +199,58 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         When it is damaged, holds arrays of another shape, or is of a newer version.
     """
     try:
-        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
-            arrays = {key: stored[key] for key in stored.files}
-        offset = arrays["offset"]
-        record = _record(arrays)
-    except (ValueError, OSError, KeyError, TypeError, zipfile.BadZipFile, EOFError) as error:
+        arrays = read_arrays(name, content, MAX_BYTES)
+    except InputError as error:
         raise InputError(
             '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
+        ) from error
+    if "offset" not in arrays:
+        raise InputError(
+            '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
+        )
+    _check_map(name, "offset", arrays["offset"])
+    if "record" not in arrays:
+        # Written by another program: the meaning of its other arrays is unknown.
+        return DisparityCorrection(arrays["offset"].astype(np.float32))
+    try:
+        record = _record(name, str(arrays["record"]))
+    except InputError as error:
+        raise InputError(
+            '{name} holds no readable array "record"; calibrate the sensor again.', name=name
         ) from error
     if record.version > VERSION:
         raise InputError(
             "{name} is of version {version}, which is newer than this program (it reads up to "
-            "{version}); install a newer Insole Studio.",
+            "{newest}); install a newer Insole Studio.",
             name=name,
-            version=VERSION,
+            version=record.version,
+            newest=VERSION,
         )
-    _check_map(name, "offset", offset)
-    if "record" not in arrays:
-        # Written by another program: the meaning of its other arrays is unknown.
-        return DisparityCorrection(offset.astype(np.float32))
-    for key in _ARRAYS:
+    for key in (*_ARRAYS, "coverage"):
         if key in arrays:
             _check_map(name, key, arrays[key])
-    _check_range(name, arrays.get("raw_range", _WHOLE_RANGE))
+    _check_numbers(name, "raw_range", arrays.get("raw_range", _WHOLE_RANGE), (2,))
+    for key in ("reference_raw", "decay"):
+        _check_numbers(name, key, arrays.get(key, 0.0), ())
     return _assemble(arrays, record)
 
 
-def _record(arrays: dict[str, Any]) -> CorrectionRecord:
-    if "record" not in arrays:
-        return CorrectionRecord()
-    values = json.loads(str(arrays["record"]))
-    known = CorrectionRecord.__dataclass_fields__
-    return CorrectionRecord(**{key: value for key, value in values.items() if key in known})
+def _record(name: str, text: str) -> CorrectionRecord:
+    root = JsonObject.parse(f"{name}: record", text.encode(errors="surrogatepass"))
+    version = root.integer("version", 1, 1000) if root.has("version") else VERSION
+    if root.has("made_at") and root.text("made_at", empty=True):
+        root.date("made_at")
+    texts = ("serial", "made_at", "method")
+    figures = root.object("figures") if root.has("figures") else None
+    return CorrectionRecord(
+        **{key: root.text(key, empty=True) for key in texts if root.has(key)},
+        figures={} if figures is None else {key: figures.number(key) for key in figures.values},
+        version=version,
+    )
 
 
-def _check_map(name: str, key: str, array: FloatArray) -> None:
-    if array.shape != _SHAPE or not np.isfinite(array).all():
+def _check_map(name: str, key: str, array: npt.NDArray[Any]) -> None:
+    if array.shape != _SHAPE or not _are_numbers(array):
         raise InputError(
             '{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor '
             "again.",
@@ -248,11 +259,19 @@ def _check_map(name: str, key: str, array: FloatArray) -> None:
         )
 
 
-def _check_range(name: str, raw_range: npt.ArrayLike) -> None:
-    if np.shape(raw_range) != (2,):
+def _check_numbers(name: str, key: str, values: npt.ArrayLike, shape: tuple[int, ...]) -> None:
+    if np.shape(values) != shape or not _are_numbers(np.asarray(values)):
+        what = "two raw numbers" if shape else "one number"
         raise InputError(
-            '{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.', name=name
+            '{name}: "{key}" must hold {what}; calibrate the sensor again.',
+            name=name,
+            key=key,
+            what=what,
         )
+
+
+def _are_numbers(array: npt.NDArray[Any]) -> bool:
+    return array.dtype.kind in "iuf" and bool((np.abs(array) <= _MOST_NUMBER).all())
 
 
 def _assemble(arrays: dict[str, Any], record: CorrectionRecord) -> DisparityCorrection:

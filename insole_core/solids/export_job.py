@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from datetime import date
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from insole_core.errors import UsageError
+from insole_core.errors import DesignError, UsageError
 from insole_core.export.atomic import write_text
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
@@ -36,6 +36,8 @@ from insole_core.solids.shop import Block, Shop
 if TYPE_CHECKING:
     from insole_core.export.paper import JobSheet, Nesting
 
+MOST_LETTERS = 200
+"""Of a pseudonym or a material: what a page of the papers holds."""
 _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 """Share of the length or width, and whether the cut goes across."""
 
@@ -184,6 +186,18 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
         yield opened(places, transaction)
 
 
+def _check_texts(texts: Iterable[str]) -> None:
+    for text in texts:
+        if len(text) > MOST_LETTERS:
+            raise DesignError(
+                '"{start}…" has {count} characters, and the papers take at most {most}; '
+                "shorten it.",
+                start=text[:20],
+                count=len(text),
+                most=MOST_LETTERS,
+            )
+
+
 def run_export_job(
     job: ExportJob, places: ExportPaths, beside: ExportPaths, progress: Progress = SILENT
 ) -> None:
@@ -199,10 +213,12 @@ def run_export_job(
     Raises
     ------
     DesignError
-        If a blocking check failed and is not overridden, or a pair does not fit its block.
+        If a blocking check failed and is not overridden, a pair does not fit its block, or a text
+        is too long for the papers.
     InputError
         If a paper lacks what it states.
     """
+    _check_texts((*job.identification.values(), job.material))
     placed = job.placed()
     records = [require_export(piece.findings, job.override) for piece in placed]
     progress.step(0.1, "Writing the file")

@@ -54,7 +54,7 @@ def read_shop(path: Path | None = None) -> Shop:
     layers = root.object("layers")
     return Shop(
         tuple(read_block(item) for item in root.objects("blocks")),
-        tuple(str(name) for name in root.items("materials")),
+        tuple(root.texts("materials")),
         root.number("tolerance_mm"),
         {name: _layer(layers.object(name)) for name in LAYER_NAMES},
     )

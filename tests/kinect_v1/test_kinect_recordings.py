@@ -157,6 +157,16 @@ def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
         pytest.fail("must not begin")
 
 
+@pytest.mark.parametrize("number", ["NaN", "7" * 400, "1e400", '"5"', "true", "null", "[]", "-1"])
+def test_numbers_of_the_device_are_checked(folder: Path, number: str) -> None:
+    path = folder / "device.json"
+    device = json.loads(path.read_text())
+    device["reg_info"]["zero_plane_info"]["reference_distance"] = "here"
+    path.write_text(json.dumps(device).replace('"here"', number))
+    with pytest.raises(RecordingError, match=r"calibration in device\.json is incomplete"):
+        read_recording(folder)
+
+
 def test_bad_recordings_are_named(folder: Path, tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match=r"INDEX\.txt cannot be read"):
         read_recording(tmp_path)
@@ -173,6 +183,10 @@ def test_bad_recordings_are_named(folder: Path, tmp_path: Path) -> None:
     (folder / "device.json").write_text('{"reg_info": {}}')
     with pytest.raises(RecordingError, match="incomplete"):
         read_recording(folder)
+    for damaged in ("[]", '{"serial": 5}', '{"model": []}', '{"a": 1, "a": 2}', "[" * 100_000):
+        (folder / "device.json").write_text(damaged)
+        with pytest.raises(RecordingError, match=r"device\.json is damaged"):
+            read_recording(folder)
     (folder / "device.json").unlink()
     assert read_recording(folder).calibration is None
     index.write_text("d-1.0-5.pgm\n")

@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_studio.cli.argument_parser import number
 
 if TYPE_CHECKING:
     from insole_core.calibration.boards.board import Board
@@ -28,10 +29,10 @@ def add_board_arguments(parser: argparse.ArgumentParser, required: bool = True) 
         "squares of a ChArUco board",
     )  # fmt: skip
     parser.add_argument(
-        "--square", type=float, required=required, metavar="MM", help="side of one square"
+        "--square", type=number, required=required, metavar="MM", help="side of one square"
     )
     parser.add_argument(
-        "--marker", type=float, metavar="MM", help="side of a marker: it is a ChArUco board"
+        "--marker", type=number, metavar="MM", help="side of a marker: it is a ChArUco board"
     )
     parser.add_argument(
         "--dictionary", default="DICT_5X5_250", help="of the ChArUco markers (DICT_5X5_250)"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
 from insole_studio.cli.stopping import Stopped
@@ -42,13 +43,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "twice is moved by hand in between",
     )  # fmt: skip
     parser.add_argument("--side", choices=["left", "right"], help="of the foot")
-    parser.add_argument("--frames", type=int, default=10, help="depth frames a view (10)")
-    parser.add_argument("--color-frames", type=int, default=1, help="colour pictures a view (1)")
+    parser.add_argument("--frames", type=whole, default=10, help="depth frames a view (10)")
+    parser.add_argument("--color-frames", type=whole, default=1, help="colour pictures a view (1)")
     parser.add_argument(
         "--simultaneous", action="store_true",
         help="all sensors at once; for sensors that do not see the same surface",
     )  # fmt: skip
-    parser.add_argument("--bursts", type=int, help="series a view, a degree of tilt apart (1)")
+    parser.add_argument("--bursts", type=whole, help="series a view, a degree of tilt apart (1)")
     parser.add_argument("--weight-bearing", choices=["none", "semi", "full"], default="none")
     parser.add_argument("--held", action="store_true", help="somebody held the foot")
     parser.add_argument("--notes", default="", help="about the capture")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="fit B to A (default), take both as they lie, use four black dots, or picked points",
     )  # fmt: skip
     parser.add_argument(
-        "--median", type=int, default=1, metavar="PIXELS",
+        "--median", type=whole, default=1, metavar="PIXELS",
         help="spatial median filter of both, in pixels of 1 mm; 6 as in the thesis (default: none)",
     )  # fmt: skip
 

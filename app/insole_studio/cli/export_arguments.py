@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -27,15 +28,15 @@ if TYPE_CHECKING:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the solid and of the files that accompany it."""
     shape = parser.add_argument_group("make")
-    shape.add_argument("--draft", type=float, default=3.0, metavar="DEG", help="lean of the walls")
-    shape.add_argument("--chamfer", type=float, default=0.0, metavar="MM", help="bevel of the rim")
+    shape.add_argument("--draft", type=number, default=3.0, metavar="DEG", help="lean of the walls")
+    shape.add_argument("--chamfer", type=number, default=0.0, metavar="MM", help="bevel of the rim")
     shape.add_argument("--mark", metavar="TEXT", help="write this on the flat bottom")
     shape.add_argument(
         "--relief", choices=["engraved", "raised"], default="engraved", help="of --mark"
     )
-    shape.add_argument("--triangles", type=int, metavar="N", help="at most so many triangles")
+    shape.add_argument("--triangles", type=whole, metavar="N", help="at most so many triangles")
     shape.add_argument(
-        "--deviation", type=float, default=0.05, metavar="MM", help="for --triangles"
+        "--deviation", type=number, default=0.05, metavar="MM", help="for --triangles"
     )
     shape.add_argument(
         "--layers", action="store_true", help="cover, shell and base as objects of a 3MF file"
@@ -44,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument("--material", default="", metavar="TEXT", help="for the papers")
     shape.add_argument("--block", metavar="NAME", help="of the shop's list; checked, or nested in")
     shape.add_argument(
-        "--cutter", type=float, metavar="MM", help="diameter of the ball-nose cutter"
+        "--cutter", type=number, metavar="MM", help="diameter of the ball-nose cutter"
     )
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")

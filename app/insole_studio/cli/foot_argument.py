@@ -23,8 +23,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="of a mesh (default: the one in which it is as large as a foot)",
     )  # fmt: skip
     parser.add_argument(
-        "--force", action="store_true", help="go on although the shape looks like the other foot"
-    )
+        "--force", action="store_true",
+        help="go on although the shape looks like the other foot, or has no proportions of one",
+    )  # fmt: skip
 
 
 def read_foot(

@@ -28,6 +28,7 @@ from insole_studio.cli import (
     simulate,
     window,
 )
+from insole_studio.cli.argument_parser import Parser
 from insole_studio.cli.path_arguments import check_paths
 from insole_studio.cli.stopping import Stopped, stop_on_signals
 from insole_studio.cli.subcommands import Command
@@ -62,24 +63,36 @@ def run(arguments: list[str]) -> int:
         print(f"Stopped on request; {stopped.outcome}", file=sys.stderr)
         return stopped.exit_code
     except OSError as error:
-        print(
-            f"The computer failed to read or write ({error}); check the disk and the network, and "
-            "try again.",
-            file=sys.stderr,
-        )
+        print(_reason(error), file=sys.stderr)
         return 1
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
-        traceback.print_exc()
-        print(
-            f"An error in the program itself ({error}); please report it with the lines above.",
-            file=sys.stderr,
-        )
-        return 1
+        return _report_fault(error)
     return 0
 
 
+def _reason(error: OSError) -> str:
+    if error.filename is None:
+        return (
+            f"The computer failed to read or write ({error}); check the disk and the network, and "
+            "try again."
+        )
+    return (
+        f"{error.filename} cannot be used: {error.strerror}; check the name, and that you may "
+        "read and write there."
+    )
+
+
+def _report_fault(error: Exception) -> int:
+    traceback.print_exc()
+    print(
+        f"An error in the program itself ({error}); please report it with the lines above.",
+        file=sys.stderr,
+    )
+    return 1
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="insole-studio",
         description="Custom insoles from scans of the foot. Without a command the window opens.",
     )

@@ -12,6 +12,7 @@ from typing import Any
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.path_arguments import OutputPath
 
 NAME = "reconstruct"
@@ -34,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--report", action=OutputPath, metavar="report.json")
     limits = parser.add_argument_group("when the pose of a view is refused")
     for name, unit, what in LIMITS:
-        limits.add_argument(f"--largest-{name}", type=float, metavar=unit, help=what)
+        limits.add_argument(f"--largest-{name}", type=number, metavar=unit, help=what)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:

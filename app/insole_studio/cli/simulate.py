@@ -6,6 +6,7 @@ import argparse
 
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
 NAME = "simulate"
@@ -15,14 +16,14 @@ HELP = "write a simulated session with its true surface and poses"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("out", action=OutputPath, metavar="OUT", help="folder or .zip to write")
-    parser.add_argument("--seed", type=int, default=0, help="same seed, same session (default 0)")
+    parser.add_argument("--seed", type=whole, default=0, help="same seed, same session (default 0)")
     parser.add_argument("--side", choices=[side.value for side in Side], default="left")
     parser.add_argument(
-        "--distance", type=float, default=800.0, metavar="MM", help="sensors to foot (default 800)"
+        "--distance", type=number, default=800.0, metavar="MM", help="sensors to foot (default 800)"
     )
     parser.add_argument(
         "--bursts",
-        type=int,
+        type=whole,
         default=1,
         metavar="N",
         help="places each sensor stands in (default 1)",

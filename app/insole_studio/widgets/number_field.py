@@ -17,8 +17,8 @@ FINE = 0.1
 _OF_THE_WINDOW = (Qt.Key.Key_Z, Qt.Key.Key_Y, Qt.Key.Key_E)
 """With Ctrl these undo, redo and export the whole case instead of editing the field."""
 
-_BEGUN = ("-", "-.", "-,")
-"""Valid beginnings of a negative number."""
+_UNFINISHED = ("", "-", ".", ",", "-.", "-,")
+"""Beginnings of a number, which need no explanation."""
 
 
 class NumberField(QDoubleSpinBox):
@@ -98,14 +98,18 @@ class NumberField(QDoubleSpinBox):
         return super().event(event)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
-        """Accept comma and point; a number out of range is rejected when it is committed."""
-        if self._is_beyond(text) or self._bare(text) in _BEGUN:
+        """Accept comma and point; what is no number of the range is rejected when committed.
+
+        A key that is swallowed would make another number of what was typed: 11 of 1e1.
+        """
+        state, localised, position = super().validate(self._localised(text), position)
+        if state == QValidator.State.Invalid or self._is_beyond(text):
             return (QValidator.State.Intermediate, text, position)
-        return super().validate(self._localised(text), position)
+        return (state, localised, position)
 
     def fixup(self, text: str) -> str:
         """Explain why a number is rejected, and return the previous value."""
-        if self._is_beyond(text):
+        if self._bare(text) not in _UNFINISHED:
             least, greatest, before = map(
                 self.textFromValue, (self.minimum(), self.maximum(), self.value())
             )

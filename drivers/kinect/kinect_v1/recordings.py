@@ -33,6 +33,10 @@ from kinect_v1.streams import Frame
 
 INDEX = "INDEX.txt"
 _DEVICE = "device.json"
+_MOST_JSON_BYTES = 2**20
+_GREATEST = 2**32
+"""No number of the sensor's memory is larger."""
+_TINY_CM = 1e-6
 _POSTURE = struct.Struct("<hhhbxi")
 _MOVING = 4
 _NAME = re.compile(r"([drabi])-(\d+(?:\.\d+)?)-(\d+)\.(pgm|ppm|dump|png)")
@@ -265,28 +269,52 @@ def _read_device(path: Path) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        device = json.loads(path.read_text("utf-8"))
-    except (OSError, ValueError) as error:
+        if path.stat().st_size > _MOST_JSON_BYTES:
+            raise ValueError
+        device = json.loads(path.read_text("utf-8"), object_pairs_hook=_without_doubles)
+    except (OSError, ValueError, RecursionError) as error:
         raise RecordingError(_unreadable(path)) from error
-    return device if isinstance(device, dict) else {}
+    named = (device.get("serial"), device.get("model")) if isinstance(device, dict) else (0,)
+    if not all(text is None or isinstance(text, str) for text in named):
+        raise RecordingError(_unreadable(path))
+    return dict(device)
+
+
+def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    values = dict(pairs)
+    if len(values) < len(pairs):
+        raise ValueError
+    return values
 
 
 def _decode_calibration(device: dict[str, Any]) -> Calibration | None:
     if "reg_info" not in device:
         return None
-    info = dict(device["reg_info"])
     try:
-        padding = Padding(**info.pop("pad_info"))
-        plane = info.pop("zero_plane_info")
+        info = dict(device["reg_info"])
+        padding = Padding(**_numbers(info.pop("pad_info")))
+        plane = _numbers(info.pop("zero_plane_info"))
         zero_plane = ZeroPlane(
             plane["dcmos_emitter_distance"],
             plane["dcmos_rcmos_distance"],
             plane["reference_distance"],
             plane["reference_pixel_size"],
         )
-        registration = RegistrationInfo(**{**dict.fromkeys(_UNUSED, 0), **info})
-        return Calibration(zero_plane, registration, padding, round(device["const_shift"]))
-    except (KeyError, TypeError) as error:
+        if min(zero_plane.reference_distance_cm, zero_plane.reference_pixel_cm) < _TINY_CM:
+            raise ValueError("a distance is not above 0")
+        registration = RegistrationInfo(**{**dict.fromkeys(_UNUSED, 0), **_numbers(info)})
+        shift = _numbers({"const_shift": device["const_shift"]})["const_shift"]
+        return Calibration(zero_plane, registration, padding, round(shift))
+    except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(
             f"The calibration in {_DEVICE} is incomplete ({error}); copy the recording again."
         ) from error
+
+
+def _numbers(values: Any) -> dict[str, Any]:
+    """Return an object of JSON whose values are all usual numbers."""
+    for key, value in dict(values).items():
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if not (is_number and abs(value) <= _GREATEST):
+            raise TypeError(f"{key} is no usual number")
+    return dict(values)

@@ -13,6 +13,7 @@ import numpy as np
 from insole_core.errors import CalibrationError, InputError, UsageError
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.messages import Message
+from insole_core.recording.images import read_picture
 
 _PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 _LEAST_CORNERS = 8
@@ -271,12 +272,12 @@ def read_color(path: Path) -> ByteArray:
 
 
 def _read(path: Path, flags: int) -> ByteArray:
-    picture = cv2.imread(str(path), flags)
+    picture = read_picture(path, flags)
     if picture is None:
         raise InputError(
             "{path} is no readable picture; restore it or take it out of the folder.", path=path
         )
-    return np.asarray(picture)
+    return picture
 
 
 def shifted(detection: BoardDetection, shift_px: tuple[float, float]) -> BoardDetection:

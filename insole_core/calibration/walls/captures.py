@@ -15,6 +15,7 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.geometry.arrays import FloatArray, RawArray
 from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
+from insole_core.recording.images import read_picture
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import mean_raw
 
@@ -142,7 +143,7 @@ def read_depth(path: Path) -> RawArray:
     InputError
         If it cannot be read or is not 16-bit.
     """
-    image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    image = read_picture(path, cv2.IMREAD_UNCHANGED)
     if image is None:
         raise InputError(
             "{path} is no readable image; restore it or take it out of the folder.", path=path

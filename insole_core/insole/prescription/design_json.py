@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
+from insole_core.given_file import read_given
 from insole_core.insole.prescription.design import (
     CORRECTION_TYPES,
     Correction,
@@ -18,7 +19,7 @@ from insole_core.insole.prescription.design import (
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
 from insole_core.insole.prescription.design_totals import check_totals
-from insole_core.regular_file import read_regular
+from insole_core.strict_json import MOST_BYTES, load_strictly
 
 FORMAT, VERSION = "insole-design", 1
 
@@ -37,30 +38,20 @@ def read_design(path: Path) -> InsoleDesign:
     InputError
         Naming the file, and the key that is missing, unknown or out of range, or the total.
     """
+    text = read_given(path, MOST_BYTES)
     try:
-        content = json.loads(
-            read_regular(path).decode(),
-            parse_constant=_refuse_constant,
-            object_pairs_hook=_without_doubles,
-        )
-        design = design_from_json(content)
+        design = design_from_json(load_strictly(text, parse_constant=_refuse_constant))
         check_totals(design)
         return design
-    except OSError as error:
-        raise InputError(
-            "{path} cannot be read: {reason}; check the name of the file.",
-            path=path,
-            reason=str(error.strerror),
-        ) from error
     except UnicodeDecodeError as error:
         raise InputError("{path} is no UTF-8 text; hand in a design as JSON.", path=path) from error
-    except (json.JSONDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(
             "{path} is no valid JSON: {reason}; export the design again.",
             path=path,
             reason=str(error),
         ) from error
-    except DesignError as error:
+    except (DesignError, InputError) as error:
         raise InputError("{path}: {reason}", path=path, reason=str(error)) from error
 
 
@@ -238,12 +229,3 @@ def _check_keys(given: dict[str, Any], kind: type[Any], where: str) -> None:
 
 def _refuse_constant(name: str) -> NoReturn:
     raise DesignError("{name} is no number a design can hold; put in a usual one.", name=name)
-
-
-def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    content = dict(pairs)
-    if len(content) < len(pairs):
-        keys = [key for key, _ in pairs]
-        twice = next(key for key in keys if keys.count(key) > 1)
-        raise DesignError('the key "{twice}" stands twice in one object; keep one.', twice=twice)
-    return content

@@ -148,9 +148,9 @@ def named(
         When the user pointed at a position without a detection, or too few markers are left.
     """
     index = {marker.id: number for number, marker in enumerate(markers)}
-    said = {
-        index[spot.id]: _row(spot, sightings, camera) for spot in edits.named if spot.id in index
-    }
+    spots = [spot for spot in edits.named if spot.id in index]
+    rows_said = _rows(spots, sightings, camera)
+    said = {index[spot.id]: row for spot, row in zip(spots, rows_said, strict=True)}
     rows = {
         marker: (point, used)
         for marker, point, used in zip(
@@ -204,7 +204,7 @@ def follow_names(
     index = {marker.id: number for number, marker in enumerate(markers)}
     spots = [spot for spot in edits.named if spot.id in index]
     positions = positions_of(markers)
-    pointed = np.array([_row(spot, sightings, camera) for spot in spots])
+    pointed = np.array(_rows(spots, sightings, camera))
     places = positions[[index[spot.id] for spot in spots]]
     # The regions limit the other markers only; a named one counts wherever it lies.
     may = searched(sightings.pixels, edits)
@@ -229,7 +229,10 @@ def follow_names(
 
 def _pose_of(places: FloatArray, rays: FloatArray) -> PoseBatch:
     """Compute the pose from markers (k, 3) and their normalised image coordinates (k, 2), k > 3."""
-    found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    try:
+        found, turn, shift = cv2.solvePnP(places, rays, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+    except cv2.error:  # the rays are almost one
+        found = False
     if not found:
         return PoseBatch(np.zeros((0, 3, 3)), np.zeros((0, 3)))
     return PoseBatch(cv2.Rodrigues(turn)[0][None], shift.reshape(1, 3))
@@ -246,6 +249,19 @@ def _check_enough(order: list[int], excluded: BoolArray, edits: ViewEdits) -> No
             corrections=edits.summary(),
             least=ENOUGH_NAMES,
         )
+
+
+def _rows(spots: list[NamedSpot], sightings: Detections, camera: PinholeCamera) -> list[int]:
+    rows = [_row(spot, sightings, camera) for spot in spots]
+    for number, row in enumerate(rows):
+        if row in rows[:number]:
+            raise ReconstructionError(
+                "the markers {first} and {second} were pointed at in one place; point at each "
+                "where it is",
+                first=spots[rows.index(row)].id,
+                second=spots[number].id,
+            )
+    return rows
 
 
 def _row(spot: NamedSpot, sightings: Detections, camera: PinholeCamera) -> int:

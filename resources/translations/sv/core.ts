@@ -20,6 +20,10 @@
             <translation>”{serial}” är inget serienummer för en sensor; ange dess bokstäver och siffror som de står på etiketten.</translation>
         </message>
         <message>
+            <source>"{start}…" has {count} characters, and the papers take at most {most}; shorten it.</source>
+            <translation>”{start}…” har {count} tecken, och papperen rymmer högst {most}; förkorta texten.</translation>
+        </message>
+        <message>
             <source>"{text}" names no view and sensor; write for example left=A00362A.</source>
             <translation>”{text}” anger ingen vy och sensor; skriv till exempel left=A00362A.</translation>
         </message>
@@ -572,10 +576,6 @@
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
         </message>
         <message>
-            <source>The correction {path} cannot be read ({reason}); calibrate the sensor again.</source>
-            <translation>Korrektionen {path} kan inte läsas ({reason}); kalibrera sensorn igen.</translation>
-        </message>
-        <message>
             <source>The depth image has no readings; capture it again.</source>
             <translation>Djupbilden har inga mätvärden; ta om den.</translation>
         </message>
@@ -856,6 +856,10 @@
             <translation>Ytan kunde inte passas in i vyerna; kontrollera om någon vy är förstörd och uteslut den.</translation>
         </message>
         <message>
+            <source>The surface has no proportions of a foot: {length_mm:.0f} mm long, {ball_mm:.0f} mm wide at the ball, {heel_mm:.0f} mm at the heel; check that the file holds one whole foot or its sole, and nothing else.</source>
+            <translation>Ytan har inte en fots proportioner: {length_mm:.0f} mm lång, {ball_mm:.0f} mm bred över trampdynan, {heel_mm:.0f} mm över hälen; kontrollera att filen innehåller en hel fot eller dess sula, och inget annat.</translation>
+        </message>
+        <message>
             <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
             <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
         </message>
@@ -866,6 +870,10 @@
         <message>
             <source>The surface is flat, which is no foot; export the scan again.</source>
             <translation>Ytan är plan, vilket ingen fot är; exportera skanningen igen.</translation>
+        </message>
+        <message>
+            <source>The surface is only {thickness_mm:.0f} mm thick on average at a length of {length_mm:.0f} mm, as if it were an insole; choose the scan of the foot.</source>
+            <translation>Ytan är i genomsnitt bara {thickness_mm:.0f} mm tjock vid en längd av {length_mm:.0f} mm, som om den vore ett inlägg; välj skanningen av foten.</translation>
         </message>
         <message>
             <source>The surface is open; where nothing was measured it is continued smoothly.</source>
@@ -882,6 +890,10 @@
         <message>
             <source>The surface was inside out and has been turned.</source>
             <translation>Ytan var ut och in och har vänts.</translation>
+        </message>
+        <message>
+            <source>The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to {most_mm:g} mm long; check its unit, and that it is a whole foot.</source>
+            <translation>Ytan skulle vara en fot på {length_mm:.0f} mm, och fötter är {least_mm:g} till {most_mm:g} mm långa; kontrollera enheten, och att det är en hel fot.</translation>
         </message>
         <message>
             <source>The tip of the 2nd toe does not stand out; the foot axis runs to its usual place.</source>
@@ -1092,6 +1104,10 @@
             <translation>djupets a</translation>
         </message>
         <message>
+            <source>a text in it holds half a character (\{half}); write it again.</source>
+            <translation>en text i den innehåller ett halvt tecken (\{half}); skriv den på nytt.</translation>
+        </message>
+        <message>
             <source>a wall at {distance_mm:.0f} mm that fills {share:.0%}</source>
             <translation>en vägg på {distance_mm:.0f} mm som fyller {share:.0%}</translation>
         </message>
@@ -1228,8 +1244,16 @@
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
         </message>
         <message>
+            <source>has more than {most} corners</source>
+            <translation>har fler än {most} hörn</translation>
+        </message>
+        <message>
             <source>has two feet of the same side</source>
             <translation>har två fötter av samma sida</translation>
+        </message>
+        <message>
+            <source>has {count} markers, but a reference system has at most {most}</source>
+            <translation>har {count} markörer, men ett referenssystem har högst {most}</translation>
         </message>
         <message>
             <source>has {count} markers, but at least 4 are needed</source>
@@ -1354,6 +1378,10 @@
         <message>
             <source>it is far larger than such a file is</source>
             <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
+            <source>it is longer than {limit_mb} MB; check what was put there.</source>
+            <translation>den är längre än {limit_mb} MB; kontrollera vad som lagts dit.</translation>
         </message>
         <message>
             <source>it is not flat, or something stood before it</source>
@@ -1632,6 +1660,10 @@
             <translation>av okänd ålder</translation>
         </message>
         <message>
+            <source>one number</source>
+            <translation>ett tal</translation>
+        </message>
+        <message>
             <source>only {count:.0f} of its markers have a depth reading; see that more markers are in view</source>
             <translation>bara {count:.0f} av dess markörer har ett djupvärde; se till att fler markörer syns</translation>
         </message>
@@ -1828,6 +1860,10 @@
             <translation>djupet är {percent:.1f} % {direction} än markörerna i färgbilden säger, och rättas med så mycket; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
         </message>
         <message>
+            <source>the design has {count} corrections, and may have at most {most}; delete some.</source>
+            <translation>designen har {count} korrektioner, och får ha högst {most}; ta bort några.</translation>
+        </message>
+        <message>
             <source>the distance between the cameras</source>
             <translation>avståndet mellan kamerorna</translation>
         </message>
@@ -1886,6 +1922,10 @@
         <message>
             <source>the markers that are seen lie almost on one line, so the sensor's place is uncertain</source>
             <translation>markörerna som syns ligger nästan på en linje, så sensorns plats är osäker</translation>
+        </message>
+        <message>
+            <source>the markers {first} and {second} were pointed at in one place; point at each where it is</source>
+            <translation>markörerna {first} och {second} pekades ut på samma ställe; peka ut var och en där den är</translation>
         </message>
         <message>
             <source>the name is too long; choose a shorter one</source>
@@ -1972,6 +2012,10 @@
             <translation>två av dess markörer skymmer varandra när den ses {turn_deg:.0f}° från sidan; flytta isär dem över sidan</translation>
         </message>
         <message>
+            <source>two raw numbers</source>
+            <translation>två råvärden</translation>
+        </message>
+        <message>
             <source>undercut</source>
             <translation>underskärning</translation>
         </message>
@@ -2020,8 +2064,20 @@
             <translation>{archive} innehåller sökvägen ”{file}”, som leder ut ur arkivet; använd inte denna fil.</translation>
         </message>
         <message>
+            <source>{archive} holds {file} twice, and nothing says which is right; pack it again.</source>
+            <translation>{archive} innehåller {file} två gånger, och inget säger vilken som gäller; packa det på nytt.</translation>
+        </message>
+        <message>
+            <source>{archive} is encrypted; unpack it with its password, and pack it again without.</source>
+            <translation>{archive} är krypterat; packa upp det med lösenordet, och packa det på nytt utan.</translation>
+        </message>
+        <message>
             <source>{archive} is not a readable zip archive; copy it again from its source.</source>
             <translation>{archive} är inget läsbart zip-arkiv; kopiera det igen från källan.</translation>
+        </message>
+        <message>
+            <source>{archive} is packed in an unusual way; unpack it, and pack it again as an ordinary zip archive.</source>
+            <translation>{archive} är packat på ett ovanligt sätt; packa upp det, och packa det på nytt som ett vanligt zip-arkiv.</translation>
         </message>
         <message>
             <source>{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session has; do not use this file.</source>
@@ -2112,12 +2168,16 @@
             <translation>{file} i {archive} är skadad; kopiera arkivet igen från källan.</translation>
         </message>
         <message>
+            <source>{file} is larger than {limit_mb} MB, far more than such a file has; do not use the archive {archive}.</source>
+            <translation>{file} är större än {limit_mb} MB, långt mer än en sådan fil har; använd inte arkivet {archive}.</translation>
+        </message>
+        <message>
             <source>{file} is larger than {limit_mb} MB, which no file of a session is; check what was put there.</source>
             <translation>{file} är större än {limit_mb} MB, vilket ingen fil i en session är; kontrollera vad som lades där.</translation>
         </message>
         <message>
-            <source>{file} is missing, but manifest.json names the view {view}.</source>
-            <translation>{file} saknas, men manifest.json anger vyn {view}.</translation>
+            <source>{file} is missing, but manifest.json names the view {view}; restore it from the recording.</source>
+            <translation>{file} saknas, men manifest.json anger vyn {view}; återställ den från inspelningen.</translation>
         </message>
         <message>
             <source>{file} is not valid JSON ({reason}); restore the file.</source>
@@ -2164,8 +2224,8 @@
             <translation>{folder} innehåller ingen oavslutad avbildning; den har använts eller kasserats, eller var aldrig någon.</translation>
         </message>
         <message>
-            <source>{folder} holds no {kind}_000.png, but a view has at least one.</source>
-            <translation>{folder} innehåller ingen {kind}_000.png, men en vy har minst en.</translation>
+            <source>{folder} holds no {kind}_000.png, but a view has at least one; restore it from the recording.</source>
+            <translation>{folder} innehåller ingen {kind}_000.png, men en vy har minst en; återställ den från inspelningen.</translation>
         </message>
         <message>
             <source>{folder} holds no {missing} pictures, but a view needs at least one; record again with {missing}.</source>
@@ -2178,6 +2238,10 @@
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
             <translation>{folder} innehåller kalibreringen av sensor {owner}; kalibrera om sensor {serial}.</translation>
+        </message>
+        <message>
+            <source>{folder} holds {count} {kind} frames, but a view has at most {most}; take the others out.</source>
+            <translation>{folder} innehåller {count} bilder {kind}, men en vy har högst {most}; ta bort de övriga.</translation>
         </message>
         <message>
             <source>{folder} is in use by another window or command; finish or close that one first.</source>
@@ -2256,12 +2320,16 @@
             <translation>{name} innehåller inget läsbart fält ”offset”; kalibrera sensorn igen.</translation>
         </message>
         <message>
+            <source>{name} holds no readable array "record"; calibrate the sensor again.</source>
+            <translation>{name} innehåller ingen läsbar matris ”record”; kalibrera sensorn igen.</translation>
+        </message>
+        <message>
             <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
             <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
         </message>
         <message>
-            <source>{name} is missing, but sensor.json names it as disparity_correction.</source>
-            <translation>{name} saknas, men sensor.json anger den som disparity_correction.</translation>
+            <source>{name} is missing, but sensor.json names it as disparity_correction; restore it from the recording.</source>
+            <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
         </message>
         <message>
             <source>{name} is no number a design can hold; put in a usual one.</source>
@@ -2272,8 +2340,8 @@
             <translation>{name} är ingen PNG-bild; återställ den från inspelningen.</translation>
         </message>
         <message>
-            <source>{name} is of version {version}, which is newer than this program (it reads up to {version}); install a newer Insole Studio.</source>
-            <translation>{name} är av version {version}, som är nyare än detta program (det läser upp till {version}); installera ett nyare Insole Studio.</translation>
+            <source>{name} is of version {version}, which is newer than this program (it reads up to {newest}); install a newer Insole Studio.</source>
+            <translation>{name} är av version {version}, som är nyare än detta program (det läser upp till {newest}); installera ett nyare Insole Studio.</translation>
         </message>
         <message>
             <source>{name} is truncated or damaged; restore it from the recording.</source>
@@ -2288,12 +2356,16 @@
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
         </message>
         <message>
-            <source>{name}: "raw_range" must hold two raw numbers; calibrate the sensor again.</source>
-            <translation>{name}: ”raw_range” måste innehålla två råvärden; kalibrera sensorn igen.</translation>
+            <source>{name}: "{key}" must hold {what}; calibrate the sensor again.</source>
+            <translation>{name}: ”{key}” måste innehålla {what}; kalibrera sensorn igen.</translation>
         </message>
         <message>
             <source>{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor again.</source>
             <translation>{name}: fältet ”{key}” måste innehålla 480×640 ändliga tal; kalibrera sensorn igen.</translation>
+        </message>
+        <message>
+            <source>{name}: the array {array} is damaged, or of a kind that does not belong there; restore the file.</source>
+            <translation>{name}: matrisen {array} är skadad, eller av ett slag som inte hör hemma där; återställ filen.</translation>
         </message>
         <message>
             <source>{paper} is a paper, which is written as .pdf; change its suffix.</source>
@@ -2332,10 +2404,6 @@
             <translation>{path} kan inte läsas ({reason}); kontrollera att den finns och att du får läsa den.</translation>
         </message>
         <message>
-            <source>{path} cannot be read ({reason}); name a folder that holds a sensor.json.</source>
-            <translation>{path} kan inte läsas ({reason}); ange en mapp som innehåller en sensor.json.</translation>
-        </message>
-        <message>
             <source>{path} cannot be read as a {format} mesh ({reason}); it may be damaged or cut off, so export it again.</source>
             <translation>{path} kan inte läsas som ett {format}-nät ({reason}); den kan vara skadad eller avskuren, så exportera den igen.</translation>
         </message>
@@ -2368,6 +2436,22 @@
             <translation>{path} kan inte skrivas; välj en annan plats.</translation>
         </message>
         <message>
+            <source>{path} declares something twice or without a number in its header; export it again.</source>
+            <translation>{path} anger något två gånger eller utan antal i sitt huvud; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} declares {declared} points and triangles, but it does not hold as many; it is damaged or cut off, so export it again.</source>
+            <translation>{path} anger {declared} punkter och trianglar, men innehåller inte så många; den är skadad eller avskuren, så exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} declares {declared} triangles and holds {held}; it is damaged or cut off, so export it again.</source>
+            <translation>{path} anger {declared} trianglar och innehåller {held}; den är skadad eller avskuren, så exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} does not end in "endsolid", so it is cut off; export it again.</source>
+            <translation>{path} slutar inte med ”endsolid”, så den är avskuren; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} does not exist; check the name of the file.</source>
             <translation>{path} finns inte; kontrollera filens namn.</translation>
         </message>
@@ -2376,8 +2460,24 @@
             <translation>{path} finns inte; kontrollera namnet.</translation>
         </message>
         <message>
+            <source>{path} does not exist; name a folder that holds a sensor.json.</source>
+            <translation>{path} finns inte; ange en mapp som innehåller en sensor.json.</translation>
+        </message>
+        <message>
+            <source>{path} has a triangle with the corner 0, but an OBJ counts from 1; export it again.</source>
+            <translation>{path} har en triangel med hörnet 0, men en OBJ räknar från 1; exportera den på nytt.</translation>
+        </message>
+        <message>
             <source>{path} has lost its {file}; restore the file from a backup.</source>
             <translation>{path} har förlorat {file}; återställ filen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{path} has no header of a PLY; export it again.</source>
+            <translation>{path} saknar en PLY-fils huvud; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} has triangles of {area_m2:.0f} m² together, far more than a leg and a foot; their corners are mixed up, so export it again.</source>
+            <translation>{path} har trianglar på sammanlagt {area_m2:.0f} m², långt mer än ett ben och en fot; deras hörn är förväxlade, så exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} holds coordinates that are not numbers; it is damaged, so export it again.</source>
@@ -2428,6 +2528,10 @@
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
         </message>
         <message>
+            <source>{path} is larger than {limit_mb} MB, which no file of its kind is; choose another file.</source>
+            <translation>{path} är större än {limit_mb} MB, vilket ingen sådan fil är; välj en annan fil.</translation>
+        </message>
+        <message>
             <source>{path} is named for two results; give each of them a name of its own.</source>
             <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
         </message>
@@ -2438,6 +2542,10 @@
         <message>
             <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
+        </message>
+        <message>
+            <source>{path} is no file; choose a file.</source>
+            <translation>{path} är ingen fil; välj en fil.</translation>
         </message>
         <message>
             <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>
@@ -2500,6 +2608,10 @@
             <translation>{path} är {length_mm:.0f} mm lång om den läses i {unit}, vilket inte är någon fot; välj en annan enhet.</translation>
         </message>
         <message>
+            <source>{path} is {width}×{height}, far larger than the pictures of a sensor; put in the pictures as it sends them.</source>
+            <translation>{path} är {width}×{height}, långt större än en sensors bilder; lägg dit bilderna som den skickar dem.</translation>
+        </message>
+        <message>
             <source>{path} lies in the folder of the unfinished capture, which is removed; choose another place.</source>
             <translation>{path} ligger i mappen för den oavslutade avbildningen, som tas bort; välj en annan plats.</translation>
         </message>
@@ -2534,10 +2646,6 @@
         <message>
             <source>{path}: {file} is damaged; restore the file from a backup.</source>
             <translation>{path}: {file} är skadad; återställ filen från en säkerhetskopia.</translation>
-        </message>
-        <message>
-            <source>{path}: {file} is far larger than a case has; do not use this file.</source>
-            <translation>{path}: {file} är mycket större än i ett fall; använd inte denna fil.</translation>
         </message>
         <message>
             <source>{path}: {reason}</source>

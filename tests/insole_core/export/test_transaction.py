@@ -303,6 +303,7 @@ def left_file(folder: Path, process: int, age_s: float) -> Path:
         (DEAD, 0.0, True),
         (os.getppid(), 2 * temporary.GRACE_S, True),
     ],
+    ids=["of a dead one", "of its own number", "young", "of a living one"],
 )
 def test_what_killed_programs_left_is_swept_where_one_writes(
     tmp_path: Path, process: int, age_s: float, stays: bool

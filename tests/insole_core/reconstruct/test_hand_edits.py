@@ -212,3 +212,11 @@ def test_a_volume_set_by_hand_bounds_the_foot(session: Session) -> None:
     result = reconstruct(replace(session, edits=HandEdits(volume_of_interest=box)), "thesis")
     assert np.ptp(result.mesh.vertices[:, 1]) < 126
     assert "The volume of interest was set by hand." in result.warnings
+
+
+@pytest.mark.parametrize(("exact", "step"), [(True, 0.0), (False, 0.0), (False, 0.3)])
+def test_several_markers_in_one_place_are_refused(place, exact: bool, step: float) -> None:
+    u, v = pixel_of(place(), "S3")
+    spots = tuple(NamedSpot(f"S{number}", (u + step * number, v), exact) for number in range(1, 6))
+    with pytest.raises(ReconstructionError, match=r"in one place|cannot be seen at"):
+        place(replace(NOTHING, named=spots))

@@ -99,12 +99,34 @@ def test_age() -> None:
         ({"offset": RAMP, "record": np.array('{"version": 9}')}, "newer than this program"),
         ({"offset": RAMP, "record": np.array("nonsense")}, "no readable array"),
         ({"offset": RAMP, "record": np.array("{}"), "raw_range": np.ones(3)}, "two raw numbers"),
+        ({"offset": RAMP, "record": np.array("{}"), "decay": np.array("x")}, "one number"),
+        ({"offset": RAMP, "record": np.array("{}"), "reference_raw": RAMP}, "one number"),
+        ({"offset": RAMP, "record": np.array('{"made_at": 5}')}, "no readable array"),
+        ({"offset": RAMP, "record": np.array('{"made_at": "soon"}')}, "no readable array"),
+        ({"offset": RAMP, "record": np.array('{"serial": ["A"]}')}, "no readable array"),
+        ({"offset": RAMP, "record": np.array('{"figures": {"rms": "1"}}')}, "no readable array"),
+        ({"offset": RAMP, "record": np.array('{"version": "2"}')}, "no readable array"),
+        ({"offset": RAMP, "record": np.array("{}"), "coverage": RAMP[:9]}, '"coverage" must hold'),
+        ({"offset": RAMP.astype(complex)}, "no readable array"),
+        ({"offset": np.full((480, 640), "a")}, "480×640 finite"),
+        ({"offset": np.full((480, 640), 1e300)}, "480×640 finite"),
     ],
 )
 def test_bad_files_are_refused(tmp_path: Path, arrays: dict[str, np.ndarray], words: str) -> None:
     path = tmp_path / "bad.npz"
     np.savez(path, **arrays)
     with pytest.raises(InputError, match=words):
+        load_correction(path)
+
+
+@pytest.mark.parametrize("at", [0.1, 0.4, 0.6, 0.9])
+def test_a_flipped_bit_is_noticed(tmp_path: Path, at: float) -> None:
+    path = tmp_path / "correction.npz"
+    correction().save(path)
+    content = bytearray(path.read_bytes())
+    content[int(at * len(content))] ^= 4
+    path.write_bytes(bytes(content))
+    with pytest.raises(InputError, match=r"no readable array|must hold"):
         load_correction(path)
 
 

@@ -196,6 +196,29 @@ def test_unknown_command_is_a_wrong_call(capsys: pytest.CaptureFixture[str]) -> 
     assert ended.value.code == 2
 
 
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (["design"], "the following arguments are required"),
+        (["design", "f.ply", "--out", "i.stl", "--deviation", "nan"], "nan is no usual number"),
+        (["design", "f.ply", "--out", "i.stl", "--draft", "-inf"], "expected one argument"),
+        (["simulate", "s", "--distance", "1e308"], "1e308 is no usual number"),
+        (["simulate", "s", "--seed", "7" * 400], "77… is no usual number"),
+        (["simulate", "s", "--side", "x" * 5000], "invalid choice"),
+    ],
+)
+def test_wrong_arguments_name_a_remedy(
+    call: list[str], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        run(call)
+    assert ended.value.code == 2
+    said = last_line(capsys)
+    assert words in said
+    assert said.endswith(f"insole-studio {call[0]} --help says what can be given.")
+    assert len(said) < 500
+
+
 FAILURES = {
     "no such session": (["reconstruct", "{tmp}/none", "--out", "{tmp}/f.ply"], "does not exist"),
     "mesh for a session": (["reconstruct", "{foot}", "--out", "{tmp}/f.ply"], "not a readable zip"),

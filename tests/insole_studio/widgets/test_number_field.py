@@ -34,6 +34,13 @@ def test_comma_and_point_both_work(field: NumberField, text: str) -> None:
     assert typed(field, text) == 7.5
 
 
+@pytest.mark.parametrize("text", ["1e1", "2E1", "1+1", "1-1", "1a1", "4.5.6"])
+def test_no_key_is_swallowed_between_digits(field: NumberField, text: str) -> None:
+    value = typed(field, text)  # some locales read 1e1 as 10
+    assert value in ({"1e1": 10.0, "2E1": 20.0}.get(text), 6.0)
+    assert field.refusal.isVisible() == (value == 6.0)
+
+
 def test_letters_are_not_taken(field: NumberField) -> None:
     assert typed(field, "abc") == 6.0
 

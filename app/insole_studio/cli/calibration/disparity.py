@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.calibration.calibration_step import add_step_arguments, run_step
 
 NAME = "disparity"
@@ -15,7 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     add_step_arguments(parser, "a sub-folder of raw depth images for each wall, or one image each")
     parser.add_argument(
-        "--distances", type=float, nargs="+", required=True, metavar="MM",
+        "--distances", type=number, nargs="+", required=True, metavar="MM",
         help="to the wall at the image centre, one for each capture in the order of their names",
     )  # fmt: skip
     parser.add_argument("--model", choices=["linear-inverse", "tangent"], default="linear-inverse")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.report_arguments import add_report_argument, check_reports
 
@@ -45,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--out", action=OutputPath, metavar="built.json", help="write the system as it was measured"
     )
     parser.add_argument(
-        "--moved", type=float, default=1.0, metavar="MM",
+        "--moved", type=number, default=1.0, metavar="MM",
         help="a marker that is farther from its place was bumped (default 1 mm)",
     )  # fmt: skip
     add_report_argument(parser)

@@ -6,6 +6,7 @@ import argparse
 
 from insole_core.errors import InputError
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
 from insole_studio.cli.report_arguments import check_reports, conclude
 from insole_studio.cli.sensor_arguments import evaluated_sensor
@@ -22,10 +23,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         judged_by_default=True,
     )
     parser.add_argument(
-        "--diameter", type=float, required=True, metavar="MM", help="true diameter of the spheres"
+        "--diameter", type=number, required=True, metavar="MM", help="true diameter of the spheres"
     )
     parser.add_argument(
-        "--spacing", type=float, required=True, metavar="MM", help="true distance of their centres"
+        "--spacing", type=number, required=True, metavar="MM", help="true distance of their centres"
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import number
 from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
 from insole_studio.cli.report_arguments import check_reports, conclude
 from insole_studio.cli.sensor_arguments import evaluated_sensor
@@ -17,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     add_evaluation_arguments(parser, "the raw depth images of a still scene, in order of time")
     parser.add_argument(
-        "--every", type=float, metavar="SECONDS",
+        "--every", type=number, metavar="SECONDS",
         help="time from one image to the next: also follow the warm-up",
     )  # fmt: skip
 

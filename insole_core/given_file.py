@@ -1,0 +1,39 @@
+"""Reading files of unknown origin: only regular files, and never past a limit."""
+
+from __future__ import annotations
+
+import errno
+from pathlib import Path
+
+from insole_core.errors import InputError
+from insole_core.regular_file import read_regular
+
+
+def read_given(path: Path, most_bytes: int) -> bytes:
+    """Read a file that somebody named.
+
+    Parameters
+    ----------
+    most_bytes
+        No file of this kind is larger.
+
+    Raises
+    ------
+    InputError
+        When it is no regular file, cannot be read, or is larger.
+    """
+    try:
+        return read_regular(path, most_bytes)
+    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
+        if isinstance(error, OSError) and error.errno == errno.EFBIG:
+            raise InputError(
+                "{path} is larger than {limit_mb} MB, which no file of its kind is; choose another "
+                "file.",
+                path=path,
+                limit_mb=most_bytes // 2**20,
+            ) from error
+        raise InputError(
+            "{path} cannot be read: {reason}; check the name of the file.",
+            path=path,
+            reason=str(getattr(error, "strerror", error)),
+        ) from error

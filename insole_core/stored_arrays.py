@@ -1,0 +1,82 @@
+"""Reading of .npz files of unknown origin: what an array says of its size is checked first."""
+
+from __future__ import annotations
+
+import io
+import math
+import tokenize
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from insole_core.errors import InputError
+from insole_core.zip_archive import ZipArchive
+
+_SUFFIX = ".npy"
+_KINDS = "biufU"  # booleans, numbers and text
+_HEADERS = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
+_NO_HEADER = (
+    ValueError, TypeError, SyntaxError, tokenize.TokenError, KeyError, RecursionError, MemoryError,
+)  # fmt: skip
+
+
+class ArrayError(InputError):
+    """An array is not what it says."""
+
+
+def read_arrays(name: str, content: bytes, most_bytes: int) -> dict[str, npt.NDArray[Any]]:
+    """Read the arrays of an .npz file: numbers, booleans and text.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+    most_bytes
+        All arrays together have no more.
+
+    Raises
+    ------
+    InputError
+        When the file is damaged, larger, or holds anything but such arrays.
+    """
+    archive = ZipArchive(name, content)
+    if archive.stated_bytes > most_bytes:  # reading a file ensures that it is as large as stated
+        raise InputError(
+            "{path} is larger than {limit_mb} MB, which no file of its kind is; choose another "
+            "file.",
+            path=name,
+            limit_mb=most_bytes // 2**20,
+        )
+    return {
+        member.removesuffix(_SUFFIX): _array(name, member, archive.read(member, most_bytes))
+        for member in archive.names
+    }
+
+
+def _array(name: str, member: str, packed: bytes) -> npt.NDArray[Any]:
+    stream = io.BytesIO(packed)
+    try:
+        shape, is_fortran, dtype = _HEADERS[np.lib.format.read_magic(stream)](stream)
+    except _NO_HEADER as error:
+        raise _wrong(name, member) from error
+    data = packed[stream.tell() :]
+    if dtype.kind not in _KINDS or min(shape, default=0) < 0:
+        raise _wrong(name, member)
+    if math.prod(shape) * dtype.itemsize != len(data):
+        raise _wrong(name, member)
+    if not data:
+        return np.zeros(shape, dtype)
+    return np.frombuffer(data, dtype).reshape(shape, order="F" if is_fortran else "C")
+
+
+def _wrong(name: str, member: str) -> ArrayError:
+    return ArrayError(
+        "{name}: the array {array} is damaged, or of a kind that does not belong there; restore "
+        "the file.",
+        name=name,
+        array=member.removesuffix(_SUFFIX),
+    )
