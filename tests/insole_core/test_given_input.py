@@ -21,9 +21,9 @@ from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive
 
 NO_FILES: dict[str, tuple[Callable[[Path], object], str]] = {
-    "folder": (Path.mkdir, "is no file"),
-    "pipe": (os.mkfifo, "is no file"),
-    "device": (lambda path: path.symlink_to("/dev/zero"), "is no file"),
+    "folder": (Path.mkdir, "cannot be read: Is a directory"),
+    "pipe": (os.mkfifo, "a pipe or a device, no file"),
+    "device": (lambda path: path.symlink_to("/dev/zero"), "a pipe or a device, no file"),
     "link to itself": (lambda path: path.symlink_to(path), "cannot be read"),
     "nothing": (lambda _path: None, "cannot be read: No such file"),
     "too much": (lambda path: path.write_bytes(bytes(2**20 + 1)), "is larger than 1 MB"),

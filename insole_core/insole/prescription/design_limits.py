@@ -110,8 +110,6 @@ CHOICES: dict[type[Any], dict[str, tuple[str, ...]]] = {
 }
 POINT_COUNTS = {"outline_mm": (3, 400), "points_mm": (1, 2000)}
 """Least and greatest number of points in a list of them."""
-MOST_CORRECTIONS = 200
-"""Ten times what a prescription needs; the insole follows each while it is edited."""
 LEAST_DRAWN_POINTS = 4
 LEAST_ZONE = 0.05
 """Least share of the length over which a correction fades."""
@@ -158,12 +156,6 @@ def check_design(design: InsoleDesign) -> None:
     _check(design.outline, OUTLINE_RANGES, " of outline")
     _check(design.layers, LAYER_RANGES, " of layers")
     _check_outline(design.outline)
-    if len(design.corrections) > MOST_CORRECTIONS:
-        raise DesignError(
-            "the design has {count} corrections, and may have at most {most}; delete some.",
-            count=len(design.corrections),
-            most=MOST_CORRECTIONS,
-        )
     for number, correction in enumerate(design.corrections):
         where = Message(" of corrections[{number}] ({type})", number=number, type=correction.type)
         _check(correction, CORRECTION_RANGES[type(correction)], where)

@@ -1860,10 +1860,6 @@
             <translation>djupet är {percent:.1f} % {direction} än markörerna i färgbilden säger, och rättas med så mycket; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
         </message>
         <message>
-            <source>the design has {count} corrections, and may have at most {most}; delete some.</source>
-            <translation>designen har {count} korrektioner, och får ha högst {most}; ta bort några.</translation>
-        </message>
-        <message>
             <source>the distance between the cameras</source>
             <translation>avståndet mellan kamerorna</translation>
         </message>
@@ -2542,10 +2538,6 @@
         <message>
             <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
-        </message>
-        <message>
-            <source>{path} is no file; choose a file.</source>
-            <translation>{path} är ingen fil; välj en fil.</translation>
         </message>
         <message>
             <source>{path} is no mesh file that can be read; hand in a .ply, .stl or .obj file.</source>

@@ -112,7 +112,9 @@ def test_markup_in_a_foreign_text_is_written_as_it_is(tmp_path: Path, where: str
             write_job_sheet([replace(sheet(file), file_name=text)], path)
         else:
             facts = {"pseudonym": text if where == "pseudonym" else "A"}
-            write_prescription(facts, [text if where == "line" else "pelott"], {}, path)
+            lines = [text if where == "line" else "pelott"]
+            maker = {"maker": text if where == "maker" else "Sula AB"}
+            write_prescription(facts, lines, {}, path, responsible=maker)
         return path.read_bytes()
 
     assert written(evil).count(b"/Subtype /Image") == written("plain").count(b"/Subtype /Image")

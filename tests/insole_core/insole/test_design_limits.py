@@ -14,7 +14,6 @@ from insole_core.insole.prescription.design import BrushStroke, HeelCup, InsoleD
 from insole_core.insole.prescription.design_limits import (
     CORRECTION_RANGES,
     LEAST_ZONE,
-    MOST_CORRECTIONS,
     check_design,
     range_beside,
 )
@@ -47,10 +46,3 @@ def test_smoothing_is_limited_and_pushing_is_not():
     stroke = BrushStroke(points_mm=((0.0, 100.0),), mode="smooth")
     assert beside(stroke, "strength").greatest == 1.0
     assert beside(replace(stroke, mode="push"), "strength").greatest == 10.0
-
-
-def test_the_number_of_corrections_is_limited():
-    pads = tuple(HeelCup() for _ in range(MOST_CORRECTIONS + 1))
-    check_design(InsoleDesign(Side.LEFT, pads[1:]))
-    with pytest.raises(DesignError, match="has 201 corrections, and may have at most 200"):
-        check_design(InsoleDesign(Side.LEFT, pads))
