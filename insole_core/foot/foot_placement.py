@@ -14,9 +14,10 @@ from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rotation_angle_deg
+from insole_core.geometry.transforms import rigid, rotation_angle_deg
 from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
@@ -80,21 +81,31 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     else:
         poses, inside_out = _near_frame(mesh, points), False
-    asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
+    even = EvenSurface.of(mesh)
+    asked, other = (_best(even, points, poses, s) for s in (side, side.other))
     if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
         if not force:
             raise SideMismatchError(_mismatch(asked, other))
         # The directions of ground and toes follow from the shape, whatever the side.
-        asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
+        asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    placed = mesh.transformed(found.source2insole)
+    source2insole = _on_ground(mesh, found.source2insole)
+    placed = even.transformed(source2insole)
     notes = (
         _side_note(asked, other),
         *_pose_notes(asked, frame),
         *_rear_notes(placed),
         *_surface_notes(scraps, inside_out),
     )
-    return Foot(side, placed, found.source2insole, found.length_mm, notes)
+    foot = Foot(side, mesh.transformed(source2insole), source2insole, found.length_mm, notes)
+    foot.derived.get("even", (), lambda: placed)
+    return foot
+
+
+def _on_ground(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
+    """Move the frame so that the lowest vertex lies at z = 0."""
+    lowest = float((mesh.vertices @ source2insole[2, :3]).min() + source2insole[2, 3])
+    return rigid(np.eye(3), np.array([0.0, 0.0, -lowest])) @ source2insole
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
@@ -135,10 +146,12 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
-def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
+def _best(
+    surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side
+) -> _Candidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
-    foot = level(mesh, side, rough.source2rough, rough.covered)
+    foot = level(surface, side, rough.source2rough, rough.covered)
     levelled = next(
         pose
         for pose in poses_as_it_lies(points, foot.source2insole)
@@ -212,9 +225,9 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 
-def _rear_notes(mesh: TriangleMesh) -> Iterator[str]:
+def _rear_notes(surface: EvenSurface) -> Iterator[str]:
     """Warn of a rear that was cut off: a heel is round from above, so its end is narrow."""
-    x, y, z = mesh.vertices.T
+    x, y, z = surface.points.T
     end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < reach)]) for reach in _REAR_MM)
     if end > _BLUNT * rear:
         yield (

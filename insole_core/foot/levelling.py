@@ -14,7 +14,7 @@ import numpy as np
 from insole_core.errors import InputError
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 
@@ -51,13 +51,13 @@ class LevelFoot:
 
 
 def level(
-    mesh: TriangleMesh, side: Side, source2rough: FloatArray, covered: float = 1.0
+    surface: EvenSurface, side: Side, source2rough: FloatArray, covered: float = 1.0
 ) -> LevelFoot:
     """Find the insole frame of a foot of roughly known pose.
 
     Parameters
     ----------
-    mesh : mm, source frame
+    surface : mm, source frame
     side
     source2rough : (4, 4) float64, mm
         To a frame with the toes towards +y and the sole towards -z, accurate to some 15 degrees.
@@ -73,47 +73,37 @@ def level(
     InputError
         When nothing faces the ground.
     """
-    surface = _low_part(mesh, source2rough)
+    low = _low_part(surface, source2rough)
     pose = source2rough
     for _ in range(_ROUNDS):
-        marks = _Marks(surface, side, pose, covered)
+        marks = _Marks(low, side, pose, covered)
         step = marks.frame()
         pose = step @ pose
         if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
             break
-    marks = _Marks(surface, side, pose, covered)
-    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.vertices[:, 2].min()]))
+    marks = _Marks(low, side, pose, covered)
+    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.points[:, 2].min()]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
 
 
-@dataclass(frozen=True, eq=False)
-class _Surface:
-    """The surface on which the marks are found, source frame."""
-
-    vertices: FloatArray
-    normals: FloatArray
-    areas: FloatArray
-
-
-def _low_part(mesh: TriangleMesh, source2rough: FloatArray) -> _Surface:
+def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
     """Leave out the leg, with a margin for a tilt of the pose."""
-    height = mesh.vertices @ source2rough[2, :3]
-    low = height < height.min() + 2 * OUTLINE_HEIGHT_MM
-    return _Surface(mesh.vertices[low], mesh.vertex_normals[low], mesh.vertex_areas[low])
+    height = surface.points @ source2rough[2, :3]
+    return surface.part(height < height.min() + 2 * OUTLINE_HEIGHT_MM)
 
 
 class _Marks:
     """The positions of heel, heads and toe in the current pose."""
 
-    def __init__(self, surface: _Surface, side: Side, pose: FloatArray, covered: float) -> None:
+    def __init__(self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float) -> None:
         self.side = side
         self.covered = covered
-        self.vertices = transform(pose, surface.vertices)
-        low = self.vertices[:, 2] < self.vertices[:, 2].min() + OUTLINE_HEIGHT_MM
-        self.outline = self.vertices[low]
+        self.points = transform(pose, surface.points)
+        low = self.points[:, 2] < self.points[:, 2].min() + OUTLINE_HEIGHT_MM
+        self.outline = self.points[low]
         sole = low & (surface.normals @ pose[2, :3] < -0.5)
-        self.sole = self.vertices[sole]
-        self.sole_areas = surface.areas[sole]
+        self.sole = self.points[sole]
+        self.sole_areas = surface.area_mm2[sole]
         if not sole.any():
             raise InputError(
                 "The surface has no sole: nothing of it faces the ground;"

@@ -50,24 +50,24 @@ class End:
     deviation_mm: float | None = None
 
 
-def find_toe_end(points: FloatArray, normals: FloatArray, summit: int) -> End:
+def find_toe_end(points: FloatArray, normals: FloatArray, summit_mm: float) -> End:
     """Find the tip of one toe.
 
     Parameters
     ----------
     points, normals : (n, 3) float64, mm
         Of the toe; ahead = +y.
-    summit
-        Index of the foremost point, about which the tip is fitted.
+    summit_mm
+        Position x about which the tip is fitted.
 
     Returns
     -------
     End
         A guess at the summit when there are too few points.
     """
-    aside = points[:, 0] - points[summit, 0]
+    aside = points[:, 0] - summit_mm
     shell, top = _shell(aside, points[:, 1], normals[:, 1])
-    place = points[summit].copy()
+    place = points[points[:, 1].argmax()].copy()
     if len(shell) < _LEAST_POINTS:
         return End(place, GUESS)
     along, z = points[shell, 1], points[shell, 2]

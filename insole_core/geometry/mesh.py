@@ -56,8 +56,7 @@ class TriangleMesh:
     @cached_property
     def vertex_areas(self) -> FloatArray:
         """(n,) a third of the area of the triangles around each vertex, mm²."""
-        third = np.linalg.norm(self._triangle_cross, axis=1) / 6
-        return np.asarray(self.links.corners @ third)
+        return np.asarray(self.links.corners @ (self.triangle_areas / 3))
 
     @cached_property
     def bounds_mm(self) -> FloatArray:
@@ -65,9 +64,14 @@ class TriangleMesh:
         return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
     @cached_property
+    def triangle_areas(self) -> FloatArray:
+        """(m,) mm²."""
+        return np.asarray(np.linalg.norm(self._triangle_cross, axis=1) / 2)
+
+    @cached_property
     def area_mm2(self) -> float:
         """Area of all triangles."""
-        return float(np.linalg.norm(self._triangle_cross, axis=1).sum() / 2)
+        return float(self.triangle_areas.sum())
 
     @cached_property
     def volume_mm3(self) -> float:
@@ -88,7 +92,8 @@ class TriangleMesh:
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Transform the mesh by `a2b` (4, 4), rigid, from frame a to frame b."""
         touches = None if self.touches is None else self.touches.transformed(a2b)
-        return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
+        mesh = replace(self, vertices=transform(a2b, self.vertices), touches=touches)
+        return mesh._knowing(self, {"links", "triangle_areas"} & self.__dict__.keys())
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
         """Return a mesh of the same triangles with other vertices (n, 3), mm; drop all else."""

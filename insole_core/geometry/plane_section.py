@@ -35,3 +35,23 @@ def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray)
     share = height[first] / (height[first] - height[others])
     start, end = mesh.vertices[first], mesh.vertices[others]
     return np.asarray(start + share[..., None] * (end - start))
+
+
+def boundary_crossings(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray) -> FloatArray:
+    """Find where the boundary of an open mesh crosses a plane: the ends of its section.
+
+    Parameters
+    ----------
+    origin, normal : (3,) float64
+        As of `section_segments`.
+
+    Returns
+    -------
+    (k, 3) float64, mm, frame of the mesh
+    """
+    edges, sharing = mesh.links.edges
+    start, end = np.moveaxis(mesh.vertices[edges[sharing == 1]], 1, 0)
+    from_start, from_end = (start - origin) @ normal, (end - origin) @ normal
+    cut = (from_start >= 0) != (from_end >= 0)
+    share = from_start[cut] / (from_start[cut] - from_end[cut])
+    return np.asarray(start[cut] + share[:, None] * (end - start)[cut])
