@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.errors import InputError
+from insole_core.foot.outermost import reach
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
@@ -109,8 +110,9 @@ class _Marks:
                 "The surface has no sole: nothing of it faces the ground;"
                 " check that the scan shows the foot from below."
             )
-        self.back = float(self.outline[:, 1].min())
-        self.length = float(np.ptp(self.outline[:, 1])) / covered
+        y, area_mm2 = self.outline[:, 1], surface.area_mm2[low]
+        self.back = -reach(-y, area_mm2)
+        self.length = (reach(y, area_mm2) - self.back) / covered
 
     def borders(self, share: float) -> tuple[float, float]:
         """Return medial and lateral x of the outline at a share of the length."""
@@ -144,7 +146,7 @@ class _Marks:
         if self.covered < 1:
             return usual, False
         search = _SECOND_TOE_REACH * abs(lateral - medial)
-        x = pulp_line(self.sole, self.length, usual, search)
+        x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def height(self, xy: FloatArray) -> float:

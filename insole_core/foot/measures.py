@@ -25,7 +25,7 @@ _FOOTING_MM = 12.0
 _TOE_GAP = 0.07  # share of the length ahead of the heads, where the toeless footprint ends
 _INSTEP = 0.5
 _LEAST_DORSAL_MM = 25.0
-_RIM_MM, _MOST_CUT_OFF = 3.0, 0.03  # about the edge of a scan, and share of a footprint that it cuts
+_RIM_MM, _MOST_CUT_OFF = 3.0, 0.03  # beside the edge of a scan, and share of a footprint there
 _SPOT_MM, _LEAST_SPOT = 8.0, 0.5  # about a landmark, and share of it that must be scanned
 _SHOE_ALLOWANCE_MM = 15.0
 FOOTINGS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
@@ -261,7 +261,7 @@ class _Along:
         across /= np.linalg.norm(across)
         up = np.array([0.0, 0.0, 1.0])
         origin = self._turn.T @ fibulare
-        section = section_segments(self._mesh, origin, np.cross(up, across))
+        section = section_segments(self._mesh, origin, np.cross(across, up))
         return tape_length(np.stack([section @ across, section[..., 2]], axis=-1))
 
     def arch_index(self) -> float | None:

@@ -17,8 +17,8 @@ from insole_core.errors import InputError
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.side_similarity import lower_side, side_dissimilarity
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.even_surface import area_samples
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import area_samples
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 

@@ -11,15 +11,15 @@ from scipy.spatial import cKDTree
 from insole_core.foot.border_fit import USUAL_MM, UsualBorder, fit_border
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.outermost import Border, cap, ramp, reach
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.transforms import rotation_about
-from insole_core.geometry.weighted import outermost_mean, weighted_quantile
+from insole_core.geometry.weighted import weighted_quantile
 
 _END_DEPTH_MM = 3.0  # points this near to the outermost one belong to the end
-_OUTERMOST_MM2 = 4.0  # area whose mean is the outermost point: a point alone may be noise
 _CAP_MM = 1.0  # depth of the cap whose middle is the place of the outermost point
 _TURNING = (0.05, 0.15)  # cosine from which on the border turns towards its end
 _WHOLE = (0.87, 0.97)  # cosine against the direction from which on the end itself was measured
@@ -47,29 +47,6 @@ _UNSEEN, _UNSEEN_MM = 0.45, 2.0
 """Confidence and standard deviation of an end without a contour, on a foot that has contours: its
 measured surface may lie that far outside of the foot."""
 TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
-
-
-@dataclass(frozen=True, eq=False)
-class Border:
-    """Points of a surface, mm, each of which represents an area.
-
-    Parameters
-    ----------
-    points, normals : (n, 3) float64
-    area_mm2 : (n,) float64
-    """
-
-    points: FloatArray
-    normals: FloatArray
-    area_mm2: FloatArray
-
-    def part(self, keep: BoolArray) -> Border:
-        """Keep only the points with `keep` (n,) true."""
-        return Border(self.points[keep], self.normals[keep], self.area_mm2[keep])
-
-    def turned(self, a2b: FloatArray) -> Border:
-        """Rotate the points by `a2b` (3, 3)."""
-        return Border(self.points @ a2b.T, self.normals @ a2b.T, self.area_mm2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +98,7 @@ class SoleSurface:
         self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
         self._inner = low.inner.turned(self._insole2sole)
         self._whole = low.whole.turned(self._insole2sole)
-        self.back_mm = float(self._inner.points[:, 1].min())
+        self.back_mm = -reach(-self._inner.points[:, 1], self._inner.area_mm2)
         self.length_mm = low.foot.length_mm
         self._touches = None if low.touches is None else self._turned(low.touches)
         facing = self._inner.normals[:, 2] < _FACING
@@ -240,27 +217,26 @@ class SoleSurface:
         lateral, medial = float(ball[:, 0].min()), float(ball[:, 0].max())
         width = medial - lateral
         tips: list[End] = []
-        for across, reach, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
+        for across, ahead, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
             # Beyond the 2nd, a toe lies about one toe's width beside the previous one.
             from_x = medial if len(tips) < 2 else float(tips[-1].point[0])
-            usual = np.array([from_x - across * width, self.back_mm + reach * self.length_mm])
+            usual = np.array([from_x - across * width, self.back_mm + ahead * self.length_mm])
             tips.append(self._toe_tip(usual, search * width))
         return tips
 
     def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
         guess = End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
-        x = pulp_line(self._sole.points, self.length_mm, usual, search_mm)
+        x = pulp_line(
+            self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm
+        )
         if x is None:
             return guess
         across, along, _ = self._whole.points.T
         toe = (np.abs(across - x) < _TOE_HALF_MM) & (along > usual[1] - _BAND * self.length_mm)
         if not toe.any():
             return guess
+        tip = find_toe_end(self._whole.part(toe))
         ahead = np.array([0.0, 1.0, 0.0])
-        points, area_mm2 = self._whole.points[toe], self._whole.area_mm2[toe]
-        summit = cap(points, points[:, 1], area_mm2, _CAP_MM)
-        tip = find_toe_end(points, self._whole.normals[toe], float(summit[0]))
-        tip.point[0] = cap(points, points[:, 1], area_mm2, _END_DEPTH_MM)[0]
         between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
         return self._touched(tip, ahead, between, TOE_BORDER)
 
@@ -275,50 +251,24 @@ def _end(
     """
     points, area_mm2 = border.points, border.area_mm2
     along, facing = points @ direction, border.normals @ direction
-    top = outermost_mean(along, area_mm2, _OUTERMOST_MM2)
+    top = reach(along, area_mm2)
     near = along > top - _END_DEPTH_MM
     faced = weighted_quantile(facing[near], area_mm2[near], 0.9)
-    short = 1 - _ramp(faced, _WHOLE)
+    short = 1 - ramp(faced, _WHOLE)
     rated = along
     if usual_mm is not None:  # the border itself, where it was measured, is the best evidence
         across = points @ np.array([-direction[1], direction[0], 0.0])
         rated = along - short * ((across - usual_mm) / USUAL_MM) ** 2
     place = cap(points, rated, area_mm2, _CAP_MM)
-    reach, confidence = top, SURE
-    short *= _ramp(faced, _TURNING)
+    end_mm, confidence = top, SURE
+    short *= ramp(faced, _TURNING)
     if short > 0 and near.sum() >= _LEAST_POINTS:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
-        end, height = _round_end(points[last], border.normals[last], direction, radius_mm)
-        reach += short * float(np.clip(end - top, 0.0, _MOST_MM))
+        round_mm, height = _round_end(points[last], border.normals[last], direction, radius_mm)
+        end_mm += short * float(np.clip(round_mm - top, 0.0, _MOST_MM))
         place[2] += short * (height - place[2])
-        confidence = SURE - (SURE - GUESS) * (reach - top) / _MOST_MM
-    return End(place + (reach - place @ direction) * direction, confidence)
-
-
-def _ramp(value: float, between: tuple[float, float]) -> float:
-    """Return 0 below a range, 1 above it, and the share of it in between."""
-    return float(np.clip((value - between[0]) / (between[1] - between[0]), 0.0, 1.0))
-
-
-def cap(
-    points: FloatArray, rated: FloatArray, area_mm2: FloatArray, depth_mm: float
-) -> FloatArray:
-    """Return the middle (3,) of the part of a surface that reaches farthest.
-
-    Unlike the farthest point itself, it moves little when the surface changes little.
-
-    Parameters
-    ----------
-    points : (n, 3) float64, mm
-    rated : (n,) float64, mm
-        How far each point reaches.
-    area_mm2 : (n,) float64
-    depth_mm
-        Of the part; its deepest points have no weight.
-    """
-    top = outermost_mean(rated, area_mm2, _OUTERMOST_MM2)
-    weights = area_mm2 * np.maximum(rated - top + depth_mm, 0.0)
-    return np.asarray(weights @ points / weights.sum())
+        confidence = SURE - (SURE - GUESS) * (end_mm - top) / _MOST_MM
+    return End(place + (end_mm - place @ direction) * direction, confidence)
 
 
 def _round_end(

@@ -8,7 +8,6 @@ from scipy.spatial import ConvexHull
 from insole_core.geometry.arrays import FloatArray
 
 _MOST_GAP_MM = 10.0  # a tape that bridges more than this is measurably shorter than the foot
-_DEPTH = 0.25  # under the tape, as a share of its straight piece, where skin may be hollow
 
 
 def tape_length(section: FloatArray) -> float | None:
@@ -17,7 +16,8 @@ def tape_length(section: FloatArray) -> float | None:
     Parameters
     ----------
     section : (k, 2, 2) float64, mm
-        Segments in the plane of the section, in no particular order.
+        Segments in the plane of the section, in no particular order, each counter-clockwise round
+        the foot.
 
     Returns
     -------
@@ -40,11 +40,9 @@ def tape_length(section: FloatArray) -> float | None:
 def _gap_mm(section: FloatArray, way: FloatArray) -> float:
     """Return the longest part of a straight piece of tape without a surface under it."""
     length = float(np.linalg.norm(way))
-    along = section @ way / length
-    depth = section @ np.array([-way[1], way[0]]) / length
-    under = along[(depth < _DEPTH * length).all(axis=1)]
-    starts, ends = under.min(axis=1), under.max(axis=1)
-    order = np.argsort(starts)
-    reached = np.concatenate([[0.0], np.maximum.accumulate(ends[order])])
-    gaps = np.concatenate([starts[order], [length]]) - reached
+    starts, ends = (section @ way / length).T
+    under = ends > starts  # what runs the other way is the far side of the foot
+    order = np.argsort(starts[under])
+    reached = np.concatenate([[0.0], np.maximum.accumulate(ends[under][order]).clip(0.0, length)])
+    gaps = np.concatenate([starts[under][order].clip(0.0, length), [length]]) - reached
     return float(gaps.max())

@@ -13,13 +13,13 @@ from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import sample_triangles
 from insole_core.geometry.transforms import transform
 
-_CELL_MM = 1.5
-_SAMPLES_PER_CELL = 6
-_STEPS = (0.7548776662466927, 0.5698402909980532)
-"""Of the additive sequence R2 (Roberts 2018), which fills a square evenly."""
-_LEAST_SAMPLES = 2  # of a cell that the surface does not only touch
+_CELL_MM, _PITCH_MM = 1.5, 1.0
+_MOST_CELLS = 8_000_000  # of the box around a surface: what is no foot gets larger cells
+_AT_ONCE = 300_000  # triangles
+_LEAST_MM2 = 0.3  # of a surface in a cell that it does not only touch
 _LEAST_NORMAL = 0.4
 """Least length of a cell's mean normal; it is shorter where two walls meet in the cell."""
 _RIM_MM = 10.0  # greatest distance from the boundary that is computed
@@ -48,20 +48,19 @@ class EvenSurface:
 
     @staticmethod
     def of(mesh: TriangleMesh) -> EvenSurface:
-        """Sample a mesh."""
-        points, triangle = area_samples(mesh, _CELL_MM**2 / _SAMPLES_PER_CELL)
-        lattice = _Lattice(np.floor(points / _CELL_MM).astype(np.int64))
-        mean = lattice.mean(points)
-        normals = lattice.mean(mesh.triangle_normals[triangle])
-        clear = np.linalg.norm(normals, axis=1) > _LEAST_NORMAL
-        clear &= lattice.count >= _LEAST_SAMPLES
-        share = mesh.area_mm2 / len(points)
-        return EvenSurface(
-            mean[clear],
-            lattice.smoothed(normals)[clear],
-            lattice.count[clear] * share,
-            _rim_distance(mesh, mean[clear]),
-        )
+        """Spread points over a mesh.
+
+        The time grows with triangles and area; the memory hardly does.
+        """
+        lattice = _Lattice(mesh.bounds_mm)
+        for first in range(0, len(mesh.triangles), _AT_ONCE):
+            part = TriangleMesh(mesh.vertices, mesh.triangles[first : first + _AT_ONCE])
+            samples = sample_triangles(part, _PITCH_MM)
+            normals = part.triangle_normals[samples.triangle]
+            lattice.add(samples.points, normals, samples.area_mm2)
+        points, normals, area_mm2, clear = lattice.result()
+        points = points[clear]
+        return EvenSurface(points, normals[clear], area_mm2[clear], _rim_distance(mesh, points))
 
     def part(self, keep: BoolArray) -> EvenSurface:
         """Keep only the points with `keep` (n,) true."""
@@ -75,72 +74,56 @@ class EvenSurface:
         return replace(self, points=transform(a2b, self.points), normals=normals)
 
 
-def area_samples(mesh: TriangleMesh, area_mm2: float) -> tuple[FloatArray, IntArray]:
-    """Sample a mesh so that every point represents the same area.
-
-    Neither time nor memory grow with the triangles by more than their areas; the points do not
-    depend on the winding of the triangles.
-
-    Parameters
-    ----------
-    area_mm2
-        Largest area of one point.
-
-    Returns
-    -------
-    points : (n, 3) float64, mm
-    triangle : (n,) int64
-        Index of the triangle of each point.
-    """
-    reached = np.cumsum(mesh.triangle_areas)
-    count = max(int(np.ceil(reached[-1] / area_mm2)), 1)
-    steps = (np.arange(count) + 0.5) * (reached[-1] / count)
-    triangle = np.minimum(np.searchsorted(reached, steps), len(reached) - 1)
-    a, b, c = np.moveaxis(mesh.vertices[np.sort(mesh.triangles[triangle], axis=1)], 1, 0)
-    u, v = (np.arange(1, count + 1)[:, None] * np.array(_STEPS) % 1.0).T
-    beyond = u + v > 1
-    u, v = np.where(beyond, 1 - u, u), np.where(beyond, 1 - v, v)
-    return np.asarray(a + u[:, None] * (b - a) + v[:, None] * (c - a)), triangle
-
-
 class _Lattice:
-    """The occupied cells of a lattice.
+    """Sums over the cells of a lattice.
 
     Parameters
     ----------
-    cell : (n, 3) int64
-        Of each sample.
+    bounds_mm : (2, 3) float64
+        Of all points.
     """
 
-    def __init__(self, cell: IntArray) -> None:
-        cell = cell - cell.min(axis=0) + 1  # an empty cell on either side, for the neighbours
-        shape = cell.max(axis=0) + 2
+    def __init__(self, bounds_mm: FloatArray) -> None:
+        size = np.ptp(bounds_mm, axis=0)
+        self._cell_mm = max(_CELL_MM, float(np.cbrt(size.prod() / _MOST_CELLS)))
+        self._first = np.floor(bounds_mm[0] / self._cell_mm).astype(np.int64) - 1
+        # An empty cell on either side, for the neighbours.
+        shape = np.floor(bounds_mm[1] / self._cell_mm).astype(np.int64) - self._first + 2
         self._strides = np.array([shape[1] * shape[2], shape[2], 1])
+        self._sums = np.zeros((7, int(shape.prod())))
+
+    def add(self, points: FloatArray, normals: FloatArray, area_mm2: FloatArray) -> None:
+        """Add points (n, 3), normals (n, 3) and the areas (n,) that they represent."""
+        cell = np.floor(points / self._cell_mm).astype(np.int64) - self._first
         key = cell @ self._strides
-        counts = np.bincount(key, minlength=int(shape.prod()))
-        self._occupied = np.flatnonzero(counts)
-        self.count = counts[self._occupied]
-        self._place = np.full(len(counts), -1)
-        self._place[self._occupied] = np.arange(len(self._occupied))
-        self._of_sample = self._place[key]
+        columns = (np.ones(len(points)), *points.T, *normals.T)
+        for total, column in zip(self._sums, columns, strict=True):
+            total += np.bincount(key, area_mm2 * column, minlength=len(total))
 
-    def mean(self, values: FloatArray) -> FloatArray:
-        """Return the mean (m, 3) of the values (n, 3) of the samples in each cell."""
-        size = len(self._occupied)
-        sums = [np.bincount(self._of_sample, column, minlength=size) for column in values.T]
-        return np.asarray(np.stack(sums, axis=1) / self.count[:, None])
+    def result(self) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
+        """Return points, normals and areas of the occupied cells, and which of them are clear."""
+        occupied = np.flatnonzero(self._sums[0])
+        area_mm2 = self._sums[0, occupied]
+        means = self._sums[1:, occupied].T / area_mm2[:, None]
+        points, normals = means[:, :3], means[:, 3:]
+        clear = (np.linalg.norm(normals, axis=1) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
+        return points, self._smoothed(occupied, normals, area_mm2), area_mm2, clear
 
-    def smoothed(self, normals: FloatArray) -> FloatArray:
-        """Average normals (m, 3) over neighbouring cells that face the same way; unit normals."""
+    def _smoothed(
+        self, occupied: IntArray, normals: FloatArray, area_mm2: FloatArray
+    ) -> FloatArray:
+        """Average normals (n, 3) over neighbouring cells that face the same way; unit normals."""
+        place = np.full(self._sums.shape[1], -1)
+        place[occupied] = np.arange(len(occupied))
         steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+        neighbours = [place[occupied + step] for step in steps @ self._strides]
         normals = _unit(normals)
         for _ in range(_NORMAL_ROUNDS):
             total = np.zeros_like(normals)
-            for step in steps @ self._strides:
-                other = self._place[self._occupied + step]
+            for other in neighbours:
                 theirs = normals[other]
                 like = np.einsum("nc,nc->n", theirs, normals)
-                weight = np.where(other < 0, 0.0, self.count[other] * np.maximum(like, 0.0))
+                weight = np.where(other < 0, 0.0, area_mm2[other] * np.maximum(like, 0.0))
                 total += weight[:, None] * theirs
             normals = _unit(total)
         return normals
