@@ -146,9 +146,7 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
-def _best(
-    surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side
-) -> _Candidate:
+def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
     foot = level(surface, side, rough.source2rough, rough.covered)

@@ -75,16 +75,28 @@ def level(
         When nothing faces the ground.
     """
     low = _low_part(surface, source2rough)
-    pose = source2rough
-    for _ in range(_ROUNDS):
-        marks = _Marks(low, side, pose, covered)
-        step = marks.frame()
-        pose = step @ pose
-        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+    for with_toe in (True, False):
+        pose, at_rest = _settled(low, side, source2rough, covered, with_toe)
+        if at_rest:
             break
-    marks = _Marks(low, side, pose, covered)
+    marks = _Marks(low, side, pose, covered, with_toe)
     ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.points[:, 2].min()]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
+
+
+def _settled(
+    low: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+) -> tuple[FloatArray, bool]:
+    """Iterate the pose, and return whether it came to rest.
+
+    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one.
+    """
+    for _ in range(_ROUNDS):
+        step = _Marks(low, side, pose, covered, with_toe).frame()
+        pose = step @ pose
+        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+            return pose, True
+    return pose, False
 
 
 def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
@@ -96,9 +108,11 @@ def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
 class _Marks:
     """The positions of heel, heads and toe in the current pose."""
 
-    def __init__(self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float) -> None:
+    def __init__(
+        self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+    ) -> None:
         self.side = side
-        self.covered = covered
+        self.with_toe = with_toe and covered >= 1
         self.points = transform(pose, surface.points)
         low = self.points[:, 2] < self.points[:, 2].min() + OUTLINE_HEIGHT_MM
         self.outline = self.points[low]
@@ -143,7 +157,7 @@ class _Marks:
         usual = np.array(
             [medial + _SECOND_TOE_ACROSS * (lateral - medial), self.back + self.length]
         )
-        if self.covered < 1:
+        if not self.with_toe:
             return usual, False
         search = _SECOND_TOE_REACH * abs(lateral - medial)
         x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)

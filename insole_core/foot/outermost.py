@@ -47,9 +47,7 @@ def reach(along: FloatArray, area_mm2: FloatArray) -> float:
     return outermost_mean(along, area_mm2, _OUTERMOST_MM2)
 
 
-def cap(
-    points: FloatArray, rated: FloatArray, area_mm2: FloatArray, depth_mm: float
-) -> FloatArray:
+def cap(points: FloatArray, rated: FloatArray, area_mm2: FloatArray, depth_mm: float) -> FloatArray:
     """Return the middle (3,) of the part of a surface that reaches farthest.
 
     Unlike the farthest point itself, it moves little when the surface changes little.

@@ -37,6 +37,7 @@ _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
 _TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
 _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
+_MERGED = 0.5  # greatest confidence of a toe that does not stand out from the others
 
 _USUAL_LENGTH_MM = 240.0
 _REAR_MM = 14.0
@@ -225,20 +226,18 @@ class SoleSurface:
         return tips
 
     def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
-        guess = End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
-        x = pulp_line(
-            self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm
-        )
-        if x is None:
-            return guess
+        x = pulp_line(self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm)
+        merged = x is None
+        middle, half_mm = (usual[0], search_mm / 2) if x is None else (x, _TOE_HALF_MM)
         across, along, _ = self._whole.points.T
-        toe = (np.abs(across - x) < _TOE_HALF_MM) & (along > usual[1] - _BAND * self.length_mm)
+        toe = (np.abs(across - middle) < half_mm) & (along > usual[1] - _BAND * self.length_mm)
         if not toe.any():
-            return guess
+            return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         tip = find_toe_end(self._whole.part(toe))
         ahead = np.array([0.0, 1.0, 0.0])
         between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
-        return self._touched(tip, ahead, between, TOE_BORDER)
+        tip = self._touched(tip, ahead, between, TOE_BORDER)
+        return replace(tip, confidence=min(tip.confidence, _MERGED)) if merged else tip
 
 
 def _end(
