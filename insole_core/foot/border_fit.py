@@ -30,7 +30,7 @@ _ROUNDS = 4
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
 _SUMMIT_MM = 1.0  # depth of the strips about whose middle an arc is fitted
-_ARC = 0.2
+_ARC = 0.3
 """Share of its radius, to either side of its outermost point, in which a border is like an arc."""
 USUAL_MM = 12.0
 """Distance from its usual position at which an end must lie one millimetre farther out."""
