@@ -30,6 +30,10 @@ class Border:
         """Keep only the points with `keep` (n,) true."""
         return Border(self.points[keep], self.normals[keep], self.area_mm2[keep])
 
+    def weighted(self, shares: FloatArray) -> Border:
+        """Let each point count for a share (n,) of its area; without those that do not count."""
+        return Border(self.points, self.normals, self.area_mm2 * shares).part(shares > 0)
+
     def turned(self, a2b: FloatArray) -> Border:
         """Rotate the points by `a2b` (3, 3)."""
         return Border(self.points @ a2b.T, self.normals @ a2b.T, self.area_mm2)
@@ -65,6 +69,7 @@ def cap(points: FloatArray, rated: FloatArray, area_mm2: FloatArray, depth_mm: f
     return np.asarray(weights @ points / weights.sum())
 
 
-def ramp(value: float, between: tuple[float, float]) -> float:
+def ramp(values: FloatArray | float, between: tuple[float, float]) -> FloatArray:
     """Return 0 below a range, 1 above it, and the share of it in between."""
-    return float(np.clip((value - between[0]) / (between[1] - between[0]), 0.0, 1.0))
+    low, high = between
+    return np.asarray(np.clip((np.asarray(values) - low) / (high - low), 0.0, 1.0))

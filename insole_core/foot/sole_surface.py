@@ -20,7 +20,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.geometry.weighted import weighted_quantile
 
 _END_DEPTH_MM = 3.0  # points this near to the outermost one belong to the end
-_CAP_MM = 1.0  # depth of the cap whose middle is the place of the outermost point
+_CAP_MM = 1.5  # depth of the cap whose middle is the place of the outermost point
 _TURNING = (0.05, 0.15)  # cosine from which on the border turns towards its end
 _WHOLE = (0.87, 0.97)  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
@@ -28,7 +28,8 @@ _MOST_MM = 6.0
 _BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
 _LEAST_POINTS = 6
-_FRAYED_MM = 2.0  # from the boundary of an open surface
+_FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
+_EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
 _FACING = -0.5
 _TOE_ACROSS = (0.23, 0.44, 0.165, 0.145, 0.145)
@@ -77,8 +78,9 @@ class LowFoot:
         even = foot.even
         low = even.points[:, 2] < OUTLINE_HEIGHT_MM
         whole = Border(even.points, even.normals, even.area_mm2).part(low)
-        clear = even.rim_mm[low] > _FRAYED_MM
-        inner = whole.part(clear) if clear.sum() > len(clear) / 2 else whole
+        inner = whole.weighted(ramp(even.rim_mm[low], _FRAYED_MM))
+        if len(inner.points) < len(whole.points) / 2:
+            inner = whole
         touches = foot.mesh.touches
         return LowFoot(foot, whole, inner, None if touches is None else _low_touches(touches))
 
@@ -162,14 +164,14 @@ class SoleSurface:
         End
             mm, sole frame.
         """
-        share = self._shares
-        region = (share >= shares[0]) & (share <= shares[1])
-        region = region if region.any() else np.ones(len(share), dtype=bool)
+        inside_mm = (self._shares - shares[0]).clip(max=shares[1] - self._shares) * self.length_mm
+        region = self._inner.weighted(ramp(inside_mm, _EDGE_MM))
+        region = region if len(region.points) else self._inner
         usual = None
         if usual_share is not None:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
-        end = _end(self._inner.part(region), towards, _BORDER_RADIUS_MM, usual)
+        end = _end(region, towards, _BORDER_RADIUS_MM, usual)
         if border is None:
             return end
         if usual_share is None:
@@ -253,14 +255,14 @@ def _end(
     top = reach(along, area_mm2)
     near = along > top - _END_DEPTH_MM
     faced = weighted_quantile(facing[near], area_mm2[near], 0.9)
-    short = 1 - ramp(faced, _WHOLE)
+    short = 1 - float(ramp(faced, _WHOLE))
     rated = along
     if usual_mm is not None:  # the border itself, where it was measured, is the best evidence
         across = points @ np.array([-direction[1], direction[0], 0.0])
         rated = along - short * ((across - usual_mm) / USUAL_MM) ** 2
     place = cap(points, rated, area_mm2, _CAP_MM)
     end_mm, confidence = top, SURE
-    short *= ramp(faced, _TURNING)
+    short *= float(ramp(faced, _TURNING))
     if short > 0 and near.sum() >= _LEAST_POINTS:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
         round_mm, height = _round_end(points[last], border.normals[last], direction, radius_mm)

@@ -98,7 +98,7 @@ def _wholeness(shell: Border, height_mm: float, top: float) -> float:
     end = shell.part(shell.points[:, 1] > top - _END_DEPTH_MM)
     turned = weighted_quantile(end.normals[:, 1], end.area_mm2, 0.9)
     above = weighted_quantile(shell.points[:, 2], shell.area_mm2, 0.97) - height_mm
-    return ramp(turned, _WHOLE) * ramp(above, _BEYOND_MM)
+    return float(ramp(turned, _WHOLE) * ramp(above, _BEYOND_MM))
 
 
 @dataclass(frozen=True)

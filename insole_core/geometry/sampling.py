@@ -58,12 +58,13 @@ def sample_triangles(mesh: TriangleMesh, pitch_mm: float) -> SurfaceSamples:
     count = columns * rows
     triangle = np.repeat(np.arange(len(count)), count)
     index = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    v = (index // columns[triangle] + 0.5) / rows[triangle]
+    middle = (index // columns[triangle] + 0.5) / rows[triangle]
+    v = middle - 1 / (12 * rows[triangle] ** 2 * (1 - middle))  # centroid of the row
     u = (index % columns[triangle] + 0.5) / columns[triangle] * (1 - v)
     points = (
         corners[triangle, 0] + u[:, None] * edges[triangle, 0] + v[:, None] * edges[triangle, 1]
     )
-    return SurfaceSamples(points, triangle, (twice_area / count)[triangle] * (1 - v))
+    return SurfaceSamples(points, triangle, (twice_area / count)[triangle] * (1 - middle))
 
 
 def area_samples(mesh: TriangleMesh, area_mm2: float) -> tuple[FloatArray, IntArray]:
