@@ -89,7 +89,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         # The directions of ground and toes follow from the shape, whatever the side.
         asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    source2insole = _on_ground(mesh, found.source2insole)
+    source2insole = _at_origin(mesh, found.source2insole)
     placed = even.transformed(source2insole)
     notes = (
         _side_note(asked, other),
@@ -102,10 +102,11 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     return foot
 
 
-def _on_ground(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
-    """Move the frame so that the lowest vertex lies at z = 0."""
-    lowest = float((mesh.vertices @ source2insole[2, :3]).min() + source2insole[2, 3])
-    return rigid(np.eye(3), np.array([0.0, 0.0, -lowest])) @ source2insole
+def _at_origin(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
+    """Move the frame so that the lowest vertex lies at z = 0, and the rearmost one at y = 0."""
+    y, z = (mesh.vertices @ source2insole[1:3, :3].T + source2insole[1:3, 3]).T
+    low = z < z.min() + OUTLINE_HEIGHT_MM
+    return rigid(np.eye(3), np.array([0.0, -y[low].min(), -z.min()])) @ source2insole
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
