@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
@@ -24,7 +24,6 @@ Frame = Literal["reference", "unknown"]
 
 _CLEAR = 1.25
 """Least ratio of the two dissimilarities at which the shape determines the side."""
-_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
@@ -225,10 +224,7 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
 
 
 def _rear_notes(surface: EvenSurface) -> Iterator[str]:
-    """Warn of a rear that was cut off: a heel is round from above, so its end is narrow."""
-    x, y, z = surface.points.T
-    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < reach)]) for reach in _REAR_MM)
-    if end > _BLUNT * rear:
+    if is_cut_behind(surface.points):
         yield (
             "The heel is missing, or cut off behind; lengths and everything placed from the heel"
             " are guesses. Scan the foot again with its heel."

@@ -31,6 +31,7 @@ _BALL_BAND = 0.68
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _ROUNDS, _AT_REST_DEG = 40, 0.002
+_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,3 +188,16 @@ class _Marks:
 
     def _y(self, share: float) -> float:
         return self.back + share * self.length
+
+
+def is_cut_behind(points: FloatArray) -> bool:
+    """Return whether the rear is missing: a heel is round from above, so its end is narrow.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, insole frame
+        Evenly spread over the foot.
+    """
+    x, y, z = points.T
+    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < depth)]) for depth in _REAR_MM)
+    return bool(end > _BLUNT * rear)

@@ -6,6 +6,7 @@ scanned has no measure: it is None, and `MISSING` says why.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ from insole_core.foot.landmarks import TOE_TIPS, Landmarks
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.rear_axes import Axis
 from insole_core.foot.tape import tape_length
+from insole_core.foot.toe_end import GUESS
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.plane_section import boundary_crossings, section_segments
 from insole_core.geometry.weighted import weighted_quantile
@@ -26,6 +28,7 @@ _TOE_GAP = 0.07  # share of the length ahead of the heads, where the toeless foo
 _INSTEP = 0.5
 _LEAST_DORSAL_MM = 25.0
 _RIM_MM, _MOST_CUT_OFF = 3.0, 0.03  # beside the edge of a scan, and share of a footprint there
+_PROPORTION = 0.22  # confidence of a place between guessed ones
 _SPOT_MM, _LEAST_SPOT = 8.0, 0.5  # about a landmark, and share of it that must be scanned
 _SHOE_ALLOWANCE_MM = 15.0
 FOOTINGS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
@@ -76,16 +79,30 @@ DEFINITIONS = {
     "shoe_size_us": Definition("", "men's: the English size and one"),
     "mondopoint": Definition("mm", "foot length, rounded up to 5 mm"),
 }
+_NO_LENGTH = "the heel or the toes were not scanned"
+_NO_BALL = "the sides of the ball were not scanned"
+_NO_SOLE = "the sole was not scanned under heel, ball and arch"
 MISSING = {
+    "foot_length": _NO_LENGTH,
+    "ball_width": _NO_BALL,
+    "ball_width_across": _NO_BALL,
+    "ball_length": "the heel or the medial side of the ball was not scanned",
+    "heel_width": "the sides of the heel were not scanned",
     "ball_girth": "the back of the foot was not scanned",
     "instep_height": "the back of the foot was not scanned",
+    "arch_height": _NO_SOLE,
     "arch_height_index": "the back of the foot was not scanned",
+    "arch_index": _NO_SOLE,
     "navicular_height": "the navicular is not marked",
     "rearfoot_angle_deg": "the back of the heel or the leg was not scanned",
     "achilles_angle_deg": "the leg was not scanned",
     "achilles_lean_deg": "the leg was not scanned, or the scan does not stand upright",
+    "forefoot_angle_deg": _NO_SOLE,
+    "shoe_size_eu": _NO_LENGTH,
+    "shoe_size_uk": _NO_LENGTH,
+    "shoe_size_us": _NO_LENGTH,
+    "mondopoint": _NO_LENGTH,
 }
-
 
 _LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
@@ -132,7 +149,9 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
         ]
         if seen_badly:
             found[name] = Message(
-                "seen in part only, and continued by the usual shape: {places}",
+                "the surface is too coarse there: {places}"
+                if any(landmarks[mark].is_coarse for mark in stands_on)
+                else "seen in part only, and continued by the usual shape: {places}",
                 places=joined(seen_badly, " and "),
             )
     for name, deviation_mm in deviations_mm(landmarks).items():
@@ -158,24 +177,23 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
         Keys and units as in `DEFINITIONS`; None for what was not scanned (see `MISSING`).
     """
     at = _Along(foot, landmarks)
-    length = at.length_mm
-    instep = at.dorsal_height(_INSTEP * length)
-    tibiale, fibulare = at["metatarsale_tibiale"], at["metatarsale_fibulare"]
-    size_mm = length + _SHOE_ALLOWANCE_MM
-    english = size_mm / _ENGLISH_MM - 25
-    return {
-        "foot_length": length,
-        "ball_width": float(np.hypot(*(tibiale - fibulare)[:2])),
-        "ball_width_across": float(tibiale[0] - fibulare[0]),
-        "ball_length": float(tibiale[1] - at["pternion"][1]),
-        "heel_width": float(at["heel_medial"][0] - at["heel_lateral"][0]),
-        "ball_girth": at.girth(tibiale, fibulare),
-        "instep_height": instep,
-        "arch_height": float(at.over_ground(at["arch_apex"][None])[0]),
-        "arch_height_index": None if instep is None else instep / at.heel_to_first_head_mm,
-        "arch_index": at.arch_index(),
+    measures = {
+        **at.lengths(),
+        **at.heights(),
         "navicular_height": float(at["navicular"][2]) if "navicular" in landmarks else None,
         **_angles(foot, landmarks),
+    }
+    if not at.is_on_sole(FOOTINGS):
+        measures["forefoot_angle_deg"] = None
+    measures |= _sizes(measures["foot_length"])
+    return {name: measures[name] for name in DEFINITIONS}
+
+
+def _sizes(length: float | None) -> dict[str, float | None]:
+    if length is None:
+        return dict.fromkeys(("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint"))
+    english = (length + _SHOE_ALLOWANCE_MM) / _ENGLISH_MM - 25
+    return {
         "shoe_size_eu": shoe_size_eu(length),
         "shoe_size_uk": round(2 * english) / 2,
         "shoe_size_us": round(2 * english) / 2 + 1,
@@ -196,7 +214,7 @@ class _Along:
         mirror = np.diag([foot.side.medial_sign, 1.0, 1.0])
         x, y = ((toe - heel) @ mirror)[:2] / np.hypot(*(toe - heel)[:2])
         self._turn = np.array([[y, -x, 0.0], [x, y, 0.0], [0.0, 0.0, 1.0]]) @ mirror
-        self._mesh, even = foot.mesh, foot.even
+        self._landmarks, self._mesh, even = landmarks, foot.mesh, foot.even
         plantar = (even.normals[:, 2] < 0) & (even.points[:, 2] < OUTLINE_HEIGHT_MM)
         self._sole = even.points[plantar] @ self._turn.T
         self._sole_mm2 = even.area_mm2[plantar] * -even.normals[plantar, 2]
@@ -215,10 +233,46 @@ class _Along:
     def heel_to_first_head_mm(self) -> float:
         return float(self["metatarsal_head_1"][1] - self["pternion"][1])
 
-    def is_on_sole(self, name: str) -> bool:
-        """Return whether the sole about a landmark was scanned."""
-        near = self._near(name, _SPOT_MM)
-        return float(self._sole_mm2[near].sum()) > _LEAST_SPOT * np.pi * _SPOT_MM**2
+    def lengths(self) -> dict[str, float | None]:
+        """Return the measures between outermost points; None where one of them was not seen."""
+        tibiale, fibulare = self["metatarsale_tibiale"], self["metatarsale_fibulare"]
+        heel, tip = _ends("foot_length", self._landmarks)
+        lengths = {
+            "foot_length": (self.length_mm, (heel, tip)),
+            "ball_width": (np.hypot(*(tibiale - fibulare)[:2]), _BALL),
+            "ball_width_across": (tibiale[0] - fibulare[0], _BALL),
+            "ball_length": (tibiale[1] - self[heel][1], _STANDS_ON["ball_length"]),
+            "heel_width": (
+                self["heel_medial"][0] - self["heel_lateral"][0],
+                _STANDS_ON["heel_width"],
+            ),
+        }
+        found = {n: float(v) if self._is_seen(ends) else None for n, (v, ends) in lengths.items()}
+        return {**found, "ball_girth": self._girth() if self._is_seen(_BALL) else None}
+
+    def heights(self) -> dict[str, float | None]:
+        """Return the measures of arch and instep; None where sole or back were not scanned."""
+        has_length = self._is_seen(_ends("foot_length", self._landmarks))
+        instep = self._dorsal_height(_INSTEP * self.length_mm) if has_length else None
+        arch = float(self.over_ground(self["arch_apex"][None])[0])
+        return {
+            "instep_height": instep,
+            "arch_height": arch if self.is_on_sole((*FOOTINGS, "arch_apex")) else None,
+            "arch_height_index": None if instep is None else instep / self.heel_to_first_head_mm,
+            "arch_index": self._arch_index() if self.is_on_sole(FOOTINGS) else None,
+        }
+
+    def is_on_sole(self, names: Sequence[str]) -> bool:
+        """Return whether the heel and the sole about landmarks were scanned."""
+        known = all(self._landmarks[name].confidence > _PROPORTION for name in names)
+        return known and self._is_seen(["pternion"]) and all(map(self._is_spot, names))
+
+    def _is_seen(self, ends: Sequence[str]) -> bool:
+        return all(self._landmarks[name].confidence > GUESS for name in ends)
+
+    def _is_spot(self, name: str) -> bool:
+        scanned_mm2 = float(self._sole_mm2[self._near(name, _SPOT_MM)].sum())
+        return scanned_mm2 > _LEAST_SPOT * np.pi * _SPOT_MM**2
 
     def over_ground(self, points: FloatArray) -> FloatArray:
         """Compute the heights (n,) over the plane through heel, 1st and 5th head."""
@@ -239,7 +293,7 @@ class _Along:
         lowest = weighted_quantile(self._sole[near, 2], self._sole_mm2[near], 0.01)
         return np.array([*point[:2], lowest])
 
-    def dorsal_height(self, from_heel_mm: float) -> float | None:
+    def _dorsal_height(self, from_heel_mm: float) -> float | None:
         """Return the height of a section over the ground; None where its top was not scanned."""
         ahead = self._turn[1]
         y = float(self["pternion"][1]) + from_heel_mm
@@ -252,11 +306,12 @@ class _Along:
             return None
         return float(top[2])
 
-    def girth(self, tibiale: FloatArray, fibulare: FloatArray) -> float | None:
+    def _girth(self) -> float | None:
         """Return the length of a tape round the vertical section through two points.
 
         None where the tape would have to bridge a part that was not scanned.
         """
+        tibiale, fibulare = self["metatarsale_tibiale"], self["metatarsale_fibulare"]
         across = self._turn.T @ [*(tibiale - fibulare)[:2], 0.0]
         across /= np.linalg.norm(across)
         up = np.array([0.0, 0.0, 1.0])
@@ -264,7 +319,7 @@ class _Along:
         section = section_segments(self._mesh, origin, np.cross(across, up))
         return tape_length(np.stack([section @ across, section[..., 2]], axis=-1))
 
-    def arch_index(self) -> float | None:
+    def _arch_index(self) -> float | None:
         """Compute the index of Cavanagh & Rodgers 1987 on the part of the sole near the ground.
 
         None where this part ends at the edge of the scan.

@@ -24,11 +24,12 @@ _CAP_MM = 1.5  # depth of the cap whose middle is the place of the outermost poi
 _TURNING = (0.05, 0.15)  # cosine from which on the border turns towards its end
 _WHOLE = (0.87, 0.97)  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
-_MOST_MM = 6.0
+_MOST_MM, _CONTINUED = 6.0, 0.35  # how far an end is continued at most, and its confidence then
 _BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
 _LEAST_POINTS = 6
 _FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
+_FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
 _EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
 _FACING = -0.5
@@ -172,6 +173,8 @@ class SoleSurface:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
         end = _end(region, towards, _BORDER_RADIUS_MM, usual)
+        if usual_share is not None and self._front_mm - end.point[1] < _FRONT_MM:
+            return replace(end, confidence=GUESS)  # the scan ends before the border turns back
         if border is None:
             return end
         if usual_share is None:
@@ -179,6 +182,10 @@ class SoleSurface:
             return self._touched(end, towards, (x - _REAR_MM, x + _REAR_MM), border)
         low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
         return self._touched(end, towards, (low, high), border, middle)
+
+    @cached_property
+    def _front_mm(self) -> float:
+        return reach(self._inner.points[:, 1], self._inner.area_mm2)
 
     @property
     def _shares(self) -> FloatArray:
@@ -236,6 +243,8 @@ class SoleSurface:
         if not toe.any():
             return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         tip = find_toe_end(self._whole.part(toe))
+        if merged and tip.point[1] < usual[1] - _BAND / 2 * self.length_mm:
+            return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         ahead = np.array([0.0, 1.0, 0.0])
         between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
         tip = self._touched(tip, ahead, between, TOE_BORDER)
@@ -261,14 +270,15 @@ def _end(
         across = points @ np.array([-direction[1], direction[0], 0.0])
         rated = along - short * ((across - usual_mm) / USUAL_MM) ** 2
     place = cap(points, rated, area_mm2, _CAP_MM)
-    end_mm, confidence = top, SURE
-    short *= float(ramp(faced, _TURNING))
-    if short > 0 and near.sum() >= _LEAST_POINTS:
+    turning = float(ramp(faced, _TURNING)) if near.sum() >= _LEAST_POINTS else 0.0
+    end_mm, confidence = top, GUESS + (SURE - GUESS) * turning
+    short *= turning
+    if short > 0:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
         round_mm, height = _round_end(points[last], border.normals[last], direction, radius_mm)
         end_mm += short * float(np.clip(round_mm - top, 0.0, _MOST_MM))
         place[2] += short * (height - place[2])
-        confidence = SURE - (SURE - GUESS) * (end_mm - top) / _MOST_MM
+        confidence = min(confidence, SURE - (SURE - _CONTINUED) * (end_mm - top) / _MOST_MM)
     return End(place + (end_mm - place @ direction) * direction, confidence)
 
 

@@ -24,6 +24,7 @@ _LEAST_NORMAL = 0.4
 """Least length of a cell's mean normal; it is shorter where two walls meet in the cell."""
 _RIM_MM = 10.0  # greatest distance from the boundary that is computed
 _NORMAL_ROUNDS = 2
+_PATCH_MM, _SAME_DEG = 8.0, 0.1  # about a point, and the angle within which normals are the same
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,8 @@ class EvenSurface:
         Unit normals, averaged over some millimetres.
     area_mm2 : (n,) float64
         Area that each point represents.
+    facets : (n, 3) float64
+        Unit normals of the triangles, averaged over a cell only.
     rim_mm : (n,) float64
         Distance from the boundary of an open surface; infinite from 10 mm on.
     """
@@ -44,6 +47,7 @@ class EvenSurface:
     points: FloatArray
     normals: FloatArray
     area_mm2: FloatArray
+    facets: FloatArray
     rim_mm: FloatArray
 
     @staticmethod
@@ -58,20 +62,40 @@ class EvenSurface:
             samples = sample_triangles(part, _PITCH_MM)
             normals = part.triangle_normals[samples.triangle]
             lattice.add(samples.points, normals, samples.area_mm2)
-        points, normals, area_mm2, clear = lattice.result()
-        points = points[clear]
-        return EvenSurface(points, normals[clear], area_mm2[clear], _rim_distance(mesh, points))
+        points, facets, normals, area_mm2 = lattice.result()
+        return EvenSurface(points, normals, area_mm2, facets, _rim_distance(mesh, points))
 
     def part(self, keep: BoolArray) -> EvenSurface:
         """Keep only the points with `keep` (n,) true."""
         return EvenSurface(
-            self.points[keep], self.normals[keep], self.area_mm2[keep], self.rim_mm[keep]
+            self.points[keep],
+            self.normals[keep],
+            self.area_mm2[keep],
+            self.facets[keep],
+            self.rim_mm[keep],
         )
 
     def transformed(self, a2b: FloatArray) -> EvenSurface:
         """Return the same points in frame b, given a rigid transform (4, 4) from their frame a."""
-        normals = np.asarray(self.normals @ a2b[:3, :3].T)
-        return replace(self, points=transform(a2b, self.points), normals=normals)
+        rotation = a2b[:3, :3].T
+        return replace(
+            self,
+            points=transform(a2b, self.points),
+            normals=np.asarray(self.normals @ rotation),
+            facets=np.asarray(self.facets @ rotation),
+        )
+
+    def facet_mm2(self, point: FloatArray) -> float:
+        """Return the mean area of the plane facets about a point (3,), however they are cut.
+
+        Facets larger than about 100 mm² count as that. Of a fine surface it is the area of a cell.
+        """
+        near = np.linalg.norm(self.points - point, axis=1) < _PATCH_MM
+        facets, area_mm2 = self.facets[near], self.area_mm2[near]
+        if len(area_mm2) == 0:
+            return 0.0
+        same = facets @ facets.T > np.cos(np.radians(_SAME_DEG))
+        return float(area_mm2 @ same @ area_mm2 / area_mm2.sum())
 
 
 class _Lattice:
@@ -97,17 +121,20 @@ class _Lattice:
         cell = np.floor(points / self._cell_mm).astype(np.int64) - self._first
         key = cell @ self._strides
         columns = (np.ones(len(points)), *points.T, *normals.T)
-        for total, column in zip(self._sums, columns, strict=True):
-            total += np.bincount(key, area_mm2 * column, minlength=len(total))
+        for number, column in enumerate(columns):
+            weights = area_mm2 * column
+            self._sums[number] += np.bincount(key, weights, minlength=self._sums.shape[1])
 
-    def result(self) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
-        """Return points, normals and areas of the occupied cells, and which of them are clear."""
+    def result(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Return points, mean and smoothed normals, and areas of the cells that are clear."""
         occupied = np.flatnonzero(self._sums[0])
         area_mm2 = self._sums[0, occupied]
         means = self._sums[1:, occupied].T / area_mm2[:, None]
         points, normals = means[:, :3], means[:, 3:]
         clear = (np.linalg.norm(normals, axis=1) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
-        return points, self._smoothed(occupied, normals, area_mm2), area_mm2, clear
+        facets = _unit(normals)
+        smoothed = self._smoothed(occupied, facets, area_mm2)
+        return points[clear], facets[clear], smoothed[clear], area_mm2[clear]
 
     def _smoothed(
         self, occupied: IntArray, normals: FloatArray, area_mm2: FloatArray
@@ -117,7 +144,6 @@ class _Lattice:
         place[occupied] = np.arange(len(occupied))
         steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
         neighbours = [place[occupied + step] for step in steps @ self._strides]
-        normals = _unit(normals)
         for _ in range(_NORMAL_ROUNDS):
             total = np.zeros_like(normals)
             for other in neighbours:
