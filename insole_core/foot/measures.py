@@ -104,6 +104,9 @@ MISSING = {
     "mondopoint": _NO_LENGTH,
 }
 
+NOT_MARKED = frozenset({"navicular_height"})
+"""Measures that are missing until the user marks a place, whatever was scanned."""
+
 _LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
 _STANDS_ON = {

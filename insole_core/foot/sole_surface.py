@@ -39,7 +39,8 @@ _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
 _TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
 _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
-_MERGED = 0.5  # greatest confidence of a toe that does not stand out from the others
+_TO_TOES = 0.95  # share of the length that a scan with toes covers
+_MERGED = 0.45  # greatest confidence of a toe that does not stand out from the others
 
 _USUAL_LENGTH_MM = 240.0
 _REAR_MM = 14.0
@@ -243,7 +244,7 @@ class SoleSurface:
         if not toe.any():
             return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         tip = find_toe_end(self._whole.part(toe))
-        if merged and tip.point[1] < usual[1] - _BAND / 2 * self.length_mm:
+        if merged and self._front_mm < self.back_mm + _TO_TOES * self.length_mm:
             return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         ahead = np.array([0.0, 1.0, 0.0])
         between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)

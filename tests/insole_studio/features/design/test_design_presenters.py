@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -19,6 +20,8 @@ from insole_core.cases.case_record import (
     ScanSource,
     Variant,
 )
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
@@ -135,6 +138,18 @@ def open_foot(case: Case, make_foot: Any) -> Callable[[], None]:
     return open_it
 
 
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+
+
+def bowl(side: Side, cut_mm: float = 0.0) -> Foot:
+    """The sole of a foot without separate toes, 80 × 250 mm and round; its front may be cut off."""
+    ball = trimesh.creation.icosphere(subdivisions=5)
+    vertices = ball.vertices * [40.0, 125.0, 40.0] + [0.0, 125.0, 40.0]
+    mesh = TriangleMesh(vertices, ball.faces.astype(np.int32))
+    x_y_z = mesh.vertices.T
+    return Foot(side, mesh.part((x_y_z[2] < 42) & (x_y_z[1] < 250 - cut_mm)), np.eye(4), 250.0)
+
+
 def add_pelott(case: Case, **values: Any) -> Pelott:
     assert case.record.design is not None
     pad = Pelott(centre_mm=(0.0, 150.0), **values)
@@ -164,9 +179,9 @@ class TestPatient:
         assert len(case.history) == 1
 
     def test_measures_and_distances_are_listed(
-        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
+        self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        open_foot()
+        case.open_foot(bowl(Side.LEFT), NOWHERE)
         points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
         case.apply(Annotations(points), "Mark")
         measures = {m.name: m for m in view.shown["show_measures"][0]}
@@ -180,13 +195,10 @@ class TestPatient:
         assert measures["Arch height"].unit == "mm"
 
     def test_two_feet_are_measured_beside_each_other(
-        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
+        self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        open_foot()
-        right = FootRecord.begun(
-            make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere.ply", "0" * 64)
-        )
-        case.apply(right, "Add")
+        case.open_foot(bowl(Side.LEFT), NOWHERE)
+        case.apply(FootRecord.begun(bowl(Side.RIGHT), NOWHERE), "Add")
         assert view.shown["show_feet"] == (Side.RIGHT, [Side.LEFT, Side.RIGHT])
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
         left, right, difference, percent = measures["Foot length"]
@@ -198,6 +210,22 @@ class TestPatient:
         case.apply(Annotations(points), "Mark")
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
         assert measures["Heel – Arch"] == ("", "50.0", "", "")
+
+    def test_what_was_not_scanned_has_no_number_and_is_not_compared(
+        self, view: Any, case: Case, presenter: PatientPresenter
+    ) -> None:
+        case.open_foot(bowl(Side.LEFT, cut_mm=60.0), NOWHERE)
+        alone = {m.name: m for m in view.shown["show_measures"][0]}
+        for name, reason in (("Foot length", "toes"), ("Ball girth", "back of the foot")):
+            assert (alone[name].values, alone[name].unit) == (("not scanned",), "")
+            assert reason in alone[name].tip
+        assert float(alone["Heel width"].values[0]) > 50
+        assert "Navicular height" not in alone  # it waits for a mark, not for a scan
+        case.apply(FootRecord.begun(bowl(Side.RIGHT), NOWHERE), "Add")
+        both = {m.name: m.values for m in view.shown["show_measures"][0]}
+        left, right, *compared = both["Foot length"]
+        assert (left, compared) == ("–", ["", ""])
+        assert float(right.removeprefix("≈ ")) == pytest.approx(250.0, abs=0.5)
 
     def test_a_side_and_a_variant_are_chosen(
         self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
