@@ -108,6 +108,40 @@ def _at_origin(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
     return rigid(np.eye(3), np.array([0.0, -y[low].min(), -z.min()])) @ source2insole
 
 
+def recognised_foot(mesh: TriangleMesh) -> Foot | None:
+    """Place a surface of which nothing is known, if it is clearly a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+
+    Returns
+    -------
+    Foot or None
+        None for what looks like no foot, tells no side, or faces into the foot as an insole does.
+    """
+    whole, _ = without_scraps(mesh)
+    points = surface_points(whole)
+    try:
+        poses = _foot_poses(whole, points)
+    except InputError:
+        return None
+    if _outside_out(whole, poses[0].source2rough)[1]:
+        return None
+    even = EvenSurface.of(whole)
+    try:
+        found = sorted(
+            (_best(even, points, poses, side) for side in Side),
+            key=lambda candidate: candidate.pose.side_dissimilarity,
+        )
+    except InputError:
+        return None
+    nearest, other = (candidate.pose.side_dissimilarity for candidate in found)
+    if other < _CLEAR * nearest:
+        return None
+    return place_foot(mesh, found[0].side, frame="unknown")
+
+
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     """Find the possible poses, the most likely first, which must look like a foot."""
     poses = find_poses(mesh, points)
