@@ -95,12 +95,12 @@ def is_one_sided(mesh: TriangleMesh) -> bool:
 
 
 def _mean_normal(mesh: TriangleMesh) -> FloatArray:
-    areas = mesh.triangle_areas
+    areas = mesh.triangle_areas_mm2
     return np.asarray(areas @ mesh.triangle_normals / areas.sum())
 
 
 def _has_flat_base(mesh: TriangleMesh) -> bool:
-    areas = mesh.triangle_areas
+    areas = mesh.triangle_areas_mm2
     heights = mesh.vertices[mesh.triangles, 2]
     lowest = (heights < mesh.vertices[:, 2].min() + _BASE_MM).all(axis=1)
     downward = mesh.triangle_normals[:, 2] < -STEEPEST

@@ -13,7 +13,7 @@ import numpy as np
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmarks
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, level
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 
@@ -106,6 +106,53 @@ def turned(foot: Foot, landmarks: Landmarks, angles: PoseAngles) -> Foot:
         mesh=foot.mesh.transformed(step),
         source2insole=step @ foot.source2insole,
         length_mm=foot.length_mm * float(np.ptp(low[:, 1])) / _low_length_mm(foot),
+    )
+
+
+def quarter_turned(foot: Foot, axis: int, quarters: int) -> Foot:
+    """Rotate a foot that was placed wrongly by right angles, and stand it on the ground.
+
+    Parameters
+    ----------
+    foot
+    axis
+        0 to tip it from heel to toe, 1 to roll it sideways, 2 to turn it on the ground.
+    quarters
+        Number of right angles, counter-clockwise about the axis of the insole frame.
+
+    Returns
+    -------
+    Foot
+        In the new insole frame; its length is that of its outline near the ground.
+    """
+    rotation = np.rint(rotation_about(np.eye(3)[axis], 90.0 * quarters))
+    vertices = foot.mesh.vertices @ rotation.T
+    ground = float(vertices[:, 2].min())
+    low = vertices[vertices[:, 2] < ground + OUTLINE_HEIGHT_MM]
+    across = float(low[:, 0].min() + low[:, 0].max()) / 2
+    step = rigid(rotation, -np.array([across, float(low[:, 1].min()), ground]))
+    return replace(
+        foot,
+        mesh=foot.mesh.transformed(step),
+        source2insole=step @ foot.source2insole,
+        length_mm=float(np.ptp(low[:, 1])),
+    )
+
+
+def levelled(foot: Foot) -> Foot:
+    """Let a foot that lies roughly right, to some 15 degrees, rest on its sole along its axis.
+
+    Raises
+    ------
+    InputError
+        When nothing faces the ground.
+    """
+    found = level(foot.mesh, foot.side, np.eye(4))
+    return replace(
+        foot,
+        mesh=foot.mesh.transformed(found.source2insole),
+        source2insole=found.source2insole @ foot.source2insole,
+        length_mm=found.length_mm,
     )
 
 

@@ -32,7 +32,25 @@ _HELD_DEG = 45.0
 
 
 class SideMismatchError(InsoleError):
-    """The shape is that of the other foot."""
+    """The shape is that of the other foot.
+
+    Parameters
+    ----------
+    asked
+        The side that was asked for.
+    reason
+        What the shape shows.
+    """
+
+    def __init__(self, asked: Side, reason: str) -> None:
+        super().__init__(
+            "The shape looks like a {shape_side} foot ({reason}); take it as a {shape_side} one, "
+            "or insist on {side}.",
+            shape_side=asked.other,
+            reason=reason,
+            side=asked,
+        )
+        self.asked = asked
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +102,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     asked, other = (_best(even, points, poses, s) for s in (side, side.other))
     if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
         if not force:
-            raise SideMismatchError(_mismatch(asked, other))
+            raise SideMismatchError(side, _reason(other))
         # The directions of ground and toes follow from the shape, whatever the side.
         asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
@@ -190,16 +208,6 @@ def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Sid
         if (pose.side, pose.covered) == (side, rough.covered)
     )
     return _Candidate(levelled, foot)
-
-
-def _mismatch(asked: _Candidate, other: _Candidate) -> str:
-    return Message(
-        "The shape looks like a {shape_side} foot ({reason}); give --side {shape_side}, or "
-        "--force to go on with {side}.",
-        shape_side=other.side,
-        reason=_reason(other),
-        side=asked.side,
-    )
 
 
 def _side_note(asked: _Candidate, other: _Candidate) -> str:

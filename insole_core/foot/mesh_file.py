@@ -1,4 +1,4 @@
-"""Read surfaces from files of other programs: .ply, .stl and .obj, in mm, metres or inches."""
+"""Read surfaces from files of other programs: .ply, .stl and .obj, in any usual unit."""
 
 from __future__ import annotations
 
@@ -8,29 +8,41 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import ByteArray, IndexArray, IntArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.thinning import thinned
 from insole_core.messages import Message
 
 if TYPE_CHECKING:
     import trimesh
 
-Unit = Literal["mm", "m", "inch"]
+Unit = Literal["mm", "cm", "m", "inch"]
 
 _SUFFIXES = (".ply", ".stl", ".obj")
-_MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
-_UNIT_NAMES: dict[Unit, str] = {"mm": "millimetres", "m": "metres", "inch": "inches"}
+_MM_PER_UNIT: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+_UNIT_NAMES: dict[Unit, str] = {
+    "mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches",
+}  # fmt: skip
 _LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
+_FOOT_MM = (140.0, 330.0)  # of a whole foot; no number is one of these in two units
 _LEAST_DEPTH_MM = 4.0  # anything flatter has no shape to design on
 _MOST_BYTES = 600_000_000
 _MOST_TRIANGLES = 4_000_000
+_FINE_TRIANGLES = 600_000  # more of them show the scanner's noise, not the foot
+_THIN_VERTICES = 100_000  # of a thinned scan: 0.9 mm apart on a foot, < 0.01 mm off where it bends
+_MIX = np.uint64(0x9E3779B97F4A7C15)  # odd and without pattern (Knuth's multiplicative hashing)
 _UNREADABLE = (
     ValueError, LookupError, TypeError, AttributeError, struct.error, EOFError, OSError,
     NotImplementedError, MemoryError,
 )  # fmt: skip
+
+
+class UnitError(InputError):
+    """The surface is as large as a foot in no unit, or not in the one that was given."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +53,7 @@ class ReadMesh:
     ----------
     mesh : mm, the file's own frame
     unit
-        Of the file, guessed from the size.
+        Of the file, as given or concluded from the size.
     notes
         What was assumed or corrected, a sentence each.
     """
@@ -51,16 +63,23 @@ class ReadMesh:
     notes: tuple[str, ...]
 
 
-def read_mesh(path: Path) -> ReadMesh:
+def read_mesh(path: Path, unit: Unit | None = None) -> ReadMesh:
     """Read the surface of a foot from a file.
+
+    Parameters
+    ----------
+    unit
+        Of the coordinates in the file; None to conclude it from the size.
 
     Raises
     ------
+    UnitError
+        When the surface is not of a foot's size.
     InputError
-        When the file cannot be read, holds no surface, or none of a foot's size.
+        When the file cannot be read, or holds no surface.
     """
     mesh = _without_waste(_load(path), path)
-    unit = _guess_unit(mesh, path)
+    unit = _unit(mesh, unit, path)
     mesh = _in_mm(mesh, _MM_PER_UNIT[unit])
     extent = np.ptp(mesh.vertices, axis=0).max()
     notes: list[str] = [
@@ -72,6 +91,17 @@ def read_mesh(path: Path) -> ReadMesh:
     ]
     if not mesh.is_closed:
         notes.append("The surface is open; where nothing was measured it is continued smoothly.")
+    if len(mesh.triangles) > _FINE_TRIANGLES:
+        pitch_mm = float(np.sqrt(mesh.area_mm2 / _THIN_VERTICES))
+        notes.append(
+            Message(
+                "The scan is finer than a foot needs ({millions:.1f} million triangles); it was "
+                "thinned out to one point every {pitch_mm:.1f} mm.",
+                millions=len(mesh.triangles) / 1e6,
+                pitch_mm=pitch_mm,
+            )
+        )
+        mesh = thinned(mesh, pitch_mm)
     if _outward_flux(mesh) < 0:
         mesh = mesh.flipped()
         notes.append("The surface was inside out and has been turned.")
@@ -95,7 +125,7 @@ def _load(path: Path) -> TriangleMesh:
     import trimesh  # with all that it imports it would take a third of the start of the window
 
     try:
-        loaded = trimesh.load_mesh(path, process=False, skip_materials=True)
+        loaded = _loaded(path)
         vertices = np.array(loaded.vertices, dtype=float)
         triangles = np.array(loaded.faces, dtype=np.int32)
         colors = _vertex_colors(loaded)
@@ -111,6 +141,19 @@ def _load(path: Path) -> TriangleMesh:
     if len(triangles) > _MOST_TRIANGLES:
         raise InputError(_too_large(path))
     return _checked(TriangleMesh(vertices, triangles, colors, touches), path)
+
+
+def _loaded(path: Path) -> trimesh.Trimesh:
+    import trimesh
+    from trimesh.exchange import ply, stl
+
+    loaders = {".stl": stl.load_stl, ".ply": ply.load_ply}
+    loader = loaders.get(path.suffix.lower())
+    if loader is None:
+        return trimesh.load_mesh(path, process=False, skip_materials=True)
+    # trimesh.load_mesh makes a scene first, which copies the mesh three times.
+    with path.open("rb") as file:
+        return trimesh.Trimesh(**loader(file, skip_materials=True), process=False)
 
 
 def _too_large(path: Path) -> str:
@@ -157,7 +200,8 @@ def _checked(mesh: TriangleMesh, path: Path) -> TriangleMesh:
             "{path} names corners that it does not hold; it is damaged, so export it again.",
             path=path,
         )
-    if not np.isfinite(mesh.vertices[mesh.triangles]).all():
+    is_number = np.asarray(np.isfinite(mesh.vertices).all(axis=1))
+    if not is_number[mesh.triangles].all():
         raise InputError(
             "{path} holds coordinates that are not numbers; it is damaged, so export it again.",
             path=path,
@@ -174,38 +218,74 @@ def _without_waste(mesh: TriangleMesh, path: Path) -> TriangleMesh:
         None if mesh.colors is None else mesh.colors[first],
         mesh.touches,
     )
-    solid = mesh.triangle_normals.any(axis=1)
+    solid = mesh.triangle_areas_mm2 > 0
     if not solid.any():
         raise InputError("{path} holds only triangles without area; export it again.", path=path)
-    mesh = replace(mesh, triangles=mesh.triangles[solid])
     used = np.zeros(len(mesh.vertices), dtype=bool)
-    used[mesh.triangles] = True
-    return mesh.part(used)
+    used[mesh.triangles[solid]] = True
+    if solid.all() and used.all():
+        return mesh
+    return replace(mesh, triangles=mesh.triangles[solid]).part(used)
 
 
 def _equal_vertices(mesh: TriangleMesh) -> tuple[IntArray, IndexArray]:
-    """Return the first vertex of each kind (position and colour), and every vertex's kind."""
+    """Return the first vertex of each kind (position and colour), and every vertex's kind.
+
+    The vertices are sorted by a hash, which is several times faster than by their coordinates.
+    """
     columns = list(mesh.vertices.T) + ([] if mesh.colors is None else list(mesh.colors.T))
-    order = np.lexsort(columns)
+    order = np.argsort(_hash(columns))
     is_new = np.ones(len(order), dtype=bool)
-    is_new[1:] = np.any([column[order[1:]] != column[order[:-1]] for column in columns], axis=0)
+    is_new[1:] = False
+    for column in columns:
+        is_new[1:] |= np.diff(column[order]) != 0
+    first = np.minimum.reduceat(order, np.flatnonzero(is_new))
+    rank = np.empty(len(first), dtype=np.int32)
+    rank[np.argsort(first)] = np.arange(len(first))
     kind = np.empty(len(order), dtype=np.int32)
-    kind[order] = np.cumsum(is_new) - 1
-    return order[is_new], kind
+    kind[order] = rank[np.cumsum(is_new) - 1]
+    return np.sort(first), kind
 
 
-def _guess_unit(mesh: TriangleMesh, path: Path) -> Unit:
+def _hash(columns: list[FloatArray | ByteArray]) -> npt.NDArray[np.uint64]:
+    """Mix the columns (n,) to one number a row; equal rows have equal ones."""
+    total = np.zeros(len(columns[0]), dtype=np.uint64)
+    for column in columns:
+        bits = (column + 0.0).view(np.uint64)  # + 0.0 makes -0.0 and bytes into floats like 0.0
+        total = (total ^ bits) * _MIX
+        total ^= total >> np.uint64(29)
+    return total
+
+
+def _unit(mesh: TriangleMesh, given: Unit | None, path: Path) -> Unit:
+    """Return the unit in which the surface is as large as a foot, and refuse what is flat."""
     extent = float(np.ptp(mesh.vertices, axis=0).max())
-    for unit, factor in _MM_PER_UNIT.items():
-        if _LENGTH_MM[0] <= extent * factor <= _LENGTH_MM[1]:
-            if _depth(mesh) * factor < _LEAST_DEPTH_MM:
-                raise InputError(
-                    "{path} is flat, which is no surface of a foot; export it again.", path=path
-                )
-            return unit
-    raise InputError(
+    unit = _likely_unit(extent, path) if given is None else given
+    length_mm = extent * _MM_PER_UNIT[unit]
+    if not _LENGTH_MM[0] <= length_mm <= _LENGTH_MM[1]:
+        raise UnitError(
+            "{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; "
+            "choose another unit.",
+            path=path,
+            length_mm=length_mm,
+            unit=_UNIT_NAMES[unit],
+        )
+    if _depth(mesh) * _MM_PER_UNIT[unit] < _LEAST_DEPTH_MM:
+        raise InputError(
+            "{path} is flat, which is no surface of a foot; export it again.", path=path
+        )
+    return unit
+
+
+def _likely_unit(extent: float, path: Path) -> Unit:
+    """Return the unit in which the extent is a foot's, or else a foot with its leg or a part."""
+    for least_mm, greatest_mm in (_FOOT_MM, _LENGTH_MM):
+        for unit, factor in _MM_PER_UNIT.items():
+            if least_mm <= extent * factor <= greatest_mm:
+                return unit
+    raise UnitError(
         "{path} measures {length:g} in its longest direction, which is no foot in millimetres, "
-        "metres or inches; check the unit of the export.",
+        "centimetres, metres or inches; check the unit of the export.",
         path=path,
         length=extent,
     )
@@ -223,9 +303,7 @@ def _outward_flux(mesh: TriangleMesh) -> float:
 
     For a closed surface it is three times the volume, wherever the middle lies.
     """
-    centres = mesh.vertices[mesh.triangles].mean(axis=1)
     a, b, c = (mesh.vertices[mesh.triangles[:, corner]] for corner in range(3))
-    cross = np.cross(b - a, c - a) / 2
-    area = np.linalg.norm(cross, axis=1)
-    middle = area @ centres / area.sum()
-    return float(np.einsum("ij,ij->", cross, centres - middle))
+    centres = (a + b + c) / 3
+    middle = mesh.triangle_areas_mm2 @ centres / mesh.area_mm2
+    return float(np.einsum("ij,ij->", np.cross(b - a, c - a) / 2, centres - middle))

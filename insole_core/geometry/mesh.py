@@ -47,6 +47,11 @@ class TriangleMesh:
         return np.asarray(np.divide(cross, length, out=np.zeros_like(cross), where=length > 0))
 
     @cached_property
+    def triangle_areas_mm2(self) -> FloatArray:
+        """(m,) areas."""
+        return np.asarray(np.linalg.norm(self._triangle_cross, axis=1) / 2)
+
+    @cached_property
     def vertex_normals(self) -> FloatArray:
         """(n, 3) unit normals, area-weighted over the triangles of each vertex."""
         total = np.asarray(self.links.corners @ self._triangle_cross)
@@ -56,7 +61,7 @@ class TriangleMesh:
     @cached_property
     def vertex_areas(self) -> FloatArray:
         """(n,) a third of the area of the triangles around each vertex, mm²."""
-        return np.asarray(self.links.corners @ (self.triangle_areas / 3))
+        return np.asarray(self.links.corners @ (self.triangle_areas_mm2 / 3))
 
     @cached_property
     def bounds_mm(self) -> FloatArray:
@@ -64,14 +69,9 @@ class TriangleMesh:
         return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
     @cached_property
-    def triangle_areas(self) -> FloatArray:
-        """(m,) mm²."""
-        return np.asarray(np.linalg.norm(self._triangle_cross, axis=1) / 2)
-
-    @cached_property
     def area_mm2(self) -> float:
         """Area of all triangles."""
-        return float(self.triangle_areas.sum())
+        return float(self.triangle_areas_mm2.sum())
 
     @cached_property
     def volume_mm3(self) -> float:
@@ -87,13 +87,14 @@ class TriangleMesh:
         edges = np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
         key = edges.astype(np.int64) @ np.array([len(self.vertices), 1])
         back = edges[:, ::-1].astype(np.int64) @ np.array([len(self.vertices), 1])
-        return len(np.unique(key)) == len(key) and np.array_equal(np.sort(key), np.sort(back))
+        key, back = np.sort(key), np.sort(back)
+        return bool((key[1:] != key[:-1]).all()) and np.array_equal(key, back)
 
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Transform the mesh by `a2b` (4, 4), rigid, from frame a to frame b."""
         touches = None if self.touches is None else self.touches.transformed(a2b)
         mesh = replace(self, vertices=transform(a2b, self.vertices), touches=touches)
-        return mesh._knowing(self, {"links", "triangle_areas"} & self.__dict__.keys())
+        return mesh._knowing(self, {"links", "triangle_areas_mm2"} & self.__dict__.keys())
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
         """Return a mesh of the same triangles with other vertices (n, 3), mm; drop all else."""

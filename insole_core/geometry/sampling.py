@@ -84,7 +84,7 @@ def area_samples(mesh: TriangleMesh, area_mm2: float) -> tuple[FloatArray, IntAr
     triangle : (n,) int64
         Index of the triangle of each point.
     """
-    reached = np.cumsum(mesh.triangle_areas)
+    reached = np.cumsum(mesh.triangle_areas_mm2)
     count = max(int(np.ceil(reached[-1] / area_mm2)), 1)
     steps = (np.arange(count) + 0.5) * (reached[-1] / count)
     triangle = np.minimum(np.searchsorted(reached, steps), len(reached) - 1)

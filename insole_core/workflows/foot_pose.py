@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Variant
-from insole_core.foot.alignment import PoseAngles, turned
+from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, turned
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
@@ -31,10 +31,45 @@ def turned_record(record: CaseRecord, angles: PoseAngles) -> FootRecord:
     InputError
         When the landmarks are not plausible for a foot.
     """
-    current = record.current
-    assert current is not None, "only a foot can be turned"
+    current = _current(record)
     foot = turned(current.foot, landmarks_of(record), angles)
     return lying_anew(replace(current, annotations=confirmed(record)), foot)
+
+
+def quarter_turned_record(record: CaseRecord, axis: int, quarters: int) -> FootRecord:
+    """Rotate the current foot by right angles; its landmarks are looked for again.
+
+    Parameters
+    ----------
+    record
+        With a current foot.
+    axis, quarters
+        As for `quarter_turned`.
+    """
+    current = _current(record)
+    return _without_landmarks(lying_anew(current, quarter_turned(current.foot, axis, quarters)))
+
+
+def levelled_record(record: CaseRecord) -> FootRecord:
+    """Let the current foot rest on its sole; its landmarks are looked for again.
+
+    Raises
+    ------
+    InputError
+        When nothing of the foot faces the ground.
+    """
+    current = _current(record)
+    return _without_landmarks(lying_anew(current, levelled(current.foot)))
+
+
+def _current(record: CaseRecord) -> FootRecord:
+    assert record.current is not None, "only a foot can be turned"
+    return record.current
+
+
+def _without_landmarks(record: FootRecord) -> FootRecord:
+    """Forget landmarks, which were found or set on a foot that lay wrongly."""
+    return replace(record, annotations=replace(record.annotations, key_points=()))
 
 
 def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:

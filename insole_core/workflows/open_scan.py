@@ -7,7 +7,7 @@ from pathlib import Path
 
 from insole_core.errors import UsageError
 from insole_core.foot.foot_placement import place_foot
-from insole_core.foot.mesh_file import read_mesh
+from insole_core.foot.mesh_file import Unit, read_mesh
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.reader import is_session
@@ -16,7 +16,12 @@ from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
 
 
 def open_scan(
-    path: Path, side: Side | None = None, *, force: bool = False, progress: Progress = SILENT
+    path: Path,
+    side: Side | None = None,
+    *,
+    unit: Unit | None = None,
+    force: bool = False,
+    progress: Progress = SILENT,
 ) -> ScannedFoot:
     """Make a foot from a recorded session, or from a mesh file in any pose.
 
@@ -24,13 +29,15 @@ def open_scan(
     ----------
     side
         Required for a mesh; a session states its own.
+    unit
+        Of a mesh; None to conclude it from the size. A session is in mm.
     force
         Continue although the shape looks like the other foot.
 
     Raises
     ------
     UsageError
-        When the side is missing or contradicts the session.
+        When the side is missing or contradicts the session, or a session is given a unit.
     SideMismatchError
         When the shape is that of the other foot, unless `force`.
     InputError
@@ -39,13 +46,21 @@ def open_scan(
         When no view of a session can be used.
     Cancelled
     """
-    scan = _session_foot if is_session(path) else _mesh_foot
-    scanned = scan(path, side, force, progress)
+    if is_session(path):
+        scanned = _session_foot(path, side, unit, force, progress)
+    else:
+        scanned = _mesh_foot(path, side, unit, force, progress)
     progress.step(1.0, "Foot ready")
     return scanned
 
 
-def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
+def _session_foot(
+    path: Path, side: Side | None, unit: Unit | None, force: bool, progress: Progress
+) -> ScannedFoot:
+    if unit is not None:
+        raise UsageError(
+            "{path} is a session, which is always in millimetres; leave out the unit.", path=path
+        )
     opened = open_session(path, progress)
     recorded = opened.session.manifest.side
     if side not in (None, recorded):
@@ -59,13 +74,15 @@ def _session_foot(path: Path, side: Side | None, force: bool, progress: Progress
     return make_foot(opened, progress=progress.part(0.05, 1.0), force=force).scan
 
 
-def _mesh_foot(path: Path, side: Side | None, force: bool, progress: Progress) -> ScannedFoot:
+def _mesh_foot(
+    path: Path, side: Side | None, unit: Unit | None, force: bool, progress: Progress
+) -> ScannedFoot:
     if side is None:
         raise UsageError(
             "{path} is a mesh, which does not say which foot it is; add --side.", path=path
         )
     progress.step(0.0, "Reading the scan")
-    read = read_mesh(path)
+    read = read_mesh(path, unit)
     progress.step(0.3, "Finding the pose of the foot")
     foot = place_foot(read.mesh, side, frame="unknown", force=force)
     return ScannedFoot(replace(foot, notes=(*read.notes, *foot.notes)), mesh_source(path))

@@ -18,12 +18,14 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_record import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
+from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.services.questions import Answer, SameSide
+from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
 
 LENGTH_MM = 250.0
@@ -49,6 +51,8 @@ class CannedQuestions:
 
     def __init__(self) -> None:
         self.side: Side | None = Side.LEFT
+        self.side_after_all: Side | None = None
+        self.units: list[Unit | None] = []
         self.anyway = False
         self.unsaved = Answer.DISCARD
         self.same_side = SameSide.CANCEL
@@ -56,9 +60,14 @@ class CannedQuestions:
         self.path: Path | None = None
         self.asked: list[str] = []
 
-    def which_side(self, _path: Path) -> Side | None:
-        self.asked.append("side")
-        return self.side
+    def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
+        self.asked.append(trouble or "side")
+        unit = self.units.pop(0) if self.units else None
+        return None if self.side is None else ScanAnswer(self.side, unit)
+
+    def which_side_after_all(self, sentence: str, _asked: Side) -> Side | None:
+        self.asked.append(sentence)
+        return self.side_after_all
 
     def open_anyway(self, sentence: str) -> bool:
         self.asked.append(sentence)

@@ -130,7 +130,9 @@ def build_application(
     source = SensorSource(SensorStore(paths.sensors_folder), emulate)
     features = make_features(services, stage, autosave, source)
     main = WindowFeature(
-        window, Appearance(services, window, stage), HelpActions(services, stage, key_sections)
+        window,
+        Appearance(services, window, stage),
+        HelpActions(services, window, stage, key_sections),
     )
     controller = MainController(services, features, main, autosave)
     _show_settings(main, settings, dark)

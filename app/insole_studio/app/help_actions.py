@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMessageBox
 
+from insole_studio.app.main_window import MainWindow
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.services.app_services import AppServices
@@ -21,18 +22,20 @@ class HelpActions(QObject):
     def __init__(
         self,
         services: AppServices,
+        window: MainWindow,
         stage: DesignStage,
         keys: Callable[[], Iterable[tuple[str, list[Line]]]],
     ) -> None:
-        super().__init__(services.window)
+        super().__init__(window)
         self._services = services
-        self._window = services.window
+        self._window = window
         self._stage = stage
         self._keys = keys
 
     def begin_tour(self) -> None:
         """Start the tour of the window in five steps."""
-        tour = Tour(tour_stops(self._stage), self._window)
+        section_tool = self._window.tool_button("tool_section")
+        tour = Tour(tour_stops(self._stage, section_tool), self._window)
         tour.ended.connect(self._end_tour)
         tour.begin()
 

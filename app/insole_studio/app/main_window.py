@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QByteArray, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -34,7 +34,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.tab_order import go_on
 
-PATIENT_PX = 248
+PATIENT_PX, PATIENT_SHARE, WIDEST_PATIENT_PX = 248, 0.19, 400
 PARAMETERS_PX = 152
 SECTION_SHARE = 0.34
 
@@ -58,6 +58,10 @@ class MainWindow(QMainWindow):
     ) -> None:
         super().__init__()
         self._may_close = False
+        self._foot_share = 0.0
+        self._sharing = QTimer(self)  # Qt still lays out while it tells of a new size
+        self._sharing.setSingleShot(True)
+        self._sharing.timeout.connect(self._share_width)
         self._panels = stage.panels
         self.setStatusBar(status)
         self._records = records
@@ -70,6 +74,7 @@ class MainWindow(QMainWindow):
         self._make_strip(stage)
         self._make_toolbar()
         self._make_notices(stage)
+        self._insole = stage.insole
         self.setCentralWidget(stage.insole)
         self._patient = self._dock("patient", tr("Patient"), stage.patient)
         self._foot = self._dock("foot", tr("Foot in colour"), stage.foot)
@@ -108,6 +113,10 @@ class MainWindow(QMainWindow):
                 self.actions_by_key[record.key].setIcon(icon(record.icon))
         self._maps.setIcon(icon("map"))
 
+    def tool_button(self, key: str) -> QWidget:
+        """Return the button of an action in the toolbar."""
+        return self._toolbar.widgetForAction(self.actions_by_key[key])
+
     def show_recent(self, names: Sequence[str]) -> None:
         """List the recently opened files."""
         self._recent.clear()
@@ -118,11 +127,11 @@ class MainWindow(QMainWindow):
 
     def arrange(self) -> None:
         """Set the default sizes of the panels: the two views share what the fields leave."""
+        self._sharing.stop()
         horizontal, vertical = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        shared = self.width() - PATIENT_PX
-        self.resizeDocks(
-            [self._patient, self._foot], [PATIENT_PX, round(0.46 * shared)], horizontal
-        )
+        patient = min(max(round(PATIENT_SHARE * self.width()), PATIENT_PX), WIDEST_PATIENT_PX)
+        shared = self.width() - patient
+        self.resizeDocks([self._patient, self._foot], [patient, round(0.46 * shared)], horizontal)
         self.resizeDocks([self._parameters], [PARAMETERS_PX], vertical)
         section = round(SECTION_SHARE * self.width())
         self.resizeDocks(
@@ -322,10 +331,24 @@ class MainWindow(QMainWindow):
             self.layout_changed.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Announce the changed layout."""
+        """Share what the window gains or loses between the two views, and announce the layout."""
         super().resizeEvent(event)
+        self._keep_share(event.size().width() - event.oldSize().width())
         self._fit_toolbar()
         self._note_layout()
+
+    def _keep_share(self, gained_px: int) -> None:
+        """Let the foot keep its share of the views; Qt has given all to the insole."""
+        before = self._foot.width() + self._insole.width() - gained_px
+        is_shared = self.isVisible() and self._foot.isVisible() and not self._foot.isFloating()
+        if is_shared and before > 0 and not self._sharing.isActive():
+            self._foot_share = self._foot.width() / before
+            self._sharing.start()
+
+    def _share_width(self) -> None:
+        shared = self._foot.width() + self._insole.width()
+        widths = [self._patient.width(), round(self._foot_share * shared)]
+        self.resizeDocks([self._patient, self._foot], widths, Qt.Orientation.Horizontal)
 
     def _place_docks(self) -> None:
         area = Qt.DockWidgetArea

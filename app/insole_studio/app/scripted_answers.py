@@ -8,8 +8,10 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
+from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
 from insole_studio.services.questions import Answer, Questions, SameSide
+from insole_studio.services.scan_dialog import ScanAnswer
 
 
 @dataclass
@@ -24,6 +26,8 @@ class ScriptedAnswers:
         What to do with a second scan of a side that the case already has.
     side
         Side of a mesh; None cancels opening it.
+    unit
+        Of a mesh; None for the one that its size tells.
     anyway
         Whether to continue despite a warning.
     replace
@@ -37,6 +41,7 @@ class ScriptedAnswers:
     unsaved: Answer = Answer.DISCARD
     same_side: SameSide = SameSide.REPLACE
     side: Side | None = None
+    unit: Unit | None = None
     anyway: bool = False
     replace: bool = False
     typed: str | None = None
@@ -50,9 +55,14 @@ class AnsweredQuestions(Questions):
         super().__init__(parent)
         self.answers = answers
 
-    def which_side(self, _path: Path) -> Side | None:
-        """Return the side."""
-        return self.answers.side
+    def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
+        """Return side and unit; None when they were wrong."""
+        side = self.answers.side
+        return None if side is None or trouble else ScanAnswer(side, self.answers.unit)
+
+    def which_side_after_all(self, _sentence: str, asked: Side) -> Side | None:
+        """Return the side that was asked for, or None."""
+        return asked if self.answers.anyway else None
 
     def open_anyway(self, _sentence: str) -> bool:
         """Return whether to continue."""

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+from PySide6.QtWidgets import QWidget
+
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.texts import tr
 from insole_studio.widgets.tour import Stop
 
 
-def tour_stops(stage: DesignStage) -> tuple[Stop, ...]:
-    """Return the stops in the order of the work."""
-    return (
+def tour_stops(stage: DesignStage, section_tool: QWidget) -> tuple[Stop, ...]:
+    """Return the stops in the order of the work; what is hidden is not explained.
+
+    Parameters
+    ----------
+    stage
+        With the panels.
+    section_tool
+        The button that shows the section.
+    """
+    stops = (
         Stop(
             stage.steps,
             tr("The path"),
@@ -34,8 +44,9 @@ def tour_stops(stage: DesignStage) -> tuple[Stop, ...]:
             tr("What is selected, in mm and degrees: type, scroll, or use the arrow keys."),
         ),
         Stop(
-            stage.section,
+            section_tool,
             tr("The section"),
             tr("Cut the insole anywhere and read its thickness. Then export: Ctrl+E."),
         ),
     )
+    return tuple(stop for stop in stops if stop.widget.isVisible())

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli import export_arguments
-from insole_studio.cli.foot_argument import read_foot
+from insole_studio.cli import export_arguments, foot_argument
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -38,10 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--kind", choices=["insole", "block", "positive"], default="insole",
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
-    parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
-    parser.add_argument(
-        "--force", action="store_true", help="go on although the shape looks like the other foot"
-    )
+    foot_argument.add_arguments(parser)
     export_arguments.add_arguments(parser)
 
 
@@ -77,7 +73,7 @@ def _insole(
 
     design = _read_prescription(prescription)
     side = _agreed_side(named, design)
-    foot = read_foot(path, side, arguments.force, progress.part(0.0, 0.8))
+    foot = foot_argument.read_foot(path, side, arguments, progress.part(0.0, 0.8))
     insole = build_insole(foot, design or _plain(foot.side), progress.part(0.8, 1.0))
     _print_warnings(insole)
     return insole

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli.foot_argument import read_foot
+from insole_studio.cli import foot_argument
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
@@ -29,14 +29,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
     parser.add_argument("--report", type=Path, required=True, metavar="measures.json")
-    parser.add_argument("--side", choices=[side.value for side in Side], help="needed for a mesh")
+    foot_argument.add_arguments(parser)
     parser.add_argument(
         "--other", type=Path, metavar="FOOT2", help="the other foot, for left and right compared"
     )
     parser.add_argument("--csv", type=Path, metavar="measures.csv", help="the table, for reading")
-    parser.add_argument(
-        "--force", action="store_true", help="go on although the shape looks like the other foot"
-    )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -64,10 +61,10 @@ def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[Foot]:
     """Read the foot and, if requested, the other one."""
     side = None if arguments.side is None else Side(arguments.side)
     if arguments.other is None:
-        return [read_foot(arguments.foot, side, arguments.force, progress)]
-    foot = read_foot(arguments.foot, side, arguments.force, progress.part(0.0, 0.5))
+        return [foot_argument.read_foot(arguments.foot, side, arguments, progress)]
+    foot = foot_argument.read_foot(arguments.foot, side, arguments, progress.part(0.0, 0.5))
     progress = progress.part(0.5, 1.0)
-    return [foot, read_foot(arguments.other, foot.side.other, arguments.force, progress)]
+    return [foot, foot_argument.read_foot(arguments.other, foot.side.other, arguments, progress)]
 
 
 def _table(feet: Sequence[Foot]) -> list[MeasureRow]:

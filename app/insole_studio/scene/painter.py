@@ -29,7 +29,7 @@ GHOST_OPACITY = 0.35
 SURE = 0.6
 NAME_PX, DIRECTION_PX = 12, 13
 EYE_DISTANCE_MM = 1500.0
-WORD_GAP_MM = (26.0, 12.0)
+WORD_GAP_MM = (26.0, 22.0)
 """Distance of the anatomical directions from the surface, in x and in y."""
 
 

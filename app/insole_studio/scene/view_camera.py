@@ -18,7 +18,7 @@ from insole_core.geometry.transforms import rotation_about
 MAX_ELEVATION_DEG = 85.0
 SMALLEST_VIEW_MM = 10.0
 LARGEST_VIEW_MM = 2000.0
-ROUND_MM = (45.0, 19.0, 24.0)
+ROUND_MM = (45.0, 30.0, 24.0)
 """Margin around a fitted box for the anatomical directions, in x, y and z."""
 
 

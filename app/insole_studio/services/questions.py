@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
 
 from insole_core.geometry.side import Side
+from insole_studio.services.scan_dialog import ScanAnswer, ScanDialog
 from insole_studio.texts import tr, translate_core_message
 
 
@@ -34,14 +35,38 @@ class Questions:
     def __init__(self, parent: QWidget) -> None:
         self._parent = parent
 
-    def which_side(self, path: Path) -> Side | None:
-        """Ask which foot a mesh shows."""
-        box = self._box(tr("Which foot is {name}?").format(name=path.name))
-        left = box.addButton(tr("Left foot"), QMessageBox.ButtonRole.YesRole)
-        right = box.addButton(tr("Right foot"), QMessageBox.ButtonRole.NoRole)
-        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+    def about_scan(self, path: Path, trouble: str = "") -> ScanAnswer | None:
+        """Ask which foot a mesh shows, and in which unit.
+
+        Parameters
+        ----------
+        path
+            Of the mesh.
+        trouble
+            Why it could not be read as it was answered before.
+        """
+        dialog = ScanDialog(path.name, translate_core_message(trouble), self._parent)
+        dialog.exec()
+        return dialog.answer
+
+    def which_side_after_all(self, sentence: str, asked: Side) -> Side | None:
+        """Ask for the side of a foot whose shape is that of the other one.
+
+        Parameters
+        ----------
+        sentence
+            What the shape shows.
+        asked
+            The side that it was said to be.
+        """
+        box = self._box(sentence)
+        verbs = {Side.LEFT: tr("Open as a left foot"), Side.RIGHT: tr("Open as a right foot")}
+        other = box.addButton(verbs[asked.other], QMessageBox.ButtonRole.AcceptRole)
+        same = box.addButton(verbs[asked], QMessageBox.ButtonRole.DestructiveRole)
+        stop = box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(stop)
         box.exec()
-        return {left: Side.LEFT, right: Side.RIGHT}.get(box.clickedButton())  # type: ignore[call-overload]
+        return {other: asked.other, same: asked}.get(box.clickedButton())  # type: ignore[call-overload]
 
     def open_anyway(self, sentence: str) -> bool:
         """Ask whether to continue although the shape is that of the other foot."""

@@ -49,6 +49,7 @@ class NumberField(QDoubleSpinBox):
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.valueChanged.connect(self.edited)
+        self._room_px = 0
         self.refusal = ValidationBubble(self)
         self.lineEdit().textEdited.connect(self.refusal.hide)
 
@@ -58,9 +59,10 @@ class NumberField(QDoubleSpinBox):
         self.ensurePolished()
         return self.sizeHint().height() > TOUCH_HEIGHT_PX
 
-    def room_px(self, width_px: int) -> int:
-        """Return the width to reserve for a field of this width, with its buttons in touch mode."""
-        return width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0)
+    def set_room(self, width_px: int) -> None:
+        """Fix the width of the field, to which touch mode, now or later, adds its buttons."""
+        self._room_px = width_px
+        self.setFixedWidth(width_px + (TOUCH_BUTTONS_PX if self.is_for_fingers else 0))
 
     def show_value(self, value: float) -> None:
         """Show a value without emitting `edited`; text being typed is kept."""
@@ -73,6 +75,12 @@ class NumberField(QDoubleSpinBox):
         if (least, greatest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(least, greatest)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Make room for the buttons when touch mode begins, and take it back when it ends."""
+        super().changeEvent(event)
+        if event.type() is QEvent.Type.StyleChange and self._room_px:
+            self.set_room(self._room_px)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Hide the validation bubble as well: it is a window of its own."""

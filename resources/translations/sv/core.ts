@@ -740,6 +740,10 @@
             <translation>Resultatet passar inte en Kinect v1: {findings}; {reason}.</translation>
         </message>
         <message>
+            <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
+            <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
+        </message>
+        <message>
             <source>The scan {path} has changed since this case was made; the case keeps the foot as it was, open the scan again if the new one is wanted.</source>
             <translation>Skanningen {path} har ändrats sedan fallet gjordes; fallet behåller foten som den var, öppna skanningen igen om den nya önskas.</translation>
         </message>
@@ -764,8 +768,8 @@
             <translation>Formen skiljer inte vänster från höger; tas som en {side} fot som angivet.</translation>
         </message>
         <message>
-            <source>The shape looks like a {shape_side} foot ({reason}); give --side {shape_side}, or --force to go on with {side}.</source>
-            <translation>Formen ser ut som en {shape_side} fot ({reason}); ange --side {shape_side}, eller --force för att gå vidare med {side}.</translation>
+            <source>The shape looks like a {shape_side} foot ({reason}); take it as a {shape_side} one, or insist on {side}.</source>
+            <translation>Formen ser ut som en {shape_side} fot ({reason}); ta den som en {shape_side} fot, eller håll fast vid {side}.</translation>
         </message>
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
@@ -1054,6 +1058,10 @@
         <message>
             <source>block</source>
             <translation>block</translation>
+        </message>
+        <message>
+            <source>centimetres</source>
+            <translation>centimeter</translation>
         </message>
         <message>
             <source>colour</source>
@@ -2248,6 +2256,10 @@
             <translation>{path} är ett nät, som inte säger vilken fot det är; ange --side.</translation>
         </message>
         <message>
+            <source>{path} is a session, which is always in millimetres; leave out the unit.</source>
+            <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
+        </message>
+        <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
         </message>
@@ -2296,12 +2308,16 @@
             <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
         </message>
         <message>
+            <source>{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; choose another unit.</source>
+            <translation>{path} är {length_mm:.0f} mm lång om den läses i {unit}, vilket inte är någon fot; välj en annan enhet.</translation>
+        </message>
+        <message>
             <source>{path} may not be read; ask for permission.</source>
             <translation>{path} får inte läsas; be om behörighet.</translation>
         </message>
         <message>
-            <source>{path} measures {length:g} in its longest direction, which is no foot in millimetres, metres or inches; check the unit of the export.</source>
-            <translation>{path} mäter {length:g} i sin längsta riktning, vilket ingen fot gör i millimeter, meter eller tum; kontrollera exportens enhet.</translation>
+            <source>{path} measures {length:g} in its longest direction, which is no foot in millimetres, centimetres, metres or inches; check the unit of the export.</source>
+            <translation>{path} mäter {length:g} i sin längsta riktning, vilket inte är någon fot i millimeter, centimeter, meter eller tum; kontrollera exportens enhet.</translation>
         </message>
         <message>
             <source>{path} names corners that it does not hold; it is damaged, so export it again.</source>

@@ -144,6 +144,10 @@
             <translation>Valvstöd</translation>
         </message>
         <message>
+            <source>As the size tells</source>
+            <translation>Som storleken säger</translation>
+        </message>
+        <message>
             <source>Ball</source>
             <translation>Trampdyna</translation>
         </message>
@@ -246,6 +250,10 @@
         <message>
             <source>Capture…</source>
             <translation>Avbilda…</translation>
+        </message>
+        <message>
+            <source>Centimetres</source>
+            <translation>Centimeter</translation>
         </message>
         <message>
             <source>Change the order of the corrections</source>
@@ -676,6 +684,10 @@
             <translation>Visa vilken</translation>
         </message>
         <message>
+            <source>Inches</source>
+            <translation>Tum</translation>
+        </message>
+        <message>
             <source>Insole</source>
             <translation>Inlägg</translation>
         </message>
@@ -816,6 +828,14 @@
             <translation>Tvärbalk</translation>
         </message>
         <message>
+            <source>Metres</source>
+            <translation>Meter</translation>
+        </message>
+        <message>
+            <source>Millimetres</source>
+            <translation>Millimeter</translation>
+        </message>
+        <message>
             <source>Mondopoint</source>
             <translation>Mondopoint</translation>
         </message>
@@ -902,6 +922,14 @@
         <message>
             <source>Open anyway</source>
             <translation>Öppna ändå</translation>
+        </message>
+        <message>
+            <source>Open as a left foot</source>
+            <translation>Öppna som vänsterfot</translation>
+        </message>
+        <message>
+            <source>Open as a right foot</source>
+            <translation>Öppna som högerfot</translation>
         </message>
         <message>
             <source>Open case…</source>
@@ -1462,6 +1490,10 @@
         <message>
             <source>Undo</source>
             <translation>Ångra</translation>
+        </message>
+        <message>
+            <source>Unit of the file</source>
+            <translation>Filens enhet</translation>
         </message>
         <message>
             <source>Use this scan</source>

@@ -64,8 +64,20 @@
             <translation>Frihand</translation>
         </message>
         <message>
+            <source>If the scan lies wrongly</source>
+            <translation>Om skanningen ligger fel</translation>
+        </message>
+        <message>
             <source>Insole through the foot</source>
             <translation>Inlägget genom foten</translation>
+        </message>
+        <message>
+            <source>Lay a foot that lies roughly right on its sole, and its axis along the insole</source>
+            <translation>Lägg en fot som ligger ungefär rätt på sulan, med axeln längs inlägget</translation>
+        </message>
+        <message>
+            <source>Level the sole</source>
+            <translation>Lägg sulan plant</translation>
         </message>
         <message>
             <source>Level the sole and lay the foot axis along the insole by the landmarks</source>
@@ -120,6 +132,14 @@
             <translation>Ta bort punkten</translation>
         </message>
         <message>
+            <source>Roll 90°</source>
+            <translation>Rulla 90°</translation>
+        </message>
+        <message>
+            <source>Roll the foot over its edge</source>
+            <translation>Rulla foten över kanten</translation>
+        </message>
+        <message>
             <source>Show the insole below the foot, seen through</source>
             <translation>Visa inlägget under foten, genomskinligt</translation>
         </message>
@@ -136,16 +156,44 @@
             <translation>Där skulle konturen korsa sig själv; den sista giltiga platsen behålls</translation>
         </message>
         <message>
+            <source>Tip the foot over its heel</source>
+            <translation>Tippa foten över hälen</translation>
+        </message>
+        <message>
+            <source>Tip the foot over its toes</source>
+            <translation>Tippa foten över tårna</translation>
+        </message>
+        <message>
             <source>Toe end up</source>
             <translation>Tåändan upp</translation>
+        </message>
+        <message>
+            <source>Toes down 90°</source>
+            <translation>Tårna ned 90°</translation>
         </message>
         <message>
             <source>Toes medially</source>
             <translation>Tår medialt</translation>
         </message>
         <message>
+            <source>Toes up 90°</source>
+            <translation>Tårna upp 90°</translation>
+        </message>
+        <message>
+            <source>Turn 90°</source>
+            <translation>Vrid 90°</translation>
+        </message>
+        <message>
             <source>Turn the foot</source>
             <translation>Vrid foten</translation>
+        </message>
+        <message>
+            <source>Turn the foot by 90°</source>
+            <translation>Vrid foten 90°</translation>
+        </message>
+        <message>
+            <source>Turn the foot on the ground, to the left</source>
+            <translation>Vrid foten på marken, åt vänster</translation>
         </message>
         <message>
             <source>Use a pen mark as: {name}</source>

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.foot.alignment import PoseAngles, pose_angles, turned
+from insole_core.foot.alignment import PoseAngles, levelled, pose_angles, quarter_turned, turned
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmark, find_landmarks
@@ -76,3 +76,25 @@ def test_landmarks_in_an_impossible_order_are_refused(foot: Foot) -> None:
         turned(foot, marks | {"toe_tip_2": marks["pternion"]}, PoseAngles())
     with pytest.raises(InputError, match="find"):
         turned(foot, marks | {"metatarsal_head_5": marks["metatarsal_head_1"]}, PoseAngles())
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_four_right_angles_bring_a_foot_back(foot, axis):
+    turning = foot
+    for quarter in range(4):
+        turning = quarter_turned(turning, axis, 1)
+        if quarter < 3:
+            assert np.abs(turning.mesh.vertices - foot.mesh.vertices).max() > 50
+    shift = turning.mesh.vertices - foot.mesh.vertices
+    assert np.ptp(shift, axis=0) == pytest.approx(0, abs=1e-9)  # the same pose
+    assert shift[:, 2] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_foot_stood_on_its_toes_is_mended_by_one_right_angle_and_levelling(foot):
+    tipped = quarter_turned(foot, 0, -1)
+    assert np.ptp(tipped.mesh.vertices[:, 2]) == pytest.approx(np.ptp(foot.mesh.vertices[:, 1]))
+    mended = levelled(quarter_turned(tipped, 0, 1))
+    assert mended.length_mm == pytest.approx(foot.length_mm, abs=0.5)
+    assert np.abs(mended.mesh.vertices - foot.mesh.vertices).max() < 2.0
+    carried = transform(mended.source2insole @ inverse(foot.source2insole), foot.mesh.vertices)
+    assert carried == pytest.approx(mended.mesh.vertices, abs=1e-9)

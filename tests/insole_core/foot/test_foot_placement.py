@@ -81,7 +81,7 @@ def test_feet_of_other_shapes_keep_their_side(seed):
 
 @pytest.mark.parametrize("frame", ["reference", "unknown"])
 def test_wrong_side_is_refused_and_can_be_forced(left_mesh, left_foot, frame):
-    with pytest.raises(SideMismatchError, match=r"looks like a left foot.*--side left, or --force"):
+    with pytest.raises(SideMismatchError, match=r"looks like a left foot.*take it as"):
         place_foot(left_mesh, Side.RIGHT, frame=frame)
     forced = place_foot(left_mesh, Side.RIGHT, frame=frame, force=True)
     assert forced.side is Side.RIGHT

@@ -46,7 +46,9 @@ def test_surface_without_colours_has_none(left_mesh, tmp_path):
     assert read_mesh(export(left_mesh, tmp_path / "foot.stl")).mesh.colors is None
 
 
-@pytest.mark.parametrize(("unit", "factor"), [("mm", 1.0), ("m", 0.001), ("inch", 1 / 25.4)])
+@pytest.mark.parametrize(
+    ("unit", "factor"), [("mm", 1.0), ("cm", 0.1), ("m", 0.001), ("inch", 1 / 25.4)]
+)
 def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
     scaled = replace(left_mesh, vertices=left_mesh.vertices * factor)
     read = read_mesh(export(scaled, tmp_path / "foot.stl"))
@@ -54,8 +56,36 @@ def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
     assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
         np.ptp(left_mesh.vertices, axis=0), abs=0.01
     )
-    words = {"mm": "millimetres", "m": "metres", "inch": "inches"}
+    words = {"mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches"}
     assert f"Read in {words[unit]}" in read.notes[0]
+
+
+def test_a_given_unit_counts_whatever_the_size_suggests(left_mesh, tmp_path):
+    half = replace(left_mesh, vertices=left_mesh.vertices / 2 / 25.4)
+    path = export(half, tmp_path / "half.ply")
+    read = read_mesh(path, "inch")
+    assert read.unit == "inch"
+    assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
+        np.ptp(left_mesh.vertices, axis=0) / 2, abs=0.01
+    )
+    with pytest.raises(InputError, match=r"half\.ply is 5 mm long if .* millimetres.*unit"):
+        read_mesh(path, "mm")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("suffix", [".stl", ".ply"])
+def test_a_scan_finer_than_a_foot_needs_is_thinned_and_said(left_mesh, tmp_path, suffix):
+    vertices, triangles = left_mesh.vertices, left_mesh.triangles
+    while len(triangles) < 600_000:
+        vertices, triangles = trimesh.remesh.subdivide(vertices, triangles)
+    fine = TriangleMesh(vertices, triangles.astype(np.int32))
+    read = read_mesh(export(fine, tmp_path / f"foot{suffix}"))
+    assert len(read.mesh.triangles) < 300_000
+    assert any("thinned out to one point every 0.9 mm" in note for note in read.notes)
+    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-3)
+    nearest = cKDTree(vertices).query(read.mesh.vertices)[1]
+    across = np.sum((read.mesh.vertices - vertices[nearest]) * fine.vertex_normals[nearest], axis=1)
+    assert np.quantile(np.abs(across), 0.99) < 0.05
 
 
 def test_inside_out_is_turned_and_said(left_mesh, tmp_path):
@@ -103,7 +133,7 @@ def with_nan() -> TriangleMesh:
     ("mesh", "reason"),
     [
         (sphere(5000), "which is no foot in millimetres"),
-        (sphere(20), "which is no foot in millimetres"),
+        (sphere(37), "which is no foot in millimetres"),
         (sphere(1e-5), "which is no foot in millimetres"),
         (flat(), "is flat"),
         (without_area(), "without area"),

@@ -11,6 +11,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
@@ -498,3 +499,40 @@ def test_a_mirrored_prescription_makes_the_mirrored_insole(make_foot: MakeFoot) 
     b = build_insole(right, mirrored(prescribed)).contact
     nodes = a.nodes
     assert b.height_at(nodes[:, :2] * [-1, 1]) == pytest.approx(nodes[:, 2], abs=1e-3)
+
+
+def test_the_foot_stays_in_sight_beside_two_variants(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    opened.window.resize(1366, 728)
+    opened.services.messages.questions.typed = "B"  # type: ignore[attr-defined]
+    opened.window.actions_by_key["variant_duplicate"].trigger()
+    opened.window.actions_by_key["beside_variant"].trigger()
+    settle()
+    view = opened.stage.foot.scene
+    assert opened.case.foot is not None
+    middle = opened.case.foot.mesh.bounds_mm.mean(axis=0)
+    assert abs(view.camera.focal_mm[0] - middle[0]) < 5.0
+    insole = opened.stage.insole.scene
+    lead_from = insole.camera
+    insole.set_camera(lead_from.centred(np.array(lead_from.focal_mm) + np.array([10.0, 0, 0])))
+    insole.camera_changed.emit(insole.camera)
+    assert view.camera.focal_mm[0] - middle[0] == pytest.approx(10.0, abs=5.0)
+
+
+def test_a_wider_window_widens_both_views(
+    opened: Application, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    window = opened.window
+    window.resize(1366, 728)
+    settle()
+    window.arrange()
+    settle()
+    foot, insole = opened.stage.foot.width(), opened.stage.insole.width()
+    window.resize(1900, 728)
+
+    def is_shared() -> bool:
+        gained = opened.stage.foot.width() - foot, opened.stage.insole.width() - insole
+        return sum(gained) > 400 and min(gained) > 0.3 * sum(gained)
+
+    qtbot.waitUntil(is_shared)

@@ -294,6 +294,8 @@ def test_the_tour_has_five_stops_and_is_not_shown_again(opened: Application) -> 
     assert tour is not None
     for _ in range(5):
         assert tour.isVisible()
+        assert tour.shown.widget.isVisible()  # the section panel is hidden as yet
+        assert opened.window.geometry().contains(tour.geometry())
         tour.go_on()
     assert opened.settings.tour_seen
 

@@ -62,3 +62,18 @@ def test_the_foot_stage_is_whole(qtbot: QtBot) -> None:
     assert [x.text() for x in labels if x.width() < x.sizeHint().width()] == []
     assert view.minimumSizeHint().width() <= SMALL[0]
     view.close_scene()
+
+
+def test_touch_mode_can_be_switched_while_the_window_is_open(
+    opened: Application, settle: Callable[[], None], qapp: QApplication
+) -> None:
+    """The numbers stay readable at once, not only after another tool is taken."""
+    opened.window.resize(*SMALL)
+    action = opened.window.actions_by_key["touch"]
+    try:
+        for _ in range(2):  # on, and off again
+            action.trigger()
+            settle()
+            assert cut_numbers(opened.stage.parameters) == []
+    finally:
+        apply_theme(qapp, dark=False)

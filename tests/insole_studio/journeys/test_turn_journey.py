@@ -9,7 +9,7 @@ import pytest
 from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from insole_core.foot.alignment import pose_angles
 from insole_core.workflows.foot_landmarks import landmarks_of
@@ -132,3 +132,63 @@ def test_a_click_on_a_measure_turns_to_its_place_and_marks_it(opened: Applicatio
     assert "highlight" in view.painter.shown
     opened.window.actions_by_key["tool_pelott"].trigger()
     assert "highlight" not in view.painter.shown
+
+
+def test_a_foot_that_lies_wrongly_is_turned_by_right_angles(
+    opened: Application, foot: SceneView, settle: Callable[[], None]
+) -> None:
+    assert opened.case.foot is not None
+    before, steps = opened.case.foot.mesh.vertices, len(opened.case.history)
+    for _ in range(4):
+        click_proposal(opened, "quarter.1.1")
+        settle()
+    after = opened.case.foot.mesh.vertices
+    assert np.ptp(after - before, axis=0) == pytest.approx(0, abs=1e-6)
+    assert len(opened.case.history) == steps + 4
+    opened.window.actions_by_key["undo"].trigger()
+    settle()
+    assert np.ptp(opened.case.foot.mesh.vertices[:, 2]) > 60  # it lies on its side
+    click_proposal(opened, "quarter.1.1")
+    click_proposal(opened, "level.")
+    settle()
+    assert np.ptp(opened.case.foot.mesh.vertices[:, 2]) < 40
+
+
+def click_proposal(app: Application, key: str) -> None:
+    buttons = app.stage.parameters.findChildren(QAbstractButton)
+    QTest.mouseClick(next(b for b in buttons if b.property("offer") == key), LEFT)
+
+
+def test_landmarks_are_confirmed_by_a_button_that_answers(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    opened.window.actions_by_key["tool_key_point"].trigger()
+    click_proposal(opened, "action.confirm_landmarks")
+    settle()
+    assert "confirmed" in opened.window.statusBar().currentMessage()
+    named = {point.name for point in opened.case.record.annotations.key_points}
+    assert "metatarsal_head_1" in named
+
+
+def test_posting_is_set_from_behind_where_the_axis_can_be_read(
+    app: Application, settle: Callable[[], None]
+) -> None:
+    app.features.case_files.opener.open_example()
+    settle()
+    before = app.stage.foot.scene.camera
+    assert before.preset is Preset.PLANTAR
+    app.window.actions_by_key["tool_posting"].trigger()
+    assert app.stage.foot.scene.camera.preset is Preset.POSTERIOR
+    assert app.stage.insole.scene.camera.preset is Preset.POSTERIOR
+    app.window.actions_by_key["tool_section"].trigger()
+    assert app.stage.foot.scene.camera == before
+
+
+def test_posting_stays_in_the_view_that_was_chosen(
+    app: Application, settle: Callable[[], None]
+) -> None:
+    app.features.case_files.opener.open_example()
+    settle()
+    app.stage.look(Preset.MEDIAL)
+    app.window.actions_by_key["tool_posting"].trigger()
+    assert app.stage.foot.scene.camera.preset is Preset.MEDIAL

@@ -10,6 +10,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.foot.mesh_file import UnitError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.resources import resource_path
@@ -22,6 +23,7 @@ from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
 from insole_studio.services.questions import SameSide
+from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
 
@@ -69,7 +71,8 @@ class OpenActions:
         if kind == "case":
             self._open_case(path)
         elif kind == "mesh":
-            self._open_mesh(path, side or self._messages.questions.which_side(path))
+            answer = ScanAnswer(side) if side else self._messages.questions.about_scan(path)
+            self._open_mesh(path, answer)
         else:
             self._open_session(path.parent if kind == "manifest" else path)
 
@@ -140,19 +143,24 @@ class OpenActions:
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)
 
-    def _open_mesh(self, path: Path, side: Side | None, force: bool = False) -> None:
-        if side is None:
+    def _open_mesh(self, path: Path, answer: ScanAnswer | None, force: bool = False) -> None:
+        if answer is None:
             return
+        side, unit = answer.side, answer.unit
 
         def failed(error: Exception) -> None:
+            questions = self._messages.questions
             if isinstance(error, SideMismatchError):
-                if self._messages.questions.open_anyway(str(error)):
-                    self._open_mesh(path, side, force=True)
+                chosen = questions.which_side_after_all(str(error), side)
+                if chosen is not None:
+                    self._open_mesh(path, ScanAnswer(chosen, unit), force=chosen is side)
+            elif isinstance(error, UnitError):
+                self._open_mesh(path, questions.about_scan(path, str(error)))
             else:
                 self._messages.show_error(error)
 
         def task(progress: Progress) -> ScannedFoot:
-            return open_scan(path, side, force=force, progress=progress)
+            return open_scan(path, side, unit=unit, force=force, progress=progress)
 
         self._open_foot(task, failed)
 

@@ -19,6 +19,7 @@ from insole_studio.features.design.models.model_presenter import (
     InsolePresenter,
     ModelPresenter,
 )
+from insole_studio.features.design.models.rear_lines import rear_lines
 from insole_studio.features.design.models.section_presenter import SectionPresenter
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
@@ -106,14 +107,20 @@ class DesignStage(QObject):
             look_at=self.look_at,
         )
         self._parameters_presenter = ParametersPresenter(
-            self.parameters, case, tool_controller, pads, rules
+            self.parameters,
+            case,
+            tool_controller,
+            pads,
+            rules,
+            request_action=self.offer_chosen.emit,
         )
         self._section_presenter = SectionPresenter(self.section, case, surface, section)
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+        self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
-        self._fitted: ViewCamera | None = None
-        """The camera set by `look` until the user moves it: it adapts to the size of the views."""
+        self._fitted: dict[Subject, ViewCamera] = {}
+        """The cameras set by `look` until the user moves one: they adapt to the views' size."""
         self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
@@ -125,6 +132,7 @@ class DesignStage(QObject):
         case.preview_changed.connect(self._show_hint)
         tool_controller.tool_changed.connect(self._show_hint)
         tool_controller.tool_changed.connect(self._forget_highlight)
+        tool_controller.tool_changed.connect(self._show_rear)
         case.changed.connect(self._forget_highlight)
         case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
@@ -158,13 +166,13 @@ class DesignStage(QObject):
                 view.scene.set_camera(view.scene.aim_at(preset, presenter.whole_bounds_mm))
         if self.linked:
             self._link_to_larger()
-        self._fitted = self.foot.scene.camera if self.linked else None
+        self._fitted = self._cameras() if self.linked else {}
         self._announce_cameras()
 
     def look_at(self, place_mm: tuple[float, float]) -> None:
         """Centre both views on a place (x, y), mm."""
         for view, presenter in self._presenters.values():
-            self._fitted = None
+            self._fitted = {}
             there = np.array(presenter.place(*place_mm))
             view.scene.set_camera(view.scene.camera.centred(there))
 
@@ -175,7 +183,7 @@ class DesignStage(QObject):
             return
         points, preset = found
         self.look(preset)
-        self._fitted = None
+        self._fitted = {}
         for view, _ in self._presenters.values():
             view.scene.set_camera(view.scene.camera.centred(points.mean(axis=0)))
         self.foot.show_highlight(points)
@@ -196,7 +204,7 @@ class DesignStage(QObject):
         """Link the cameras of both views, or unlink them."""
         self.linked = linked
         if linked:
-            self.insole.scene.set_camera(self.foot.scene.camera)
+            self._follow_from(Subject.FOOT)
 
     def set_touch(self, touch: bool) -> None:
         """Set the size at which handles are grabbed, for touch or for a mouse."""
@@ -228,28 +236,57 @@ class DesignStage(QObject):
         presenter.show_all()
 
     def _follow(self, camera: ViewCamera) -> None:
-        if camera == self._fitted:  # the view was resized, the camera was not moved by the user
+        subject = next(
+            subject
+            for subject, (view, _) in self._presenters.items()
+            if view.scene is self.sender()
+        )
+        if camera == self._fitted.get(subject):  # resized, not moved by the user
             self.fit()
             return
-        self._fitted = None
-        if not self.linked:
-            return
-        for view, _ in self._presenters.values():
-            if view.scene is not self.sender():
-                view.scene.set_camera(camera)
+        self._fitted = {}
+        if self.linked:
+            self._follow_from(subject)
+
+    def _follow_from(self, leader: Subject) -> None:
+        """Look into the other view as into this one; what stands beside only one moves only it."""
+        leading, at = self._presenters[leader]
+        for view, presenter in self._presenters.values():
+            if view is not leading:
+                focal = np.asarray(leading.scene.camera.focal_mm) - at.aside_mm
+                view.scene.set_camera(leading.scene.camera.centred(focal + presenter.aside_mm))
 
     def _link_to_larger(self) -> None:
         """Set one camera for both views that shows the larger subject completely."""
-        cameras = [
-            view.scene.camera for view, p in self._presenters.values() if p.bounds_mm is not None
-        ]
+        cameras = {
+            subject: view.scene.camera
+            for subject, (view, presenter) in self._presenters.items()
+            if presenter.bounds_mm is not None
+        }
         if cameras:
-            widest = max(cameras, key=lambda camera: camera.height_mm)
-            for view, _ in self._presenters.values():
-                view.scene.set_camera(widest)
+            self._follow_from(max(cameras, key=lambda subject: cameras[subject].height_mm))
+
+    def _cameras(self) -> dict[Subject, ViewCamera]:
+        return {subject: view.scene.camera for subject, (view, _) in self._presenters.items()}
+
+    def _show_rear(self) -> None:
+        """Look from behind while the rearfoot is posted: from below no axis can be read."""
+        if self._tool_controller.tool.key == "posting":
+            has_axis = rear_lines(self._case.record) is not None
+            if has_axis and self.foot.scene.camera.preset is Preset.PLANTAR:
+                self._before_posting = self._cameras()
+                self.look(Preset.POSTERIOR)
+        else:
+            before, self._before_posting = self._before_posting, {}
+            if self.foot.scene.camera.preset is Preset.POSTERIOR:
+                self._fitted = {}
+                for subject, camera in before.items():
+                    self._presenters[subject][0].scene.set_camera(camera)
+                self._announce_cameras()
 
     def _fit_later(self) -> None:
         self._fit_when_shown = True
+        self._before_posting = {}
         self.look(Preset.PLANTAR)
         self.focus_view()
         self._show_hint()

@@ -82,7 +82,7 @@ class _Row(QWidget):
             decimals = 2 if row.name == "cutter" else 1
             self.limit = NumberField(row.unit, least=0, greatest=500, step=0.5, decimals=decimals)
             self.limit.setAccessibleName(row.title)
-            self.limit.setFixedWidth(self.limit.room_px(LIMIT_PX))
+            self.limit.set_room(LIMIT_PX)
             self.limit.edited.connect(self._edit)
             grid.addWidget(self.limit, 0, 2)
 

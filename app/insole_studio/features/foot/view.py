@@ -342,8 +342,7 @@ def _tool_button(name: str, shortcut: str) -> QToolButton:
 
 def _limit_field(unit: str) -> NumberField:
     field = NumberField(unit, least=0.1, greatest=20.0, step=0.1)
-    if field.is_for_fingers:  # otherwise it is as wide as the buttons below
-        field.setMaximumWidth(field.room_px(_LIMIT_PX))
+    field.set_room(_LIMIT_PX)
     return field
 
 

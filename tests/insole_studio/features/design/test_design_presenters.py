@@ -268,7 +268,9 @@ class TestParameters:
     def presenter(
         self, view: Any, case: Case, tool_controller: ToolController
     ) -> ParametersPresenter:
-        return ParametersPresenter(view, case, tool_controller, load_pads(), load_rules())
+        return ParametersPresenter(
+            view, case, tool_controller, load_pads(), load_rules(), request_action=lambda _key: None
+        )
 
     def test_numbers_of_the_selected_pelott(
         self, view: Any, case: Case, presenter: ParametersPresenter, open_foot: Any
@@ -426,7 +428,9 @@ class TestModels:
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        ParametersPresenter(view, case, tool_controller, (), load_rules())
+        ParametersPresenter(
+            view, case, tool_controller, (), load_rules(), request_action=lambda _key: None
+        )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         flat = surface.height_mm(30.0, 30.0) - surface.height_mm(-30.0, 30.0)

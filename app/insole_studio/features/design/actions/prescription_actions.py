@@ -100,6 +100,7 @@ class PrescriptionActions:
     def confirm_landmarks(self) -> None:
         """Confirm all landmarks at their current positions."""
         self._case.apply(confirmed(self._case.record), tr("Confirm the landmarks"))
+        self._messages.say(tr("All landmarks are confirmed where they stand."), LONG_MS)
 
     def find_landmarks(self) -> None:
         """Discard manually placed landmarks, so that they are detected again."""

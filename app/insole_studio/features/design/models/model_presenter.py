@@ -112,6 +112,14 @@ class ModelPresenter:
         return np.stack([low, high + np.array([0.0, NAME_ROOM_MM, 0.0])])
 
     @property
+    def aside_mm(self) -> FloatArray:
+        """How far the middle of the whole (3,) lies beside that of the subject."""
+        whole, own = self.whole_bounds_mm, self.bounds_mm
+        if whole is None or own is None:
+            return np.zeros(3)
+        return np.asarray(whole.mean(axis=0) - own.mean(axis=0))
+
+    @property
     def companion(self) -> TriangleMesh | None:
         """The mesh beside the subject, placed there; None if there is none."""
         foot, mesh = self._case.record.current, self._beside()

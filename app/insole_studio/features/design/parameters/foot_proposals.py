@@ -17,7 +17,7 @@ from insole_core.insole.prescription.design import Pelott, Posting
 from insole_core.insole.prescription.design_limits import Range
 from insole_core.insole.prescription.pronation import proposed_post_deg
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.foot_pose import turned_record
+from insole_core.workflows.foot_pose import levelled_record, quarter_turned_record, turned_record
 from insole_core.workflows.pen_marks import PenMark, PenMarks
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
@@ -44,11 +44,11 @@ class FootProposals:
         """Return the pose of the foot, and each pen mark with the landmarks it may stand for."""
         marks = self._marks.of(self._case.record)
         groups = (self._mark_group(number, mark) for number, mark in enumerate(marks))
-        return [self._pose_group(), *groups]
+        return [_confirm_group(), self._pose_group(), *groups]
 
     def pose_groups(self) -> list[FieldGroup]:
-        """Return the group with the pose of the foot."""
-        return [self._pose_group()]
+        """Return the groups of the pose of the foot, small angles and right ones."""
+        return [self._pose_group(), _quarter_group()]
 
     def posting_note(self) -> str:
         """Return the angle of the Achilles axis to the sole as text; empty if not scanned."""
@@ -101,6 +101,16 @@ class FootProposals:
         """
         if self._case.foot is not None:
             self._case.apply(turned_record(self._case.record, angles), sentence, merge_key)
+
+    def _quarter(self, name: str) -> None:
+        axis, quarters = (int(number) for number in name.split("."))
+        if self._case.foot is not None:
+            foot = quarter_turned_record(self._case.record, axis, quarters)
+            self._case.apply(foot, tr("Turn the foot by 90°"))
+
+    def _level(self, _name: str) -> None:
+        if self._case.foot is not None:
+            self._case.apply(levelled_record(self._case.record), tr("Level the sole"))
 
     def _propose(self, _name: str) -> None:
         design = self._case.record.design
@@ -166,12 +176,36 @@ class FootProposals:
         return 0.0 if eversion is None else proposed_post_deg(eversion, self._rules.pronation)
 
 
+def _confirm_group() -> FieldGroup:
+    tip = tr("Take all landmarks as they are shown")
+    return FieldGroup(
+        tr("Landmarks"), (), (Proposal("action.confirm_landmarks", tr("Confirm landmarks"), tip),)
+    )
+
+
+def _quarter_group() -> FieldGroup:
+    """Return what helps a scan that was placed wrongly; the landmarks are found again."""
+    turns = (
+        ("0.1", tr("Toes up 90°"), tr("Tip the foot over its heel")),
+        ("0.-1", tr("Toes down 90°"), tr("Tip the foot over its toes")),
+        ("1.1", tr("Roll 90°"), tr("Roll the foot over its edge")),
+        ("2.1", tr("Turn 90°"), tr("Turn the foot on the ground, to the left")),
+    )
+    offers = tuple(Proposal(f"quarter.{name}", text, tip) for name, text, tip in turns)
+    tip = tr("Lay a foot that lies roughly right on its sole, and its axis along the insole")
+    return FieldGroup(
+        tr("If the scan lies wrongly"), (), (*offers, Proposal("level.", tr("Level the sole"), tip))
+    )
+
+
 def _field(key: str, label: str, value: float) -> FieldSpec:
     return FieldSpec(key, label, "°", round(value, 1) + 0.0, _ANGLE.least, _ANGLE.greatest, 0.5)
 
 
 _ACTS: dict[str, Callable[[FootProposals, str], None]] = {
     "align": FootProposals._align,
+    "level": FootProposals._level,
+    "quarter": FootProposals._quarter,
     "propose": FootProposals._propose,
     "mark": FootProposals._use_mark,
     "mark_pad": FootProposals._pad_at_mark,

@@ -53,8 +53,11 @@ class ParametersPresenter:
         tool_controller: ToolController,
         pads: Sequence[LibraryPad],
         rules: ClinicRules,
+        *,
+        request_action: Callable[[str], None],
     ) -> None:
         self._panel = panel
+        self._request = request_action
         self._case = case
         self._tool_controller = tool_controller
         self._pads = pads
@@ -89,6 +92,9 @@ class ParametersPresenter:
     def choose(self, key: str) -> None:
         """Run the action of a button."""
         kind, name = key.split(".", 1)
+        if kind == "action":
+            self._request(name)
+            return
         if self._foot_offers.choose(kind, name):
             return
         if kind == "size":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -39,9 +39,13 @@ class ParametersView(QScrollArea):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._groups: Sequence[FieldGroup] = ()
         self._shape: tuple[object, ...] = ()
         self._fields: dict[str, NumberField | ComboBox] = {}
         self._rows = ROWS
+        self._restyled = QTimer(self)
+        self._restyled.setSingleShot(True)
+        self._restyled.timeout.connect(self._fit_rows)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumHeight(LEAST_PX)
@@ -49,6 +53,7 @@ class ParametersView(QScrollArea):
 
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
         """Show the groups; if only values changed, the fields are reused."""
+        self._groups = groups
         shape = tuple(group.shape for group in groups)
         if shape != self._shape:
             self._shape = shape
@@ -56,6 +61,17 @@ class ParametersView(QScrollArea):
         for group in groups:
             for spec in group.fields:
                 self._show_value(spec)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Lay the fields out again when touch mode begins or ends: fewer rows fit then."""
+        super().changeEvent(event)
+        if event.type() is QEvent.Type.StyleChange:
+            self._restyled.start()  # Qt still goes through the fields that would be replaced
+
+    def _fit_rows(self) -> None:
+        if self._rows != self._rows_now:
+            self._shape = ()
+            self.show_groups(self._groups)
 
     def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
         field = self._fields[spec.key]
@@ -68,7 +84,7 @@ class ParametersView(QScrollArea):
 
     def _lay_out(self, groups: Sequence[FieldGroup]) -> None:
         self._fields = {}
-        self._rows = TOUCH_ROWS if self._for_fingers else ROWS
+        self._rows = self._rows_now
         content = QWidget()
         flow = FlowLayout(content, margin_px=4, gap_px=12)
         flow.setContentsMargins(8, 4, 4, 4)  # aligned with the titles of the panels
@@ -100,8 +116,10 @@ class ParametersView(QScrollArea):
         return widget
 
     @property
-    def _for_fingers(self) -> bool:
-        return NumberField("", least=0, greatest=1, step=1).is_for_fingers
+    def _rows_now(self) -> int:
+        """The number of rows that fit in the style of today."""
+        field = NumberField("", least=0, greatest=1, step=1)
+        return TOUCH_ROWS if field.is_for_fingers else ROWS
 
     def _add_field(
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
@@ -109,8 +127,10 @@ class ParametersView(QScrollArea):
         field = _make_field(spec)
         field.setProperty("key", spec.key)
         field.setAccessibleName(spec.label)
-        width = field.room_px(FIELD_PX) if isinstance(field, NumberField) else CHOICE_PX
-        field.setFixedWidth(width)
+        if isinstance(field, NumberField):
+            field.set_room(FIELD_PX)
+        else:
+            field.setFixedWidth(CHOICE_PX)
         field.edited.connect(self._edited)
         self._fields[spec.key] = field
         label = QLabel(spec.label)
