@@ -10,14 +10,14 @@ import numpy as np
 
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, is_cut_behind, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, at_origin, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rigid, rotation_angle_deg
+from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message
 
 Frame = Literal["reference", "unknown"]
@@ -106,7 +106,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         # The directions of ground and toes follow from the shape, whatever the side.
         asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    source2insole = _at_origin(mesh, found.source2insole)
+    source2insole = at_origin(mesh, found.source2insole)
     placed = even.transformed(source2insole)
     notes = (
         _side_note(asked, other),
@@ -117,13 +117,6 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     foot = Foot(side, mesh.transformed(source2insole), source2insole, found.length_mm, notes)
     foot.derived.get("even", (), lambda: placed)
     return foot
-
-
-def _at_origin(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
-    """Move the frame so that the lowest vertex lies at z = 0, and the rearmost one at y = 0."""
-    y, z = (mesh.vertices @ source2insole[1:3, :3].T + source2insole[1:3, 3]).T
-    low = z < z.min() + OUTLINE_HEIGHT_MM
-    return rigid(np.eye(3), np.array([0.0, -y[low].min(), -z.min()])) @ source2insole
 
 
 def recognised_foot(mesh: TriangleMesh) -> Foot | None:

@@ -16,6 +16,7 @@ from insole_core.foot.outermost import reach
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 
@@ -188,6 +189,23 @@ class _Marks:
 
     def _y(self, share: float) -> float:
         return self.back + share * self.length
+
+
+def at_origin(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
+    """Move a frame so that the lowest vertex lies at z = 0, and the rearmost low one at y = 0.
+
+    Parameters
+    ----------
+    mesh : mm, source frame
+    source2insole : (4, 4) float64, mm
+
+    Returns
+    -------
+    (4, 4) float64, mm
+    """
+    y, z = (mesh.vertices @ source2insole[1:3, :3].T + source2insole[1:3, 3]).T
+    low = z < z.min() + OUTLINE_HEIGHT_MM
+    return rigid(np.eye(3), np.array([0.0, -y[low].min(), -z.min()])) @ source2insole
 
 
 def is_cut_behind(points: FloatArray) -> bool:

@@ -157,7 +157,7 @@ def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatA
         return whole
     gap = int(np.diff(behind).argmax())
     inside = behind[[gap, gap + 1]]
-    outside = inside + [1, -1]
+    outside = inside + np.array([1, -1])
     share = ahead_mm[inside] / (ahead_mm[inside] - ahead_mm[outside])
     medial, lateral = whole[inside] + share[:, None] * (whole[outside] - whole[inside])
     front = np.stack([medial, *_bow(medial, lateral), lateral])
