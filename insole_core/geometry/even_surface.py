@@ -16,8 +16,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
 from insole_core.geometry.transforms import transform
 
-_CELL_MM, _PITCH_MM = 1.5, 1.0
-_MOST_CELLS = 8_000_000  # of the box around a surface: what is no foot gets larger cells
+_CELL_MM = 1.5
+_PITCH = 2 / 3  # of the samples, as a share of a cell
+_MOST_CELLS = 6_000_000  # of the box around a surface: what is no foot gets larger cells
 _AT_ONCE = 300_000  # triangles
 _LEAST_MM2 = 0.3  # of a surface in a cell that it does not only touch
 _LEAST_NORMAL = 0.4
@@ -59,7 +60,7 @@ class EvenSurface:
         lattice = _Lattice(mesh.bounds_mm)
         for first in range(0, len(mesh.triangles), _AT_ONCE):
             part = TriangleMesh(mesh.vertices, mesh.triangles[first : first + _AT_ONCE])
-            samples = sample_triangles(part, _PITCH_MM)
+            samples = sample_triangles(part, _PITCH * lattice.cell_mm)
             normals = part.triangle_normals[samples.triangle]
             lattice.add(samples.points, normals, samples.area_mm2)
         points, facets, normals, area_mm2 = lattice.result()
@@ -109,27 +110,31 @@ class _Lattice:
 
     def __init__(self, bounds_mm: FloatArray) -> None:
         size = np.ptp(bounds_mm, axis=0)
-        self._cell_mm = max(_CELL_MM, float(np.cbrt(size.prod() / _MOST_CELLS)))
-        self._first = np.floor(bounds_mm[0] / self._cell_mm).astype(np.int64) - 1
+        self.cell_mm = max(_CELL_MM, float(np.cbrt(size.prod() / _MOST_CELLS)))
+        self._first = np.floor(bounds_mm[0] / self.cell_mm).astype(np.int64) - 1
         # An empty cell on either side, for the neighbours.
-        shape = np.floor(bounds_mm[1] / self._cell_mm).astype(np.int64) - self._first + 2
+        shape = np.floor(bounds_mm[1] / self.cell_mm).astype(np.int64) - self._first + 2
         self._strides = np.array([shape[1] * shape[2], shape[2], 1])
-        self._sums = np.zeros((7, int(shape.prod())))
+        self._size = int(shape.prod())
+        self._parts: list[FloatArray] = []
 
     def add(self, points: FloatArray, normals: FloatArray, area_mm2: FloatArray) -> None:
         """Add points (n, 3), normals (n, 3) and the areas (n,) that they represent."""
-        cell = np.floor(points / self._cell_mm).astype(np.int64) - self._first
+        cell = np.floor(points / self.cell_mm).astype(np.int64) - self._first
         key = cell @ self._strides
         columns = (np.ones(len(points)), *points.T, *normals.T)
-        for number, column in enumerate(columns):
-            weights = area_mm2 * column
-            self._sums[number] += np.bincount(key, weights, minlength=self._sums.shape[1])
+        occupied = np.flatnonzero(np.bincount(key, area_mm2, minlength=self._size))
+        sums = [np.bincount(key, area_mm2 * column)[occupied] for column in columns]
+        self._parts.append(np.stack([occupied, *sums], axis=1))
 
     def result(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Return points, mean and smoothed normals, and areas of the cells that are clear."""
-        occupied = np.flatnonzero(self._sums[0])
-        area_mm2 = self._sums[0, occupied]
-        means = self._sums[1:, occupied].T / area_mm2[:, None]
+        rows = np.concatenate(self._parts)
+        occupied, number = np.unique(rows[:, 0].astype(np.int64), return_inverse=True)
+        area_mm2, *sums = (
+            np.bincount(number, column).astype(np.float64) for column in rows[:, 1:].T
+        )
+        means = np.stack(sums, axis=1) / area_mm2[:, None]
         points, normals = means[:, :3], means[:, 3:]
         clear = (np.linalg.norm(normals, axis=1) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
         facets = _unit(normals)
@@ -140,7 +145,7 @@ class _Lattice:
         self, occupied: IntArray, normals: FloatArray, area_mm2: FloatArray
     ) -> FloatArray:
         """Average normals (n, 3) over neighbouring cells that face the same way; unit normals."""
-        place = np.full(self._sums.shape[1], -1)
+        place = np.full(self._size, -1, dtype=np.int32)
         place[occupied] = np.arange(len(occupied))
         steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
         neighbours = [place[occupied + step] for step in steps @ self._strides]

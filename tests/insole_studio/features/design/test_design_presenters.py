@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from round_foot import round_foot
 
 from insole_core.cases.case_record import (
     Annotations,
@@ -20,8 +20,6 @@ from insole_core.cases.case_record import (
     ScanSource,
     Variant,
 )
-from insole_core.foot.foot import Foot
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.clinic_rules import load_rules
 from insole_core.insole.prescription.design import Pelott
@@ -141,15 +139,6 @@ def open_foot(case: Case, make_foot: Any) -> Callable[[], None]:
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
-def bowl(side: Side, cut_mm: float = 0.0) -> Foot:
-    """The sole of a foot without separate toes, 80 × 250 mm and round; its front may be cut off."""
-    ball = trimesh.creation.icosphere(subdivisions=5)
-    vertices = ball.vertices * [40.0, 125.0, 40.0] + [0.0, 125.0, 40.0]
-    mesh = TriangleMesh(vertices, ball.faces.astype(np.int32))
-    x_y_z = mesh.vertices.T
-    return Foot(side, mesh.part((x_y_z[2] < 42) & (x_y_z[1] < 250 - cut_mm)), np.eye(4), 250.0)
-
-
 def add_pelott(case: Case, **values: Any) -> Pelott:
     assert case.record.design is not None
     pad = Pelott(centre_mm=(0.0, 150.0), **values)
@@ -181,7 +170,7 @@ class TestPatient:
     def test_measures_and_distances_are_listed(
         self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        case.open_foot(bowl(Side.LEFT), NOWHERE)
+        case.open_foot(round_foot(Side.LEFT), NOWHERE)
         points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
         case.apply(Annotations(points), "Mark")
         measures = {m.name: m for m in view.shown["show_measures"][0]}
@@ -197,8 +186,8 @@ class TestPatient:
     def test_two_feet_are_measured_beside_each_other(
         self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        case.open_foot(bowl(Side.LEFT), NOWHERE)
-        case.apply(FootRecord.begun(bowl(Side.RIGHT), NOWHERE), "Add")
+        case.open_foot(round_foot(Side.LEFT), NOWHERE)
+        case.apply(FootRecord.begun(round_foot(Side.RIGHT), NOWHERE), "Add")
         assert view.shown["show_feet"] == (Side.RIGHT, [Side.LEFT, Side.RIGHT])
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
         left, right, difference, percent = measures["Foot length"]
@@ -214,14 +203,14 @@ class TestPatient:
     def test_what_was_not_scanned_has_no_number_and_is_not_compared(
         self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        case.open_foot(bowl(Side.LEFT, cut_mm=60.0), NOWHERE)
+        case.open_foot(round_foot(Side.LEFT, cut_mm=60.0), NOWHERE)
         alone = {m.name: m for m in view.shown["show_measures"][0]}
         for name, reason in (("Foot length", "toes"), ("Ball girth", "back of the foot")):
             assert (alone[name].values, alone[name].unit) == (("not scanned",), "")
             assert reason in alone[name].tip
         assert float(alone["Heel width"].values[0]) > 50
         assert "Navicular height" not in alone  # it waits for a mark, not for a scan
-        case.apply(FootRecord.begun(bowl(Side.RIGHT), NOWHERE), "Add")
+        case.apply(FootRecord.begun(round_foot(Side.RIGHT), NOWHERE), "Add")
         both = {m.name: m.values for m in view.shown["show_measures"][0]}
         left, right, *compared = both["Foot length"]
         assert (left, compared) == ("–", ["", ""])
