@@ -24,7 +24,6 @@ _LEAST_MM2 = 0.3  # of a surface in a cell that it does not only touch
 _LEAST_NORMAL = 0.4
 """Least length of a cell's mean normal; it is shorter where two walls meet in the cell."""
 _RIM_MM = 10.0  # greatest distance from the boundary that is computed
-_NORMAL_ROUNDS = 2
 _PATCH_MM, _SAME_DEG = 8.0, 0.1  # about a point, and the angle within which normals are the same
 
 
@@ -148,16 +147,14 @@ class _Lattice:
         place = np.full(self._size, -1, dtype=np.int32)
         place[occupied] = np.arange(len(occupied))
         steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-        neighbours = [place[occupied + step] for step in steps @ self._strides]
-        for _ in range(_NORMAL_ROUNDS):
-            total = np.zeros_like(normals)
-            for other in neighbours:
-                theirs = normals[other]
-                like = np.einsum("nc,nc->n", theirs, normals)
-                weight = np.where(other < 0, 0.0, area_mm2[other] * np.maximum(like, 0.0))
-                total += weight[:, None] * theirs
-            normals = _unit(total)
-        return normals
+        total = np.zeros_like(normals)
+        for step in steps @ self._strides:
+            other = place[occupied + step]
+            theirs = normals[other]
+            like = np.einsum("nc,nc->n", theirs, normals)
+            weight = np.where(other < 0, 0.0, area_mm2[other] * np.maximum(like, 0.0))
+            total += weight[:, None] * theirs
+        return _unit(total)
 
 
 def _unit(vectors: FloatArray) -> FloatArray:
