@@ -16,4 +16,7 @@ def round_foot(side: Side, cut_mm: float = 0.0) -> Foot:
     vertices = ball.vertices * [40.0, 125.0, 40.0] + [0.0, 125.0, 40.0]
     mesh = TriangleMesh(vertices, ball.faces.astype(np.int32))
     _, y, z = vertices.T
-    return Foot(side, mesh.part((z < 42) & (y < 250 - cut_mm)), np.eye(4), 250.0)
+    part = mesh.part((z < 42) & (y < 250 - cut_mm))
+    if side is Side.RIGHT:  # the exact mirror image
+        part = part.moved(part.vertices * [-1.0, 1.0, 1.0]).flipped()
+    return Foot(side, part, np.eye(4), 250.0)
