@@ -19,6 +19,7 @@ $(SYSTEM): packaging/linux/system-packages.sh
 
 $(READY): $(SYSTEM) pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+	$(BIN)/python -m compileall -q app insole_core drivers/kinect
 	touch $@
 
 demo: $(READY) ## open the application on a recorded session; without a screen do the same off-screen

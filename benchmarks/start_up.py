@@ -4,6 +4,8 @@
 
 Limits: 1.3 times the import of PySide6.QtWidgets and pyvistaqt alone, 450 MB, and 0.25 s for
 `insole-studio --help`. Best of five, in turn, on the platform of QT_QPA_PLATFORM (or offscreen).
+The first start is one in an empty home, without byte code of anything: the worst that can happen
+after an installation that did not compile it, as `make` does.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from pathlib import Path
 from benchmarks._measure import print_table, resident_mb
 
 ROUNDS = 5
+FIRST = "first start, no byte code"
 _CALL = "import benchmarks.start_up as b; b.{}()"
 _ENVIRONMENT = {"QT_QPA_PLATFORM": "offscreen", **os.environ}
 _POLL_MS = 10
@@ -27,13 +30,15 @@ def main() -> None:
     calls = {
         "libraries alone": ["-c", _CALL.format("import_libraries")],
         "window painted": ["-c", _CALL.format("paint_window")],
+        FIRST: ["-c", _CALL.format("paint_window")],
         "the rest loaded": ["-c", _CALL.format("load_rest")],
         "--help": ["-m", "insole_studio", "--help"],
     }
     found: dict[str, list[tuple[float, str]]] = {title: [] for title in calls}
     for _ in range(ROUNDS):
         for title, call in calls.items():
-            found[title].append(_run(call))
+            with tempfile.TemporaryDirectory() as empty:
+                found[title].append(_run(call, _new_home(empty) if title == FIRST else {}))
     alone, _ = min(found["libraries alone"])
     rows = []
     for title, runs in found.items():
@@ -42,14 +47,19 @@ def main() -> None:
     print_table(["process", "seconds", "times the libraries", "MB"], rows)
 
 
-def _run(call: list[str]) -> tuple[float, str]:
+def _new_home(empty: str) -> dict[str, str]:
+    names = ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "PYTHONPYCACHEPREFIX")
+    return dict.fromkeys(names, empty)
+
+
+def _run(call: list[str], environment: dict[str, str]) -> tuple[float, str]:
     """Seconds to the first line, and the memory it tells, if it tells any."""
     start = time.perf_counter()
     with subprocess.Popen(
         [sys.executable, *call],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        env=_ENVIRONMENT,
+        env={**_ENVIRONMENT, **environment},
         text=True,
     ) as process:
         assert process.stdout is not None

@@ -5,12 +5,23 @@ from __future__ import annotations
 import os
 import sys
 
+LINEAR_ALGEBRA_THREADS = (
+    "OPENBLAS_NUM_THREADS",
+    "OPENBLAS_DEFAULT_NUM_THREADS",
+    "GOTO_NUM_THREADS",
+    "OMP_NUM_THREADS",
+    "MKL_NUM_THREADS",
+    "BLIS_NUM_THREADS",
+    "VECLIB_MAXIMUM_THREADS",
+)
+"""What the libraries behind numpy, SciPy and OpenCV read when they are loaded."""
+
 
 def main() -> int:
     """Run with the command line arguments of this process."""
-    # Our systems of equations are small: threads of OpenBLAS beside our own only wait for each
-    # other and triple the processor time. It reads this variable when numpy is imported.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    # Whatever the user has set: with other threads the sums of a matrix product are taken in
+    # another order, and the same session gives another mesh (docs/decisions/0021).
+    os.environ.update(dict.fromkeys(LINEAR_ALGEBRA_THREADS, "1"))
     from insole_studio.cli.main import run
 
     return run(sys.argv[1:])

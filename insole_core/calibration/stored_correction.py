@@ -40,11 +40,10 @@ def apply_correction(
         If it belongs to another device and the user does not insist.
     """
     warnings: list[str] = []
-    owner = correction.record.serial
-    if owner and owner != sensor.serial:
+    if not correction.record.is_of(sensor.serial):
         problem = Message(
             "The correction was measured on sensor {owner}, not on {serial}",
-            owner=owner,
+            owner=correction.record.serial,
             serial=sensor.serial,
         )
         if not insist:

@@ -53,7 +53,7 @@ def draw_picture(difference: Difference, path: Path | io.BytesIO, names: tuple[s
     grid = difference.grid
     (x, y), (rows, columns), pitch = grid.first_mm, grid.shape, grid.pitch_mm
     extent = (x - pitch / 2, x + (columns - 0.5) * pitch, y - pitch / 2, y + (rows - 0.5) * pitch)
-    figure.suptitle(_caption(difference, names))
+    figure.suptitle(_caption(difference, names), parse_math=False)  # names of files
     for axes, values, low, colors, title in zip(
         figure.subplots(1, 2),
         (signed, np.abs(signed)),

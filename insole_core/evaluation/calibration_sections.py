@@ -242,8 +242,9 @@ def draw_reference(figure: Figure, system: ReferenceSystem) -> None:
         shown = axes.scatter(points[:, across], points[:, up], c=depth, marker="s", s=60)
         for marker, point in zip(markers, points, strict=True):
             axes.annotate(marker.id, (point[across], point[up]), xytext=(5, 4),
-                          textcoords="offset points", fontsize=7)  # fmt: skip
-        axes.set(title=face, xlabel="xyz"[across], ylabel="xyz"[up], aspect="equal")
+                          textcoords="offset points", fontsize=7, parse_math=False)  # fmt: skip
+        axes.set_title(face, parse_math=False)
+        axes.set(xlabel="xyz"[across], ylabel="xyz"[up], aspect="equal")
         axes.margins(0.15)
         figure.colorbar(shown, ax=axes, label="xyz"[3 - across - up], shrink=0.6)
 

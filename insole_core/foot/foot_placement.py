@@ -237,14 +237,9 @@ def _reason(candidate: _Candidate) -> str:
 def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
     """Say how the pose was decided, and what was missing for it."""
     if frame == "unknown":
-        _, ahead, up = found.foot.source2insole[:3, :3]
         yield (
-            Message(
-                "The sole faces {sole} and the toes point along {toes} of the file: of all "
-                "ways the surface could stand, this one looks most like a foot.",
-                sole=_direction(-up),
-                toes=_direction(ahead),
-            )
+            "The file does not say how the foot lies: of all ways it could stand, the one that"
+            " looks most like a foot was taken."
         )
     if found.pose.covered < 1:
         yield (
@@ -272,9 +267,3 @@ def _surface_notes(scraps: int, inside_out: bool) -> Iterator[str]:
     if scraps:
         what = "piece that floats" if scraps == 1 else "pieces that float"
         yield Message("{count} small {scraps} beside the foot left out.", count=scraps, scraps=what)
-
-
-def _direction(vector: FloatArray) -> str:
-    """Name the axis nearest to a direction, for example "-z"."""
-    axis = int(np.abs(vector).argmax())
-    return ("-" if vector[axis] < 0 else "+") + "xyz"[axis]

@@ -240,6 +240,7 @@ class _Chain(Generic[_Part]):
         with self.clock.measuring("markers"):
             system = self.session.manifest.reference_system
             registration = measured.register(system, self.limits, edits)
+        measured = measured.at_scale(registration.depth_scale)
         with self.clock.measuring("cutting out"):
             part = self.way.cut_out(
                 measured, registration.sensor2reference, volume_of_interest(self.session)

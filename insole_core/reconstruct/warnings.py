@@ -13,6 +13,7 @@ from insole_core.reconstruct.result import Surface, ViewResult
 from insole_core.reconstruct.views.foot_coverage import coverage_warnings
 from insole_core.recording.session import Session, View
 from insole_core.sensing.frames import Motion, RawAverage
+from insole_core.sensing.sensor import Sensor
 
 _SAME_PLACE_MM = 60.0
 _SAME_DIRECTION_DEG = 5.0
@@ -66,6 +67,20 @@ def motion_note(view: View, average: RawAverage) -> str:
         "out",
         distance_mm=_motion_mm(view, average.motion),
         **counts,
+    )
+
+
+def correction_note(sensor: Sensor) -> str:
+    """Describe a correction of another device, as the end of a sentence; empty for its own."""
+    correction = sensor.correction
+    if correction is None or correction.record.is_of(sensor.serial):
+        return ""
+    return Message(
+        "the distortion of the depth is corrected by what was measured on sensor {owner}, not on "
+        "{serial}, so the depth may be wrong by several millimetres; give the session the "
+        "calibration of its own sensor",
+        owner=correction.record.serial,
+        serial=sensor.serial,
     )
 
 

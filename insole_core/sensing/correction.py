@@ -48,6 +48,10 @@ class CorrectionRecord:
     figures: dict[str, float] = field(default_factory=dict)
     version: int = VERSION
 
+    def is_of(self, serial: str) -> bool:
+        """Whether it was measured on a device, as far as it says on which."""
+        return not self.serial or self.serial == serial
+
     def age_days(self, now: datetime) -> float:
         """Return the age at `now` (aware); infinite for a correction without a date."""
         if not self.made_at:

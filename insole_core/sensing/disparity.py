@@ -91,6 +91,22 @@ class LinearInverseDisparity:
 
 
 @dataclass(frozen=True)
+class ScaledDisparity:
+    """Another model whose depths are multiplied by a factor."""
+
+    model: DisparityModel
+    factor: float
+
+    def depth_mm(self, raw: FloatArray) -> FloatArray:
+        """Z = factor · depth of the model."""
+        return self.factor * self.model.depth_mm(raw)
+
+    def raw(self, depth_mm: FloatArray) -> FloatArray:
+        """Return the raw numbers of depths; inverse of `depth_mm`."""
+        return self.model.raw(np.asarray(depth_mm, dtype=float) / self.factor)
+
+
+@dataclass(frozen=True)
 class TangentDisparity:
     """Tangent model, thesis (12): Z = k1 tan(raw / k2 + k3), mm."""
 

@@ -84,6 +84,10 @@ class CannedQuestions:
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         return self.typed
 
+    def may_discard(self, name: str) -> bool:
+        self.asked.append(f"discard {name}")
+        return self.unsaved is Answer.DISCARD
+
     def folder_to_open(self) -> Path | None:
         return self.path
 

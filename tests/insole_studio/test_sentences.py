@@ -288,7 +288,7 @@ def test_a_list_of_words_is_said_word_by_word(swedish: Callable[[str], str]) -> 
 
 def test_numbers_keep_the_form_of_the_template(swedish: Callable[[str], str]) -> None:
     message = Message("The distance is known within {error_mm:.1f} mm.", error_mm=0.26)
-    assert swedish(message) == "Avståndet är känt inom 0.3 mm."
+    assert swedish(message) == "Avståndet är känt inom 0,3 mm."
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,22 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 
 import insole_studio
+from insole_core.messages import Message
 from insole_core.resources import resource_path
-from insole_studio.texts import CONTEXT, CORE_CONTEXT, load_language, tr
+from insole_studio.texts import (
+    CONTEXT,
+    CORE_CONTEXT,
+    fill,
+    load_language,
+    localised,
+    tr,
+    translate_core_message,
+)
+from insole_studio.widgets.number_field import NumberField
 
 SWEDISH = resource_path("translations/sv")
 
@@ -65,3 +76,26 @@ def test_the_window_speaks_the_language(qapp: QApplication, language: str, text:
     load_language(qapp, language)
     assert tr("Heel") == text
     load_language(qapp, "en")
+
+
+def test_numbers_are_written_as_the_language_does(qapp: QApplication) -> None:
+    load_language(qapp, "sv")
+    try:
+        assert localised(241.25, ".1f") == "241,2"
+        assert fill("{a:.2f} mm, {name}, {n}", a=0.5, name="v1.2", n=3) == "0,50 mm, v1.2, 3"
+        far = Message("{mm:.1f} mm off", mm=1.5)
+        assert translate_core_message(far) == "1,5 mm off"
+        field = NumberField("mm", least=0, greatest=9, step=0.1)
+        field.setValue(2.5)
+        assert field.text() == "2,5 mm"
+    finally:
+        load_language(qapp, "en")
+    assert localised(241.25, ".1f") == "241.2"
+
+
+def test_the_dialogs_of_qt_speak_the_language_too(qapp: QApplication) -> None:
+    load_language(qapp, "sv")
+    try:
+        assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Avbryt"
+    finally:
+        load_language(qapp, "en")

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +18,13 @@ from kinect_v1.__main__ import main
 from kinect_v1.errors import LibusbMissingError
 from kinect_v1.recordings import read_depth, read_received, read_recording
 from kinect_v1.usb_bus import UsbBus
+
+AS_IN_A_TERMINAL = """
+import runpy, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+runpy.run_module("kinect_v1", run_name="__main__", alter_sys=True)
+"""
+"""Tests may run in the background, where Ctrl+C is ignored."""
 
 Output = pytest.CaptureFixture[str]
 
@@ -98,12 +110,47 @@ def test_a_missing_libusb_is_said(capsys: Output) -> None:
     assert "install libusb-1.0" in capsys.readouterr().err
 
 
-def test_ctrl_c_ends_quietly(bus: UsbBus, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("options", "code", "said"),
+    [
+        ([], 0, ""),  # the only end of an endless view
+        (["--frames", "9"], 130, "Stopped on request; nothing was written.\n"),
+    ],
+)
+def test_ctrl_c_ends_a_view(
+    bus: UsbBus, monkeypatch: pytest.MonkeyPatch, capsys: Output,
+    options: list[str], code: int, said: str,
+) -> None:  # fmt: skip
     def interrupt(*_arguments: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("kinect_v1.__main__.color_picture", interrupt)
-    assert main(["view", "--serial", SERIALS[0]], lambda: bus) == 0
+    assert main(["view", "--serial", SERIALS[0], *options], lambda: bus) == code
+    assert capsys.readouterr().err == said
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_stopped_recording_says_what_was_discarded(
+    name: str, bus: UsbBus, tmp_path: Path
+) -> None:
+    played = tmp_path / "played"
+    main(["record", str(played), "--serial", SERIALS[0], "--frames", "2"], lambda: bus)
+    target = tmp_path / "taken"
+    command = ["--emulate", str(played), "record", str(target), "--frames", "100000"]
+    with subprocess.Popen(
+        [sys.executable, "-c", AS_IN_A_TERMINAL, *command], stderr=subprocess.PIPE, text=True
+    ) as process:
+        while process.poll() is None and not list(tmp_path.glob(".taken.*/d-*")):
+            time.sleep(0.02)
+        process.send_signal(getattr(signal, name))
+        _out, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert re.fullmatch(
+        rf"Stopped on request; \d+ of 100000 depth frames had come and are discarded, and "
+        rf"{re.escape(str(target))} was not written\.\n",
+        said,
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["played"]
 
 
 def test_a_wrong_call_is_exit_code_two(bus: UsbBus, tmp_path: Path) -> None:

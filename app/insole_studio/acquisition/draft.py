@@ -22,11 +22,13 @@ from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
-from insole_core.recording.session import Manifest
+from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.recording.writer import write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
 
+_TAKING = ".taking-"
+"""Begins the name of the folder of a view that is not finished."""
 _FACTS = "capture"
 """The manifest's key for the capture details of each view."""
 _WRITERS = 2
@@ -111,6 +113,7 @@ class Draft:
         wanted = order or (kept.plan().views if kept else ())
         draft = cls(folder, manifest, [*wanted, *(view for view in facts if view not in wanted)])
         draft._facts = facts
+        draft._remove_unfinished()  # of a capture that was killed
         return draft
 
     @property
@@ -122,6 +125,11 @@ class Draft:
     def views(self) -> tuple[str, ...]:
         """Return the finished views in order."""
         return tuple(view for view in self._order if view in self._facts)
+
+    def describe(self, condition: CaptureCondition) -> None:
+        """Record how the foot was held, and the notes, as they are known now."""
+        self._manifest = replace(self._manifest, capture_condition=condition)
+        self._write_manifest()
 
     def expect(self, order: Sequence[str]) -> None:
         """Put the views of `order` first; the others keep their order behind them."""
@@ -241,13 +249,16 @@ class Draft:
     def close(self) -> None:
         """Stop writing; finished views stay, unfinished ones are removed."""
         self._pool.shutdown(wait=True)
-        for unfinished in self.folder.glob(".taking-*"):
-            shutil.rmtree(unfinished, ignore_errors=True)
+        self._remove_unfinished()
         if not self._facts:
             shutil.rmtree(self.folder, ignore_errors=True)
 
+    def _remove_unfinished(self) -> None:
+        for unfinished in self.folder.glob(f"{_TAKING}*"):
+            shutil.rmtree(unfinished, ignore_errors=True)
+
     def _taking(self, view: str) -> Path:
-        return self.folder / f".taking-{view}"
+        return self.folder / f"{_TAKING}{view}"
 
     def _store(self, view: str, name: str, image: RawArray | ByteArray) -> None:
         path = self._taking(view) / name
@@ -263,6 +274,13 @@ class Draft:
         text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
         with replacing_file(self.folder / "manifest.json") as beside:
             beside.write_text(text, encoding="utf-8")
+
+
+def is_abandoned(folder: Path) -> bool:
+    """Return whether a folder is a draft without a finished view, and nothing else is in it."""
+    names = {path.name for path in folder.iterdir()}
+    others = {name for name in names if not name.startswith(_TAKING)}
+    return others == {"views"} and not any((folder / "views").iterdir())
 
 
 def _write(path: Path, image: RawArray | ByteArray) -> None:

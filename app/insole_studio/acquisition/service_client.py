@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import multiprocessing
+from contextlib import suppress
 from dataclasses import replace
 
+from insole_core.messages import Message
 from insole_studio.acquisition.capture_service import serve
-from insole_studio.acquisition.messages import Command, Event, Quit, Sensors
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
+from insole_studio.acquisition.messages import Command, Event, Find, Quit, Sensors, Start
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture, SharedFrameBuffer
 
@@ -24,40 +27,67 @@ class CaptureService:
 
     def __init__(self, source: SensorSource) -> None:
         # Not forked: forking a program with threads and a window is not safe.
-        context = multiprocessing.get_context("spawn")
-        self._connection, theirs = context.Pipe()
-        self._board = SharedFrameBuffer(context)
-        self._process = context.Process(
+        self._context = multiprocessing.get_context("spawn")
+        self._board = SharedFrameBuffer(self._context)
+        self._source = source
+        self._closed = False
+        self._start()
+
+    def _start(self) -> None:
+        self._connection, theirs = self._context.Pipe()
+        self._process = self._context.Process(
             target=serve,
-            args=(theirs, self._board, replace(source)),
+            args=(theirs, self._board, replace(self._source)),
             name="capture-service",
             daemon=True,
         )
         self._process.start()
         theirs.close()
-        self._ended = self._closed = False
+        self._ended = False
+        self._capture: CaptureStatus | None = None
 
     def send(self, command: Command) -> None:
-        """Send a command; does nothing if the service has ended."""
-        if not self._ended:
-            try:
-                self._connection.send(command)
-            except OSError:
-                self._ended = True
+        """Send a command; if the service has ended, `Find` starts it again.
+
+        Others do nothing then: `news` says that it has ended.
+        """
+        if self._ended and isinstance(command, Find) and not self._closed:
+            self._reap()
+            self._start()
+        if self._ended:
+            return
+        if isinstance(command, Start):
+            self._capture = CaptureStatus(CapturePhase.SETTLING)
+        with suppress(OSError):  # it has ended, which `news` finds as well
+            self._connection.send(command)
 
     def news(self) -> list[Event]:
-        """Return the events since the last call, without waiting."""
+        """Return the events since the last call, without waiting.
+
+        A capture ends with a status in any case, also if the service has died.
+        """
         events: list[Event] = []
+        if self._ended:
+            return events
         try:
-            while not self._ended and self._connection.poll():
+            while self._connection.poll():
                 events.append(self._connection.recv())
         except (EOFError, OSError):
             self._ended = True
-            if not any(isinstance(event, Sensors) and event.problem for event in events):
-                events.append(
-                    Sensors((), "The program that reads the sensors has ended; start it again.")
-                )
-        return events
+        for event in events:
+            if isinstance(event, CaptureStatus):
+                self._capture = None if event.phase.is_end else event
+        return events + self._last_news(events) if self._ended else events
+
+    def _last_news(self, events: list[Event]) -> list[Event]:
+        """Return what a service that has died can no longer say."""
+        ended = Message("The program that reads the sensors has ended; look for sensors again.")
+        last: list[Event] = []
+        if self._capture is not None:
+            last.append(CaptureStatus(CapturePhase.FAILED, self._capture.views, ended))
+        if not any(isinstance(event, Sensors) and event.problem for event in events):
+            last.append(Sensors((), ended))
+        return last
 
     def picture(self, slot: int, kind: Kind, after: int = 0) -> Picture | None:
         """Return the newest picture of a sensor if its number is larger than `after`.
@@ -77,10 +107,13 @@ class CaptureService:
             return
         self._closed = True
         self.send(Quit())
+        self._reap()
+        self._ended = True
+
+    def _reap(self) -> None:
         self._process.join(_PATIENCE_S)
         if self._process.is_alive():
             self._process.kill()
             self._process.join()
         self._connection.close()
         self._process.close()
-        self._ended = True

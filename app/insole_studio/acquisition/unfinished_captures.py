@@ -1,15 +1,24 @@
-"""Captures that were not completed: their views are offered again."""
+"""Captures that were not used: whoever works on one holds it, and the others are offered again."""
 
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain, count
 from pathlib import Path
 
-from insole_core.errors import InputError
+from insole_core.errors import InputError, OutputError
+from insole_core.export.atomic import describe
+from insole_core.export.file_lock import FileLock
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
+from insole_studio.acquisition.capture_status import ViewStatus
+from insole_studio.acquisition.draft import is_abandoned
 from insole_studio.acquisition.plan_request import PlanRequest, kept_request
+
+_GONE = "{folder} holds no unfinished capture; it was used or discarded, or never was one."
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,21 +42,167 @@ class UnfinishedCapture:
         """Return all requested views in order."""
         return self.request.plan().views
 
+    @property
+    def views(self) -> tuple[ViewStatus, ...]:
+        """Return the finished views."""
+        frames = self.request.frames
+        return tuple(
+            ViewStatus(shot.view, shot.serial, frames, frames, True, place=shot.place)
+            for shot in self.request.plan().shots
+            if shot.view in self.manifest.views
+        )
+
+
+@dataclass(frozen=True)
+class HeldDraft:
+    """The folder of a draft that nobody else may work on until it is released."""
+
+    folder: Path
+    lock: FileLock
+
+    def release(self) -> None:
+        """Let others work on it."""
+        self.lock.release()
+
     def discard(self) -> None:
         """Remove it permanently."""
         shutil.rmtree(self.folder, ignore_errors=True)
+        self.release()
 
 
-def newest_unfinished_capture(folder: Path) -> UnfinishedCapture | None:
-    """Return the latest unfinished capture in the folder for drafts; None if there is none."""
-    found = [draft for path in folder.glob("*/manifest.json") if (draft := _read(path.parent))]
-    return max(found, key=lambda draft: draft.manifest.recorded_at, default=None)
+class Drafts:
+    """The drafts in one folder; each is held by the window or command that works on it."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def begin(self, name: str) -> HeldDraft:
+        """Hold a new draft, whose folder does not exist yet.
+
+        Parameters
+        ----------
+        name
+            Of the folder; a number is added where it is taken.
+
+        Raises
+        ------
+        OutputError
+            When there is no place for drafts.
+        """
+        try:
+            self._folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise OutputError(describe(self._folder, error)) from error
+        candidates = chain((name,), (f"{name}-{number}" for number in count(2)))
+        return next(
+            held
+            for candidate in candidates
+            if (held := _free(self._folder / candidate)) is not None
+        )
+
+    def newest(self) -> UnfinishedCapture | None:
+        """Return the latest unfinished capture that nobody works on; None if there is none."""
+        found = [
+            draft
+            for path in self._folder.glob("*/manifest.json")
+            if (draft := read_unfinished(path.parent)) and not _is_held(path.parent)
+        ]
+        return max(found, key=lambda draft: draft.manifest.recorded_at, default=None)
+
+    def sweep(self) -> None:
+        """Remove what captures left that were killed before their first view was finished."""
+        for folder in self._folder.glob("*/"):
+            if is_abandoned(folder) and not _is_held(folder):
+                shutil.rmtree(folder, ignore_errors=True)
 
 
-def _read(folder: Path) -> UnfinishedCapture | None:
+def hold_draft(folder: Path) -> HeldDraft:
+    """Hold an existing draft.
+
+    Raises
+    ------
+    InputError
+        When another window or command works on it, or it is not there.
+    OutputError
+        When its place cannot be written.
+    """
+    if not folder.is_dir():
+        raise InputError(_GONE, folder=folder)
+    held = HeldDraft(folder, _lock(folder))
+    if not held.lock.acquire():
+        raise InputError(
+            "{folder} is in use by another window or command; finish or close that one first.",
+            folder=folder,
+        )
+    return held
+
+
+def hold_unfinished(folder: Path) -> tuple[HeldDraft, UnfinishedCapture]:
+    """Hold an unfinished capture that was offered, and read it as it is now.
+
+    Raises
+    ------
+    InputError
+        When another window or command works on it, or has used or discarded it.
+    OutputError
+        When its place cannot be written.
+    """
+    held = hold_draft(folder)
+    left = read_unfinished(folder)
+    if left is None:
+        held.release()
+        raise InputError(_GONE, folder=folder)
+    return held, left
+
+
+@contextmanager
+def holding_target(path: Path) -> Iterator[None]:
+    """Keep other captures from the same destination until this one is done.
+
+    Raises
+    ------
+    InputError
+        When another capture is writing there.
+    OutputError
+        When the place cannot be written.
+    """
+    place = path.resolve()
+    with FileLock(place.with_name(f".{place.name}.lock")) as lock:
+        if not lock.acquire():
+            raise InputError(
+                "Another capture is to be written to {path}; wait until it has ended, or choose "
+                "another name.",
+                path=path,
+            )
+        yield
+
+
+def read_unfinished(folder: Path) -> UnfinishedCapture | None:
+    """Read an unfinished capture; None if the folder is none, or is damaged."""
     try:
         manifest = read_session(folder).manifest
     except InputError:
         return None
     request = kept_request(manifest.extra)
     return None if request is None else UnfinishedCapture(folder, manifest, request)
+
+
+def _lock(folder: Path) -> FileLock:
+    place = folder.resolve()
+    return FileLock(place.with_name(f"{place.name}.lock"))
+
+
+def _free(folder: Path) -> HeldDraft | None:
+    """Hold a draft that does not exist yet; None if its name is taken."""
+    held = HeldDraft(folder, _lock(folder))
+    if not held.lock.acquire():
+        return None
+    if folder.exists():
+        held.release()
+        return None
+    return held
+
+
+def _is_held(folder: Path) -> bool:
+    with _lock(folder) as lock:
+        return not lock.acquire()

@@ -17,6 +17,7 @@ from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
+from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.app.features import Features, make_features
 from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
@@ -41,6 +42,7 @@ from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.typed_text import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
 SIGNAL_POLL_MS = 200
@@ -55,6 +57,7 @@ class Application:
     main: WindowFeature
     controller: MainController
     autosave: Autosave
+    events: ApplicationEvents
 
     @property
     def case(self) -> Case:
@@ -83,6 +86,8 @@ class Application:
 
     def close(self) -> None:
         """Stop the threads, free the renderers, save the settings."""
+        commit_typed_text()
+        self.events.close()
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
@@ -136,7 +141,8 @@ def build_application(
     )
     controller = MainController(services, features, main, autosave)
     _show_settings(main, settings, dark)
-    return Application(services, features, main, controller, autosave)
+    events = ApplicationEvents(application)
+    return Application(services, features, main, controller, autosave, events)
 
 
 def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
@@ -191,8 +197,7 @@ def run_application(
     app.controller.closed.connect(qt.quit)
     app.window.show()
     Preload(app.window)
-    for recovered in find_recovered(app.services.paths.autosave_folder)[:1]:
-        opener.offer_recovered(recovered)
+    app.features.case_files.recovery.offer(find_recovered(app.services.paths.autosave_folder))
     if not app.settings.tour_seen:
         QTimer.singleShot(0, app.window, app.main.help.begin_tour)
     if paths:

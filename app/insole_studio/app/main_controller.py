@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_studio.app.actions import ACTIONS, bind_actions
 from insole_studio.app.features import Features
@@ -14,6 +15,7 @@ from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_name import case_name, whose
 from insole_studio.services.app_services import AppServices
+from insole_studio.widgets.typed_text import commit_typed_text
 
 _STEP_ACTIONS = {"foot": "tool_key_point", "design": "tool_pelott", "export": "export"}
 
@@ -61,6 +63,7 @@ class MainController(QObject):
         checked
             The new state of a toggle; ignored by other actions.
         """
+        commit_typed_text()
         self._stage.end_keys()
         try:
             self._run[key](checked)
@@ -81,6 +84,7 @@ class MainController(QObject):
         window.pad_chosen.connect(design.prescription.take_pad)
         window.layout_changed.connect(self._main.appearance.note_layout)
         self._services.recent.changed.connect(self._show_recent)
+        self._stage.recent_chosen.connect(self._open_recent)
         self._stage.offer_chosen.connect(self._take_offer)
         self._stage.steps.chosen.connect(self._go_to_step)
 
@@ -100,8 +104,25 @@ class MainController(QObject):
         case = self._case
         for signal in (case.opened, case.changed, case.saved_changed, case.selection_changed):
             signal.connect(self._show_state)
+        case.leaving.connect(commit_typed_text)
+        case.closing.connect(self._clear_case)
         self._tool_controller.tool_changed.connect(self._show_tool)
         self._autosave.failed.connect(self._services.messages.show_sentence)
+
+    def _clear_case(self, coming: CaseRecord) -> None:
+        """Take away all that hangs on the case, wherever it is shown, before another one comes."""
+        features = self._features
+        if features.foot.leave_case(coming):
+            features.capture.forget_waiting()
+        features.export.leave_case()
+        features.compare.close()
+        features.case_files.opener.cancel()
+        features.design.side_by_side.forget()
+        features.design.repeat.forget()
+        self._stage.clear()
+        self._services.notices.clear()
+        self._services.messages.clear()
+        self._show_choices()
 
     def _go_to_step(self, key: str) -> None:
         if key == "patient":
@@ -128,7 +149,9 @@ class MainController(QObject):
         self.run_action({"open_mesh": "open_archive"}.get(key, key), False)
 
     def _show_recent(self) -> None:
-        self._window.show_recent(self._services.recent.names)
+        names = self._services.recent.names
+        self._window.show_recent(names)
+        self._stage.show_recent(names)
 
     def _show_state(self) -> None:
         case, window = self._case, self._window

@@ -88,7 +88,8 @@ class MainWindow(QMainWindow):
 
     def show_title(self, name: str, unsaved: bool) -> None:
         """Show which case is open."""
-        self.setWindowTitle(f"{name}[*] – Insole Studio")
+        written = name.replace("[*]", "[*][*]")  # Qt's mark of what is not saved, and its escape
+        self.setWindowTitle(f"{written}[*] – Insole Studio")
         self.setWindowModified(unsaved)
 
     def show_action(self, key: str, enabled: bool, text: str | None = None) -> None:
@@ -121,7 +122,8 @@ class MainWindow(QMainWindow):
         """List the recently opened files."""
         self._recent.clear()
         for name in names:
-            action = self._recent.addAction(name)
+            action = self._recent.addAction(name.replace("&", "&&"))
+            action.setData(name)
             action.triggered.connect(self._choose_recent)
         self._recent.setEnabled(bool(names))
 
@@ -202,7 +204,7 @@ class MainWindow(QMainWindow):
     def _choose_recent(self) -> None:
         action = self.sender()
         assert isinstance(action, QAction)
-        self.recent_chosen.emit(action.text())
+        self.recent_chosen.emit(action.data())
 
     def _group_actions(self) -> None:
         groups: dict[str, QActionGroup] = {}

@@ -93,7 +93,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
     ),
     (
         lambda: tr("&Tools"),
-        (*TOOL_KEYS, SEPARATOR, "compare", "calibrate"),
+        (*TOOL_KEYS, SEPARATOR, "compare", "calibrate", "print_boards"),
     ),
     (
         lambda: tr("&Prescribe"),

@@ -84,6 +84,10 @@ class AnsweredQuestions(Questions):
         """Return whether existing files may be overwritten."""
         return self.answers.replace
 
+    def may_discard(self, _name: str) -> bool:
+        """Return whether recovered work may be discarded: if unsaved work is."""
+        return self.answers.unsaved is Answer.DISCARD
+
     def folder_to_open(self) -> Path | None:
         """Return the path."""
         return self.answers.path

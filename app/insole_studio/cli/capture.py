@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
-from contextlib import closing
+from contextlib import ExitStack, closing
 from dataclasses import replace
 from datetime import UTC, datetime
 from functools import partial
@@ -61,6 +61,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Capture every view, then move the session to its destination."""
     _check_out(arguments.out)
+    from insole_studio.acquisition.unfinished_captures import hold_draft, holding_target
+
+    with ExitStack() as held:
+        held.enter_context(holding_target(arguments.out))
+        if arguments.resume:
+            held.callback(hold_draft(arguments.resume).release)
+        _capture(arguments, progress, held)
+
+
+def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack) -> None:
+    """Capture while the destination, and a draft that is resumed, are ours alone."""
     from insole_studio.acquisition.capture_runner import (
         CaptureCallbacks,
         CaptureRunner,
@@ -73,7 +84,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     found = len(rig.require())
     left = _left_draft(arguments.resume) if arguments.resume else None
     request = _request(arguments, source, found, left)
-    draft = left or _new_draft(arguments, request, source, setup)
+    draft = left or _new_draft(arguments, request, source, setup, held)
     with closing(draft):
         draft.expect(request.plan().views)
         plan = _missing(request.plan(), draft.views)
@@ -146,13 +157,17 @@ def _new_draft(
     request: PlanRequest,
     source: SensorSource,
     setup: CaptureSetup,
+    held: ExitStack,
 ) -> Draft:
     from insole_studio.acquisition.draft import Draft, drafts_folder_of_user
+    from insole_studio.acquisition.unfinished_captures import Drafts
 
     views = request.plan().views
     manifest = replace(_manifest(arguments, source, setup), extra=request.as_extra())
     name = f"{manifest.recorded_at.replace(':', '')}-{manifest.side.value}"
-    return Draft(drafts_folder_of_user() / name, manifest, views)
+    begun = Drafts(drafts_folder_of_user()).begin(name)
+    held.callback(begun.release)
+    return Draft(begun.folder, manifest, views)
 
 
 def _manifest(arguments: argparse.Namespace, source: SensorSource, setup: CaptureSetup) -> Manifest:

@@ -27,6 +27,10 @@ class Case(QObject):
     during a drag. Everything else listens.
     """
 
+    leaving = Signal()
+    """Another case or another foot is about to come; what is being typed belongs to this one."""
+    closing = Signal(object)
+    """Another case is about to come, with this record; nothing that hangs on this one may stay."""
     opened = Signal()
     """Another case was opened."""
     foot_changed = Signal()
@@ -103,6 +107,8 @@ class Case(QObject):
             Consecutive steps with the same non-empty key are merged into one.
         """
         self._shown = None
+        if isinstance(value, FootRecord):
+            self.leaving.emit()
         after = _with(self._record, value)
         if after is self._record:
             self.preview_changed.emit()
@@ -127,6 +133,7 @@ class Case(QObject):
     def take_foot(self, side: Side) -> None:
         """Make the foot of a side active; that does not change the case."""
         if self._record.at(side) is not self._record:
+            self.leaving.emit()
             self._shown = None
             self._history.end_merging()
             self._put(self._record.at(side))
@@ -160,6 +167,23 @@ class Case(QObject):
         unsaved
             Whether the record already differs from the file.
         """
+        self.leaving.emit()
+        self.closing.emit(record)
+        self._begin(record, path, unsaved)
+
+    def open_foot(self, foot: Foot, source: ScanSource) -> None:
+        """Begin a design on a new foot alone; the patient stays.
+
+        Parameters
+        ----------
+        source
+            The scan that the foot was made from.
+        """
+        self.leaving.emit()
+        record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
+        self._begin(record, self.path, unsaved=True)
+
+    def _begin(self, record: CaseRecord, path: Path | None, unsaved: bool) -> None:
         self._history.clear()
         self._shown = None
         self._selection = None
@@ -170,17 +194,6 @@ class Case(QObject):
         self.foot_changed.emit()
         self.selection_changed.emit()
         self.saved_changed.emit()
-
-    def open_foot(self, foot: Foot, source: ScanSource) -> None:
-        """Begin a design on a new foot alone; the patient stays.
-
-        Parameters
-        ----------
-        source
-            The scan that the foot was made from.
-        """
-        record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
-        self.open(record, self.path, unsaved=True)
 
     def mark_saved(self, record: CaseRecord, path: Path) -> None:
         """Note that the file contains `record`."""

@@ -41,6 +41,7 @@ class InsolePreview(QObject):
         self.builder = InsoleBuilder()
         """Shared by all that build insoles of the open case."""
         self.problem = ""
+        case.closing.connect(self._let_go)
         case.opened.connect(self.builder.forget)
         case.foot_changed.connect(self._forget)
         case.changed.connect(self._refresh)
@@ -130,11 +131,14 @@ class InsolePreview(QObject):
         """
         return self._insole is not None and self._insole.covers(x_mm, y_mm)
 
-    def _forget(self) -> None:
+    def _let_go(self) -> None:
         self._jobs.cancel(CHANNEL)
         self._insole = None
         self._set_problem("")
         self.changed.emit()
+
+    def _forget(self) -> None:
+        self._let_go()
         self._refresh()
 
     def _refresh(self) -> None:

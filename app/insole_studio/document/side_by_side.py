@@ -68,6 +68,8 @@ class SideBySide(QObject):
         self._jobs = jobs
         self._against = ""
         self._last_chosen: tuple[Side, str] | None = None
+        self._names = ("", "")
+        """Names of the chosen variant and of the one beside it, as last announced."""
         self._laid: tuple[object, Built, FloatArray] | None = None
         self.kind = Beside.NOTHING
         self.built: Built | None = None
@@ -97,6 +99,11 @@ class SideBySide(QObject):
         self.built = None
         self._refresh()
         self.changed.emit()
+
+    def forget(self) -> None:
+        """Show nothing beside the foot, and forget what was chosen before."""
+        self._against, self._last_chosen = "", None
+        self.show(Beside.NOTHING)
 
     def heights_mm(self, field: HeightField, xy: FloatArray) -> FloatArray:
         """Return the counterpart's heights at places (n, 2) of the active foot; NaN outside it.
@@ -142,12 +149,16 @@ class SideBySide(QObject):
     def _refresh(self) -> None:
         self._note_chosen()
         wanted = self._wanted()
+        foot = self._case.record.current
+        before, self._names = self._names, ("" if foot is None else foot.chosen, self.variant)
         if wanted is None:
             self._forget()
         elif self.built is None or (self.built.foot, self.built.design) != wanted:
             if self.built is not None and self.built.foot is not wanted[0]:
                 self._forget()
             self._build(*wanted)
+        elif self._names != before:
+            self.changed.emit()  # the same design under another name
 
     def _note_chosen(self) -> None:
         """Compare with the variant that was chosen before this one."""

@@ -3,10 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
 
 from PySide6.QtCore import QObject
 
 from insole_studio.widgets.notice_bar import Notice, NoticeBar
+
+Offer: TypeAlias = tuple[str, Callable[[], object]]
+"""Label of a button, and what it does."""
+
+
+@dataclass(frozen=True)
+class _Shown:
+    notice: Notice
+    offers: tuple[Offer, ...]
+    stays: bool
 
 
 class Notices(QObject):
@@ -15,28 +27,29 @@ class Notices(QObject):
     def __init__(self, bar: NoticeBar, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._bar = bar
-        self._shown: dict[str, tuple[Notice, Callable[[], object] | None]] = {}
+        self._shown: dict[str, _Shown] = {}
         bar.taken.connect(self.take)
         bar.dismissed.connect(self.drop)
 
     @property
     def notices(self) -> list[Notice]:
         """Return the shown notices."""
-        return [notice for notice, _ in self._shown.values()]
+        return [shown.notice for shown in self._shown.values()]
 
-    def put(
-        self, key: str, text: str, offer: str = "", run: Callable[[], object] | None = None
-    ) -> None:
-        """Show a notice, with a button labelled `offer` that calls `run`.
+    def put(self, key: str, text: str, *offers: Offer, stays: bool = False) -> None:
+        """Show a notice, with a button for each offer.
 
         Parameters
         ----------
         key
             A later notice with the same key replaces this one.
-        offer
-            Label of the button; without one there is no button.
+        offers
+            Label and action of each button.
+        stays
+            Whether it outlives the open case, because it does not concern it.
         """
-        self._shown[key] = Notice(key, text, offer), run
+        labels = tuple(label for label, _ in offers)
+        self._shown[key] = _Shown(Notice(key, text, labels), offers, stays)
         self._bar.show_notices(self.notices)
 
     def drop(self, key: str) -> None:
@@ -44,9 +57,13 @@ class Notices(QObject):
         if self._shown.pop(key, None) is not None:
             self._bar.show_notices(self.notices)
 
-    def take(self, key: str) -> None:
-        """Carry out what a notice offers, and remove it."""
-        _, run = self._shown[key]
+    def clear(self) -> None:
+        """Remove all notices that concern the open case."""
+        self._shown = {key: shown for key, shown in self._shown.items() if shown.stays}
+        self._bar.show_notices(self.notices)
+
+    def take(self, key: str, number: int = 0) -> None:
+        """Remove a notice, and carry out one of its offers."""
+        _, run = self._shown[key].offers[number]
         self.drop(key)
-        if run is not None:
-            run()
+        run()

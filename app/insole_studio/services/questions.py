@@ -137,6 +137,16 @@ class Questions:
         box.exec()
         return box.clickedButton() is replace
 
+    def may_discard(self, name: str) -> bool:
+        """Ask whether recovered work may be discarded for good."""
+        text = tr("What was recovered of {name} and not saved will be gone for good.")
+        box = self._box(text.format(name=name))
+        discard = box.addButton(tr("Discard it"), QMessageBox.ButtonRole.DestructiveRole)
+        keep = box.addButton(tr("Keep it"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(keep)
+        box.exec()
+        return box.clickedButton() is discard
+
     def folder_to_open(self) -> Path | None:
         """Ask for the folder of a session."""
         name = QFileDialog.getExistingDirectory(self._parent, tr("Open session"))

@@ -34,6 +34,10 @@ class UserMessages(QObject):
         """
         self._window.statusBar().showMessage(text, for_ms)
 
+    def clear(self) -> None:
+        """Empty the status line."""
+        self._window.statusBar().clearMessage()
+
     def show_error(self, error: Exception) -> None:
         """Show an error, with details only if its message was not written for the user."""
         if isinstance(error, InsoleError):

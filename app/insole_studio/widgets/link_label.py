@@ -27,6 +27,7 @@ class LinkLabel(QLabel):
         super().__init__()
         self._words, self._target = words, target
         self._decoration = "underline" if underlined else "none"
+        self.setTextFormat(Qt.TextFormat.RichText)
         self.setWordWrap(True)
         by = Qt.TextInteractionFlag
         self.setTextInteractionFlags(by.LinksAccessibleByMouse | by.LinksAccessibleByKeyboard)

@@ -26,17 +26,18 @@ LEAST_PX = 640
 
 @dataclass(frozen=True)
 class Notice:
-    """One notice; `offer` is the text of its button, empty for none."""
+    """One notice, with the texts of its buttons."""
 
     key: str
     text: str
-    offer: str = ""
+    offers: tuple[str, ...] = ()
 
 
 class NoticeBar(QWidget):
     """Shows notices, short ones side by side; has no height while there are none."""
 
-    taken = Signal(str)
+    taken = Signal(str, int)
+    """Emitted with the key of the notice and the number of its button."""
     dismissed = Signal(str)
     filled = Signal(bool)
 
@@ -78,7 +79,7 @@ class NoticeBar(QWidget):
 class _Line(QFrame):
     """One notice: its text, unfolded if long, its button, and a button to dismiss it."""
 
-    taken = Signal(str)
+    taken = Signal(str, int)
     dismissed = Signal(str)
 
     def __init__(self, notice: Notice) -> None:
@@ -95,8 +96,9 @@ class _Line(QFrame):
         row.setContentsMargins(8, 2, 4, 2)
         row.addWidget(self._text, 1)
         row.addWidget(self._more)
-        if notice.offer:
-            take = QPushButton(notice.offer)
+        for number, offer in enumerate(notice.offers):
+            take = QPushButton(offer)
+            take.setProperty("offer", number)
             take.clicked.connect(self._take)
             row.addWidget(take)
         dismiss = _button("remove", tr("Dismiss"))
@@ -107,7 +109,7 @@ class _Line(QFrame):
         self._more.setVisible(too_long or self._more.isChecked())
 
     def _take(self) -> None:
-        self.taken.emit(self._key)
+        self.taken.emit(self._key, self.sender().property("offer"))
 
     def _dismiss(self) -> None:
         self.dismissed.emit(self._key)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPol
 from PySide6.QtWidgets import QWidget
 
 from insole_core.geometry.arrays import FloatArray
+from insole_studio.texts import localised
 
 LEFT_PX, BOTTOM_PX, FREE_PX = 40.0, 22.0, 12.0
 STEPS_MM = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
@@ -128,13 +129,13 @@ class SectionChart(QWidget):
             at = mm2px.map(QPointF(s, shown.top()))
             painter.drawLine(at, at + QPointF(0, 4))
             words = QRectF(at.x() - 30, at.y() + 4, 60, BOTTOM_PX - 4)
-            painter.drawText(words, Qt.AlignmentFlag.AlignCenter, f"{s:g}")
+            painter.drawText(words, Qt.AlignmentFlag.AlignCenter, localised(s, "g"))
         for z in _ticks(shown.top(), shown.bottom(), mm2px.m11(), 18.0):
             at = mm2px.map(QPointF(shown.left(), z))
             painter.drawLine(at, at - QPointF(4, 0))
             words = QRectF(0, at.y() - 9, LEFT_PX - 7, 18)
             end = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(words, end, f"{z:g}")
+            painter.drawText(words, end, localised(z, "g"))
         painter.setPen(self.palette().placeholderText().color())
         top = QRectF(frame.left() + 6, frame.top() - 4, frame.width() - 12, 18)
         painter.drawText(top, Qt.AlignmentFlag.AlignLeft, self._ends[0])
@@ -151,7 +152,7 @@ class SectionChart(QWidget):
         painter.setPen(QPen(self.palette().windowText().color(), 1, Qt.PenStyle.DashLine))
         at = mm2px.map(QPointF(s, z))
         painter.drawLine(mm2px.map(QPointF(s, z - thickness)), at)
-        painter.drawText(at + QPointF(6, -6), f"{thickness:.1f} mm")
+        painter.drawText(at + QPointF(6, -6), f"{localised(thickness)} mm")
 
 
 def _ticks(

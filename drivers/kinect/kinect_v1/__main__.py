@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 import json
 import shutil
+import signal
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import NoReturn
 
 from kinect_v1 import modes
 from kinect_v1.emulation.bus import EmulatedBus
@@ -29,6 +31,8 @@ VIDEO_MODES: dict[str, StreamMode | None] = {
     "none": None,
 }
 _STATUS_LINES = 2
+INTERRUPTED = 130
+"""Exit code after Ctrl+C, as shells give it: 128 and the number of the signal."""
 _PATIENT = CameraSettings(watchdog_s=3.0)
 
 
@@ -52,8 +56,9 @@ def main(arguments: list[str] | None = None, find_bus: Callable[[], UsbBus] = sy
     except KinectError as error:
         print(error, file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        return 0
+    except KeyboardInterrupt as stop:
+        print(str(stop) or "Stopped on request; nothing was written.", file=sys.stderr)
+        return INTERRUPTED
     return 0
 
 
@@ -119,6 +124,14 @@ def _start(camera: KinectCamera, options: argparse.Namespace) -> tuple[Stream, S
 
 
 def _view(options: argparse.Namespace, bus: UsbBus) -> None:
+    try:
+        _show(options, bus)
+    except KeyboardInterrupt:
+        if options.frames is not None:  # without a number it is how the view ends
+            raise
+
+
+def _show(options: argparse.Namespace, bus: UsbBus) -> None:
     with open_camera(options.serial, _PATIENT, bus) as camera:
         depth, video = _start(camera, options)
         print(CLEAR, end="")
@@ -147,28 +160,43 @@ def _posture(camera: KinectCamera) -> Posture | None:
 
 
 def _record(options: argparse.Namespace, bus: UsbBus) -> None:
-    wanted = options.frames or 10
-    with (
-        recording_folder(options.folder) as writer,
-        open_camera(options.serial, _PATIENT, bus) as camera,
-    ):
-        posture = _posture(camera)
-        if posture is not None:
-            writer.add_posture(posture)
-        depth, video = _start(camera, options)
-        for _ in range(wanted):
-            writer.add(depth.read())
-            if video and (frame := video.poll()) is not None:  # colour is never faster than depth
-                writer.add(frame)
-        if video and not video.counts.frames:
-            writer.add(video.read())
-        counts = depth.counts
-        writer.finish(camera.serial, camera.model.value, camera.calibration)
+    wanted, taken = options.frames or 10, 0
+    try:
+        with (
+            recording_folder(options.folder) as writer,
+            open_camera(options.serial, _PATIENT, bus) as camera,
+        ):
+            posture = _posture(camera)
+            if posture is not None:
+                writer.add_posture(posture)
+            depth, video = _start(camera, options)
+            for _ in range(wanted):
+                writer.add(depth.read())
+                taken += 1
+                if video and (frame := video.poll()) is not None:  # colour is never faster
+                    writer.add(frame)
+            if video and not video.counts.frames:
+                writer.add(video.read())
+            counts = depth.counts
+            writer.finish(camera.serial, camera.model.value, camera.calibration)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(
+            f"Stopped on request; {taken} of {wanted} depth frames had come and are discarded, "
+            f"and {options.folder} was not written."
+        ) from None
     print(
         f"{options.folder}: {wanted} depth frames; left out: {counts.discarded} damaged, "
         f"{counts.overrun} that came faster than they could be written"
     )
 
 
+def _interrupt(_signal: int, _frame: object) -> NoReturn:
+    """Stop as on Ctrl+C, so that emitters go dark and nothing half-written stays."""
+    raise KeyboardInterrupt
+
+
 if __name__ == "__main__":
+    for name in ("SIGTERM", "SIGHUP"):  # Windows has no SIGHUP
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), _interrupt)
     sys.exit(main())

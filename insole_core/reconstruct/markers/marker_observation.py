@@ -62,12 +62,16 @@ class Registration:
     displacement_mm : optional
         Standard deviation of the position of the foot's middle that follows from the pose's; with
         `camera_pose` only.
+    depth_scale
+        Measured over true depth; other than 1 where the markers contradict the depth image. The
+        pose is that of the view with its depth divided by it.
     """
 
     sensor2reference: FloatArray
     fixes: tuple[MarkerObservation, ...]
     camera_pose: CameraPose | None = None
     displacement_mm: float | None = None
+    depth_scale: float = 1.0
 
     @property
     def residuals_mm(self) -> FloatArray:

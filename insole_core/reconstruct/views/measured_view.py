@@ -15,6 +15,7 @@ from insole_core.reconstruct.markers.blobs import Blobs, find_blobs, sharpened
 from insole_core.reconstruct.markers.detections import Detections, locate_blobs
 from insole_core.reconstruct.markers.edited_matching import with_places
 from insole_core.reconstruct.markers.marker_observation import Registration
+from insole_core.reconstruct.poses.depth_scale import depth_scale, scale_note
 from insole_core.reconstruct.poses.pose_quality import (
     DEFAULT_LIMITS,
     PoseRefusedError,
@@ -24,9 +25,10 @@ from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.result import ViewResult, placed_result
 from insole_core.reconstruct.views.coloring import mean_color
 from insole_core.reconstruct.views.picture_quality import picture_fault
-from insole_core.reconstruct.warnings import check_still, motion_note
+from insole_core.reconstruct.warnings import check_still, correction_note, motion_note
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
+from insole_core.sensing.disparity import ScaledDisparity
 from insole_core.sensing.frames import RawAverage, average_raw, median_raw
 
 
@@ -93,7 +95,8 @@ class MeasuredView:
         Returns
         -------
         Registration
-            Pose, and what was decided about every marker.
+            Pose, and what was decided about every marker; with a depth scale other than 1, for
+            `at_scale`.
 
         Raises
         ------
@@ -102,7 +105,12 @@ class MeasuredView:
             was found but not accepted.
         """
         try:
-            return self._registered(system, limits, edits)
+            registration = self._registered(system, limits, edits)
+            scale = depth_scale(registration, self.sightings, system, self.view.sensor)
+            if scale == 1.0:
+                return registration
+            again = self.at_scale(scale)._registered(system, limits, edits)
+            return replace(again, depth_scale=scale)
         except ReconstructionError as error:
             if not self.picture_fault:
                 raise
@@ -110,6 +118,15 @@ class MeasuredView:
             if isinstance(error, PoseRefusedError):
                 raise PoseRefusedError(reason, error.registration) from error
             raise ReconstructionError(reason) from error
+
+    def at_scale(self, scale: float) -> MeasuredView:
+        """Return the view with its depth divided by a scale."""
+        if scale == 1.0:
+            return self
+        sensor = self.view.sensor
+        corrected = replace(sensor, disparity=ScaledDisparity(sensor.disparity, 1 / scale))
+        view = replace(self.view, sensor=corrected)
+        return replace(self, view=view, points=self.points / scale)
 
     def _registered(
         self, system: ReferenceSystem, limits: RegistrationLimits, edits: ViewEdits
@@ -159,7 +176,9 @@ def used_result(measured: MeasuredView, registration: Registration, note: str = 
     ViewResult
         Marked as used, its remarks joined in `reason`.
     """
-    notes = (measured.motion_note, measured.picture_fault, note)
+    foreign = correction_note(measured.view.sensor)
+    scale = scale_note(registration.depth_scale)
+    notes = (measured.motion_note, measured.picture_fault, foreign, scale, note)
     return replace(
         placed_result(measured.view.name, registration),
         used=True,

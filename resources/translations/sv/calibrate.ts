@@ -4,12 +4,28 @@
     <context>
         <name>studio</name>
         <message>
+            <source>Board</source>
+            <translation>Bräde</translation>
+        </message>
+        <message>
+            <source>Boards and marker templates at true size</source>
+            <translation>Brädor och markörmallar i rätt storlek</translation>
+        </message>
+        <message>
             <source>Calibrate</source>
             <translation>Kalibrera</translation>
         </message>
         <message>
             <source>Calibrate sensors</source>
             <translation>Kalibrera sensorer</translation>
+        </message>
+        <message>
+            <source>ChArUco board</source>
+            <translation>ChArUco-bräde</translation>
+        </message>
+        <message>
+            <source>Chequerboard</source>
+            <translation>Schackbräde</translation>
         </message>
         <message>
             <source>Choose folder…</source>
@@ -80,12 +96,40 @@
             <translation>Ingenting saknas: kalibrera.</translation>
         </message>
         <message>
+            <source>Paper</source>
+            <translation>Papper</translation>
+        </message>
+        <message>
+            <source>Print at 100 %, check the line at the edge, and glue the page to something stiff.</source>
+            <translation>Skriv ut i 100 %, kontrollera linjen vid kanten och limma sidan på något styvt.</translation>
+        </message>
+        <message>
+            <source>Print boards</source>
+            <translation>Skriv ut brädor</translation>
+        </message>
+        <message>
+            <source>Print boards…</source>
+            <translation>Skriv ut brädor…</translation>
+        </message>
+        <message>
+            <source>Print calibration boards…</source>
+            <translation>Skriv ut kalibreringsbrädor…</translation>
+        </message>
+        <message>
             <source>Print the chequerboard at 100 %, glue it to something stiff, and take 15 colour pictures of it: tilted by 20 to 40° to all sides, in all parts of the picture.</source>
             <translation>Skriv ut schackbrädet i 100 %, limma det på något styvt och ta 15 färgbilder av det: lutat 20 till 40° åt alla håll, i alla delar av bilden.</translation>
         </message>
         <message>
+            <source>Print…</source>
+            <translation>Skriv ut…</translation>
+        </message>
+        <message>
             <source>Save anyway</source>
             <translation>Spara ändå</translation>
+        </message>
+        <message>
+            <source>Save as PDF…</source>
+            <translation>Spara som PDF…</translation>
         </message>
         <message>
             <source>Save it, if this is what you expect.</source>
@@ -94,6 +138,10 @@
         <message>
             <source>Save to the device</source>
             <translation>Spara för sensorn</translation>
+        </message>
+        <message>
+            <source>Saved: {path}</source>
+            <translation>Sparad: {path}</translation>
         </message>
         <message>
             <source>Sensor</source>
@@ -122,6 +170,10 @@
         <message>
             <source>Taking the picture: hold still.</source>
             <translation>Bilden tas: håll stilla.</translation>
+        </message>
+        <message>
+            <source>Templates of the marker faces</source>
+            <translation>Mallar för markörsidorna</translation>
         </message>
         <message>
             <source>The live picture</source>

@@ -60,6 +60,10 @@
             <translation>Avbildningen avbröts.</translation>
         </message>
         <message>
+            <source>The earlier scan is kept.</source>
+            <translation>Den tidigare avbildningen finns kvar.</translation>
+        </message>
+        <message>
             <source>The markers are not recognised; bring the reference system into the picture</source>
             <translation>Markörerna känns inte igen; för in referenssystemet i bilden</translation>
         </message>

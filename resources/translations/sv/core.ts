@@ -68,6 +68,10 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
+            <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
+        </message>
+        <message>
             <source>A point is marked outside of the depth image of {width}×{height}; correct its pixel.</source>
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
         </message>
@@ -112,6 +116,10 @@
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
         <message>
+            <source>Another capture is to be written to {path}; wait until it has ended, or choose another name.</source>
+            <translation>En annan avbildning ska skrivas till {path}; vänta tills den är klar, eller välj ett annat namn.</translation>
+        </message>
+        <message>
             <source>At least three points are needed to place one frame in another, but only {count} were given.</source>
             <translation>Minst tre punkter behövs för att lägga ett koordinatsystem i ett annat, men bara {count} gavs.</translation>
         </message>
@@ -138,6 +146,10 @@
         <message>
             <source>Capturing view {views}</source>
             <translation>Avbildar vy {views}</translation>
+        </message>
+        <message>
+            <source>ChArUco {columns}×{rows}, square {square_mm:g} mm, marker {marker_mm:g} mm, {dictionary}</source>
+            <translation>ChArUco {columns}×{rows}, ruta {square_mm:g} mm, markör {marker_mm:g} mm, {dictionary}</translation>
         </message>
         <message>
             <source>Checking view {views}</source>
@@ -186,6 +198,10 @@
         <message>
             <source>Every capture needs a raw number and a distance; measure the missing ones.</source>
             <translation>Varje tagning behöver ett råtal och ett avstånd; mät dem som saknas.</translation>
+        </message>
+        <message>
+            <source>Face {face}: {across} to the right, {along} downwards</source>
+            <translation>Sida {face}: {across} åt höger, {along} nedåt</translation>
         </message>
         <message>
             <source>Fewer than two points of the object were measured; mark them again.</source>
@@ -580,6 +596,10 @@
             <translation>Sidorna {faces} mättes tillsammans.</translation>
         </message>
         <message>
+            <source>The file does not say how the foot lies: of all ways it could stand, the one that looks most like a foot was taken.</source>
+            <translation>Filen säger inte hur foten ligger: av alla sätt den kan stå på togs det som mest liknar en fot.</translation>
+        </message>
+        <message>
             <source>The focal length is {fx:.1f} / {fy:.1f} px, known within {error_px:.1f} px.</source>
             <translation>Brännvidden är {fx:.1f} / {fy:.1f} px, känd inom {error_px:.1f} px.</translation>
         </message>
@@ -728,8 +748,8 @@
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
         </message>
         <message>
-            <source>The program that reads the sensors has ended; start it again.</source>
-            <translation>Programmet som läser sensorerna har avslutats; starta det igen.</translation>
+            <source>The program that reads the sensors has ended; look for sensors again.</source>
+            <translation>Programmet som läser sensorerna har avslutats; sök efter sensorer igen.</translation>
         </message>
         <message>
             <source>The rearfoot is posted by {angle:g}°; more than {usual:g}° is unusual.</source>
@@ -774,10 +794,6 @@
         <message>
             <source>The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.</source>
             <translation>Formen ser ut som en {shape_side} fot ({reason}); tas ändå som en {side}.</translation>
-        </message>
-        <message>
-            <source>The sole faces {sole} and the toes point along {toes} of the file: of all ways the surface could stand, this one looks most like a foot.</source>
-            <translation>Sulan vetter mot {sole} och tårna pekar längs {toes} i filen: av alla sätt ytan kan stå på liknar detta mest en fot.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>
@@ -1280,6 +1296,10 @@
             <translation>dess djupbilder saknar mätvärden; kontrollera sensorns avstånd och att inget solljus faller på foten</translation>
         </message>
         <message>
+            <source>its depth is {percent:.0f} % {direction} than its markers in the colour image say; calibrate the sensor, and see that the session has the right reference system</source>
+            <translation>dess djup är {percent:.0f} % {direction} än markörerna i färgbilden säger; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
+        </message>
+        <message>
             <source>its error of {error_px:.2f} px is far above that of the others</source>
             <translation>dess fel på {error_px:.2f} px är långt större än de andras</translation>
         </message>
@@ -1310,6 +1330,10 @@
         <message>
             <source>known to about {deviation_mm:.1f} mm only</source>
             <translation>känt på bara omkring {deviation_mm:.1f} mm</translation>
+        </message>
+        <message>
+            <source>larger</source>
+            <translation>större</translation>
         </message>
         <message>
             <source>least</source>
@@ -1632,6 +1656,10 @@
             <translation>side måste vara ”left” eller ”right”, och är {value}.</translation>
         </message>
         <message>
+            <source>smaller</source>
+            <translation>mindre</translation>
+        </message>
+        <message>
             <source>smooth map that varies with disparity</source>
             <translation>jämn karta som ändras med disparitet</translation>
         </message>
@@ -1688,8 +1716,16 @@
             <translation>de blå fläckarna ligger {rms_px:.1f} px från där markörerna borde synas; kontrollera att referenssystemet och kalibreringen är de rätta</translation>
         </message>
         <message>
+            <source>the depth is {percent:.1f} % {direction} than the markers in the colour image say, and is corrected by that; calibrate the sensor, and see that the session has the right reference system</source>
+            <translation>djupet är {percent:.1f} % {direction} än markörerna i färgbilden säger, och rättas med så mycket; kalibrera sensorn, och se till att sessionen har rätt referenssystem</translation>
+        </message>
+        <message>
             <source>the distance between the cameras</source>
             <translation>avståndet mellan kamerorna</translation>
+        </message>
+        <message>
+            <source>the distortion of the depth is corrected by what was measured on sensor {owner}, not on {serial}, so the depth may be wrong by several millimetres; give the session the calibration of its own sensor</source>
+            <translation>djupets distorsion rättas med vad som mättes på sensor {owner}, inte på {serial}, så djupet kan vara flera millimeter fel; ge sessionen kalibreringen från dess egen sensor</translation>
         </message>
         <message>
             <source>the distortion of the depth was not corrected yet, so calibrate it first</source>
@@ -1920,6 +1956,10 @@
             <translation>{columns}×{rows} inre hörn</translation>
         </message>
         <message>
+            <source>{columns}×{rows} inner corners, square {square_mm:g} mm</source>
+            <translation>{columns}×{rows} inre hörn, ruta {square_mm:g} mm</translation>
+        </message>
+        <message>
             <source>{count} black dots were found on {name} and four are needed; pick the points instead.</source>
             <translation>{count} svarta prickar hittades på {name} och fyra behövs; välj punkterna i stället.</translation>
         </message>
@@ -2012,6 +2052,10 @@
             <translation>{folder} innehåller inga bilder med namnet {kind}…; ange mappen med {words}.</translation>
         </message>
         <message>
+            <source>{folder} holds no unfinished capture; it was used or discarded, or never was one.</source>
+            <translation>{folder} innehåller ingen oavslutad avbildning; den har använts eller kasserats, eller var aldrig någon.</translation>
+        </message>
+        <message>
             <source>{folder} holds no {kind}_000.png, but a view has at least one.</source>
             <translation>{folder} innehåller ingen {kind}_000.png, men en vy har minst en.</translation>
         </message>
@@ -2026,6 +2070,10 @@
         <message>
             <source>{folder} holds the calibration of sensor {owner}; calibrate sensor {serial} again.</source>
             <translation>{folder} innehåller kalibreringen av sensor {owner}; kalibrera om sensor {serial}.</translation>
+        </message>
+        <message>
+            <source>{folder} is in use by another window or command; finish or close that one first.</source>
+            <translation>{folder} används av ett annat fönster eller kommando; avsluta eller stäng det först.</translation>
         </message>
         <message>
             <source>{folder} was not left by a capture; choose the folder it named.</source>

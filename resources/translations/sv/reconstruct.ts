@@ -180,8 +180,8 @@
             <translation>Rekonstruera foten igen</translation>
         </message>
         <message>
-            <source>Red: residual × {number}</source>
-            <translation>Rött: avvikelse × {number}</translation>
+            <source>Red: how far a marker is off, {number} times enlarged</source>
+            <translation>Rött: hur mycket en markör avviker, {number} gånger förstorat</translation>
         </message>
         <message>
             <source>Remarks</source>

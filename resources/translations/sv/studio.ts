@@ -376,6 +376,10 @@
             <translation>Kasta ändringar</translation>
         </message>
         <message>
+            <source>Discard it…</source>
+            <translation>Kasta…</translation>
+        </message>
+        <message>
             <source>Do not open</source>
             <translation>Öppna inte</translation>
         </message>
@@ -632,6 +636,10 @@
             <translation>Hel längd</translation>
         </message>
         <message>
+            <source>Go on with</source>
+            <translation>Fortsätt med</translation>
+        </message>
+        <message>
             <source>Go on working</source>
             <translation>Fortsätt arbeta</translation>
         </message>
@@ -718,6 +726,14 @@
         <message>
             <source>It follows at once. The same handles work here; keys 1 to 6 look from all sides.</source>
             <translation>Det följer genast med. Samma handtag fungerar här; tangenterna 1 till 6 visar från alla håll.</translation>
+        </message>
+        <message>
+            <source>Keep it</source>
+            <translation>Behåll</translation>
+        </message>
+        <message>
+            <source>Keep it open</source>
+            <translation>Behåll öppet</translation>
         </message>
         <message>
             <source>Keep, and capture the other foot</source>
@@ -934,6 +950,10 @@
         <message>
             <source>Open case…</source>
             <translation>Öppna fall…</translation>
+        </message>
+        <message>
+            <source>Open it</source>
+            <translation>Öppna</translation>
         </message>
         <message>
             <source>Open mesh…</source>
@@ -1520,6 +1540,10 @@
             <translation>Det som är valt, i mm och grader: skriv, rulla, eller använd piltangenterna.</translation>
         </message>
         <message>
+            <source>What was recovered of {name} and not saved will be gone for good.</source>
+            <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
+        </message>
+        <message>
             <source>Which foot is {name}?</source>
             <translation>Vilken fot är {name}?</translation>
         </message>
@@ -1534,10 +1558,6 @@
         <message>
             <source>Wireframe</source>
             <translation>Trådmodell</translation>
-        </message>
-        <message>
-            <source>Work that was not saved when Insole Studio ended last time is open again.</source>
-            <translation>Arbete som inte var sparat när Insole Studio senast avslutades är öppet igen.</translation>
         </message>
         <message>
             <source>Write the insole for the shop: STL, 3MF, OBJ or PLY</source>
@@ -1602,6 +1622,14 @@
         <message>
             <source>{name} has changes that are not saved.</source>
             <translation>{name} har ändringar som inte är sparade.</translation>
+        </message>
+        <message>
+            <source>{name} was not saved either; it is kept as it was on {time}.</source>
+            <translation>{name} var inte heller sparat; det är kvar som det var {time}.</translation>
+        </message>
+        <message>
+            <source>{name} was not saved when Insole Studio ended last time. It is open again as it was on {time}.</source>
+            <translation>{name} var inte sparat när Insole Studio senast avslutades. Det är öppet igen som det var {time}.</translation>
         </message>
         <message>
             <source>{name}: {sure} % sure. Drag to move it</source>

@@ -24,6 +24,10 @@
             <translation>Rikta foten efter landmärkena</translation>
         </message>
         <message>
+            <source>All landmarks are confirmed where they stand.</source>
+            <translation>Alla landmärken är bekräftade där de står.</translation>
+        </message>
+        <message>
             <source>An outline needs at least {count} points; this one stays</source>
             <translation>En kontur behöver minst {count} punkter; den här blir kvar</translation>
         </message>
@@ -202,6 +206,14 @@
         <message>
             <source>Use as {name}</source>
             <translation>Använd som {name}</translation>
+        </message>
+        <message>
+            <source>lateral</source>
+            <translation>lateralt</translation>
+        </message>
+        <message>
+            <source>medial</source>
+            <translation>medialt</translation>
         </message>
         <message>
             <source>valgus</source>

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from simulated_device import CAMERA, DISPARITY
 
 from insole_core.calibration.boards.board import Charuco, Chequerboard
+from insole_core.calibration.boards.printed_page import charuco_page, chequerboard_page
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError, UsageError
@@ -35,14 +36,14 @@ def printed(figure: Figure) -> ByteArray:
 
 def test_the_printed_chequerboard_has_its_true_size() -> None:
     board = Chequerboard(10, 7, 25)
-    found = board.find("print", printed(targets.draw_chequerboard(board, targets.A4_MM)))
+    found = board.find("print", printed(targets.draw(chequerboard_page(board, targets.A4_MM))))
     steps = np.linalg.norm(np.diff(found.pixels.reshape(7, 10, 2), axis=1), axis=-1)
     assert np.allclose(steps / PX_PER_MM, 25, atol=0.05)
 
 
 def test_the_printed_charuco_board_has_its_true_size() -> None:
     board = Charuco(10, 7, 27, 20)
-    found = board.find("print", printed(targets.draw_charuco(board, targets.A4_MM)))
+    found = board.find("print", printed(targets.draw(charuco_page(board, targets.A4_MM))))
     assert len(found.pixels) == 54
     spread = np.ptp(found.pixels, axis=0) / np.ptp(found.points_mm[:, :2], axis=0)
     assert np.allclose(spread, PX_PER_MM, rtol=2e-3)
@@ -50,9 +51,9 @@ def test_the_printed_charuco_board_has_its_true_size() -> None:
 
 def test_a_board_that_does_not_fit(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="does not fit a page"):
-        targets.draw_chequerboard(Chequerboard(10, 7, 30), targets.A4_MM)
-    page = targets.draw_chequerboard(Chequerboard(10, 7, 30), targets.A3_MM)
-    targets.write([page], tmp_path / "x.pdf")
+        chequerboard_page(Chequerboard(10, 7, 30), targets.A4_MM)
+    page = chequerboard_page(Chequerboard(10, 7, 30), targets.A3_MM)
+    targets.write([targets.draw(page)], tmp_path / "x.pdf")
     box = re.search(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+)", (tmp_path / "x.pdf").read_bytes())
     assert box is not None
     assert float(box[1]) == pytest.approx(420 / 25.4 * 72, abs=0.1)

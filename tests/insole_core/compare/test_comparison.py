@@ -207,6 +207,12 @@ def test_points_on_one_line(plain):
         compare_surfaces(plain, plain, (line, line))
 
 
+def test_names_of_files_are_no_formulas(plain, padded, tmp_path: Path):
+    result = compare_surfaces(padded, plain, "none")
+    draw_picture(result, tmp_path / "map.png", (r"a$\frac$.ply", "b$x_$.stl"))
+    assert (tmp_path / "map.png").stat().st_size > 0
+
+
 def test_report_picture_and_surface(plain, padded, tmp_path: Path):
     result = compare_surfaces(padded, plain, "none")
     values = json.loads(json.dumps(report_json(result), allow_nan=False))

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from insole_core.errors import InputError, OutputError
 from insole_core.export import paper
 from insole_core.export.paper import (
     JobSheet,
+    paragraph,
     section_along,
     sha256_of,
     write_job_sheet,
+    write_pages,
     write_prescription,
 )
 from insole_core.resources import resource_path
@@ -85,3 +89,25 @@ def test_place_that_cannot_be_written(tmp_path: Path):
     file.write_bytes(b"solid")
     with pytest.raises(OutputError, match="folder does not exist"):
         write_job_sheet([sheet(file)], tmp_path / "no" / "sheet.pdf")
+
+
+@pytest.mark.parametrize("where", ["pseudonym", "line", "title", "file"])
+def test_markup_in_a_foreign_text_is_written_as_it_is(tmp_path: Path, where: str):
+    image = tmp_path / "beacon.png"
+    Figure(figsize=(1, 1)).savefig(image)
+    evil = f'<img src="{image}" width="50" height="50"/><b>$\\frac$ & EVIL'
+
+    def written(text: str) -> bytes:
+        path = tmp_path / "paper.pdf"
+        if where == "title":
+            write_pages([paragraph(text, paper.TITLE)], path, text, text)
+        elif where == "file":
+            file = tmp_path / "solid.stl"
+            file.write_bytes(b"solid")
+            write_job_sheet([replace(sheet(file), file_name=text)], path)
+        else:
+            facts = {"pseudonym": text if where == "pseudonym" else "A"}
+            write_prescription(facts, [text if where == "line" else "pelott"], {}, path)
+        return path.read_bytes()
+
+    assert written(evil).count(b"/Subtype /Image") == written("plain").count(b"/Subtype /Image")

@@ -114,7 +114,7 @@ def test_the_next_start_opens_the_recovered_case(
     left.write_bytes(copy.read_bytes())
     (recovered,) = find_recovered(paths.autosave_folder)
     second = build_application(qapp, paths)
-    second.features.case_files.opener.offer_recovered(recovered)
+    second.features.case_files.recovery.offer([recovered])
     assert second.case.side is Side.RIGHT
     assert second.case.has_unsaved_changes
     assert not left.exists()

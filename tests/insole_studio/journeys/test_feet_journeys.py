@@ -467,7 +467,7 @@ def test_a_case_of_two_feet_survives_a_crash(two_feet: Application, paths: UserP
     assert [foot.side for foot in record.feet] == [Side.LEFT, Side.RIGHT]
     assert record.feet[1].chosen == "B"
     crashed = Recovered(record, None, (copy,))
-    two_feet.features.case_files.opener.offer_recovered(crashed)
+    two_feet.features.case_files.recovery.offer([crashed])
     assert two_feet.case.record.feet[1].chosen == "B"
     assert two_feet.case.has_unsaved_changes
 

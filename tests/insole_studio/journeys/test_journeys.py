@@ -239,7 +239,7 @@ def test_short_notices_stand_beside_each_other(app: Application) -> None:
     notices.put("a", "Short.")
     QApplication.processEvents()
     one_line = app.stage.notices.height()
-    notices.put("b", "Short as well.", "Do it", lambda: None)
+    notices.put("b", "Short as well.", ("Do it", lambda: None))
     QApplication.processEvents()
     assert app.stage.notices.height() < 1.5 * one_line
     first, second = app.stage.notices.findChildren(QFrame, "notice")[-2:]

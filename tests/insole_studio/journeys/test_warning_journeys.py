@@ -12,12 +12,13 @@ import pytest
 from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from pytestqt.qtbot import QtBot
 
 from insole_core.errors import OutputError
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott
 from insole_core.insole.prescription.design_json import design_to_json
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
@@ -134,3 +135,37 @@ def test_a_recess_deeper_than_the_insole_is_told_while_it_is_dragged(
     assert run([*call, "--out", str(tmp_path / "insole.stl")]) != 0
     assert told in capsys.readouterr().err.splitlines()[-1]
     assert not list(tmp_path.glob("*.stl"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [(1366, 728), (1366, 1000), (1920, 1040)])
+def test_warnings_that_come_and_go_cut_nothing(
+    opened: Application, settle: Callable[[], None], qtbot: QtBot, size: tuple[int, int]
+) -> None:
+    opened.window.resize(*size)
+    opened.window.arrange()
+    high = (
+        design(opened)
+        .with_added(HeelLift(height_mm=15.0))
+        .with_added(Pelott(centre_mm=(0.0, 120.0), height_mm=14.0))
+    )
+    opened.case.apply(high, "Lift")
+    settle()
+    for _ in range(3):
+        for action in ("undo", "redo"):
+            opened.window.actions_by_key[action].trigger()
+            settle()
+            qtbot.waitUntil(lambda: cut_labels(opened.stage.patient) == [])
+
+
+def cut_labels(panel: QWidget) -> list[str]:
+    """The texts that have less room than they need."""
+    labels = [label for label in panel.findChildren(QLabel) if label.isVisible() and label.text()]
+    assert len(labels) > 10
+    return [
+        label.text()
+        for label in labels
+        if label.height() < (label.heightForWidth(label.width()) if label.wordWrap() else 0)
+        or (not label.wordWrap() and label.width() < label.minimumSizeHint().width())
+        or label.height() < label.fontMetrics().height()
+    ]

@@ -18,4 +18,10 @@ CALIBRATE_ACTIONS: tuple[ActionRecord[CalibrateWindow], ...] = (
         lambda: tr("Turn a sensor from the box into a measuring device"),
         lambda window, _on: window.open(),
     ),
+    ActionRecord(
+        "print_boards",
+        lambda: tr("Print calibration boards…"),
+        lambda: tr("Boards and marker templates at true size"),
+        lambda window, _on: window.print_boards(),
+    ),
 )

@@ -21,6 +21,12 @@ class CalibrateWindow(StageWindow["CalibrateStage"]):
         self._paths = paths
         self._source = source
 
+    def print_boards(self) -> None:
+        """Open the stage with the dialog that prints boards and marker templates."""
+        self.open()
+        if self.stage is not None:
+            self.stage.print_boards()
+
     def make_stage(self) -> CalibrateStage:
         """Create the stage and connect to the sensors."""
         from insole_studio.features.calibrate.stage import CalibrateStage

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QVBoxLayout
 
@@ -15,6 +15,7 @@ from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.features.calibrate.live_pictures import LivePictures
 from insole_studio.features.calibrate.live_presenter import LivePresenter
 from insole_studio.features.calibrate.presenter import CalibratePresenter
+from insole_studio.features.calibrate.print_dialog import PrintDialog
 from insole_studio.features.calibrate.view import CalibrateView
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr, translate_core_message
@@ -62,12 +63,20 @@ class CalibrateStage(StageFrame):
         self.presenter = CalibratePresenter(
             self.view, store, self.jobs, ask_folder or self._ask_folder, ask or self._ask
         )
-        live = LivePictures(lambda: CaptureService(source), source.setup().system)
+        self._system = source.setup().system
+        live = LivePictures(lambda: CaptureService(source), self._system)
         self.live = LivePresenter(self.view, self.presenter, live, self.jobs, folder)
+        self.view.print_requested.connect(self.print_boards)
         self._timer = QTimer(self)
         self._timer.setInterval(_TICK_MS)
         self._timer.timeout.connect(self.live.tick)
         self._timer.start()
+
+    def print_boards(self) -> None:
+        """Open the dialog that prints boards and marker templates."""
+        dialog = PrintDialog(self.view.board(), self._system, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop sensors and jobs; unsaved results are dropped."""

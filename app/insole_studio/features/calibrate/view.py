@@ -44,6 +44,7 @@ class CalibrateView(QWidget):
     live_toggled = Signal(bool)
     automatic_toggled = Signal(bool)
     take_requested = Signal()
+    print_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,6 +71,8 @@ class CalibrateView(QWidget):
         self._rows.valueChanged.connect(self._board_changed)
         self._square.edited.connect(self._board_changed)
         self.choose = _button(tr("Choose folder…"), self.folder_requested)
+        self.print_boards = _button(tr("Print boards…"), self.print_requested)
+        self.print_boards.setToolTip(tr("Boards and marker templates at true size"))
         self.calibrate = _button(tr("Calibrate"), self.calibrate_requested)
         self.save = _button(tr("Save to the device"), self.save_requested)
         self.looks = QListWidget()
@@ -201,7 +204,8 @@ class CalibrateView(QWidget):
     def _layout(self) -> None:
         left, middle, right = QVBoxLayout(), QVBoxLayout(), QVBoxLayout()
         _stack(left, QLabel(tr("Sensor")), self.serial, self.steps)
-        _stack(middle, self._title, self._instruction, self._board, self.choose)
+        _stack(middle, self._title, self._instruction, self._board, self.print_boards)
+        _stack(middle, self.choose)
         _stack(middle, self.next_steps, self.error)
         middle.addStretch(1)
         _stack(middle, self._progress, self.calibrate, self.save)

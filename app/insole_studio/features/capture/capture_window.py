@@ -60,9 +60,13 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         if self._waiting:
             self.captured.emit(self._waiting.pop(0))
 
+    def forget_waiting(self) -> None:
+        """Pass on nothing that waits: it belongs to a case that is left."""
+        self._waiting.clear()
+
     def close(self) -> None:
         """Close the stage at the end of the program; nothing is passed on."""
-        self._waiting.clear()
+        self.forget_waiting()
         super().close()
 
     def _remember_views(self, assignment: Sequence[tuple[str, str]]) -> None:

@@ -16,7 +16,7 @@ from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
+from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.messages import (
     Cancel,
@@ -31,8 +31,14 @@ from insole_studio.acquisition.messages import (
     Tilt,
 )
 from insole_studio.acquisition.plan_request import PlanRequest
-from insole_studio.acquisition.unfinished_captures import UnfinishedCapture
+from insole_studio.acquisition.unfinished_captures import (
+    Drafts,
+    UnfinishedCapture,
+    hold_draft,
+    hold_unfinished,
+)
 from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
+from insole_studio.features.capture.scan import Scan
 from insole_studio.features.capture.sensor_watch import Pictures, SensorWatch
 from insole_studio.features.capture.view_assignment import ViewAssignment, options_of
 from insole_studio.jobs import Jobs
@@ -98,8 +104,6 @@ class CapturePresenter:
         For drafts and finished sessions.
     options
         Initial options.
-    left
-        An unfinished capture of an earlier run, if any.
     remember
         Called with each new assignment.
     kept
@@ -118,7 +122,6 @@ class CapturePresenter:
         assignment: Sequence[tuple[str, str]],
         folder: Path,
         options: CaptureOptions,
-        left: UnfinishedCapture | None,
         remember: Callable[[Sequence[tuple[str, str]]], None],
         kept: Callable[[Path], None],
         finished: Callable[[], object],
@@ -135,10 +138,13 @@ class CapturePresenter:
         self._sensors = Sensors(())
         self._watches: dict[str, SensorWatch] = {}
         self._status: CaptureStatus | None = None
-        self._finished: tuple[str, ...] = ()
-        self._order: tuple[str, ...] = ()
-        self._draft: Path | None = None
-        self._left = left
+        self._drafts = Drafts(folder / "captures")
+        self._scan: Scan | None = None
+        self._earlier: Scan | None = None
+        """What comes back if the capture that is to replace it does not succeed."""
+        self._is_earlier_back = False
+        self._drafts.sweep()
+        self._left = self._drafts.newest()
         self.options = options
         self._connect(panel)
         panel.show_options(self.options)
@@ -151,7 +157,7 @@ class CapturePresenter:
         panel.retake_requested.connect(self.retake)
         panel.use_requested.connect(self.use)
         panel.other_foot_requested.connect(self.turn_to_other_foot)
-        panel.find_requested.connect(lambda: self._service.send(Find()))
+        panel.find_requested.connect(self.find)
         panel.view_chosen.connect(self.name_view)
         panel.views_swapped.connect(self.swap_views)
         panel.tilt_requested.connect(lambda s, by: self._service.send(Tilt(s, by)))
@@ -182,30 +188,48 @@ class CapturePresenter:
         if news:
             self._show()
 
+    def find(self) -> None:
+        """Look for sensors again."""
+        self._sensors = Sensors(())
+        self._service.send(Find())
+        self._show()
+
     def capture(self) -> None:
         """Capture all views, or those that a failed capture is missing."""
         plan = self._plan(self._panel.show_sentence)
-        if plan is None:
+        if plan is None or self._is_busy:
             return
-        missing = [view for view in plan.views if view not in self._finished]
-        if self._draft is None or not missing or self._order != plan.views:
-            self._begin_draft(plan)
+        scan = self._scan
+        missing = [v for v in plan.views if v not in scan.finished] if scan is not None else []
+        if scan is None or not missing or scan.order != plan.views:
+            try:
+                scan = self._begin_scan(plan)
+            except InsoleError as error:
+                self._told(error)
+                return
             missing = list(plan.views)
-        self._start(plan.only(missing))
+        self._start(scan, plan.only(missing))
 
     def retake(self, view: str) -> None:
         """Capture one view again, with its bursts."""
         plan = self._plan(self._panel.show_sentence)
-        if plan is not None and self._draft is not None:
-            self._start(plan.only([shot.view for shot in plan.shots if shot.place == view]))
+        if plan is not None and self._scan is not None and not self._is_busy:
+            views = [shot.view for shot in plan.shots if shot.place == view]
+            self._start(self._scan, plan.only(views))
 
     def resume(self) -> None:
-        """Continue the unfinished capture of an earlier run."""
-        left, self._left = self._left, None
-        if left is None or self.is_capturing:
+        """Continue the unfinished capture that is offered; what is there now is offered in turn."""
+        if self._left is None or self._is_busy:
             return
-        self._draft, self._order, self._status = left.folder, left.order, None
-        self._finished = left.manifest.views
+        try:
+            held, left = hold_unfinished(self._left.folder)
+        except InsoleError as error:
+            self._offer_left()
+            self._told(error)
+            return
+        self._set_aside()
+        self._scan = Scan(held, left.order, left.views)
+        self._offer_left()
         self._assignment.take(left.request.assignment)
         condition = left.manifest.capture_condition or CaptureCondition()
         self._choose(
@@ -219,11 +243,19 @@ class CapturePresenter:
         )
 
     def discard(self) -> None:
-        """Delete the unfinished capture of an earlier run."""
-        left, self._left = self._left, None
-        if left is not None:
-            left.discard()
-        self._show()
+        """Delete the unfinished capture that is offered."""
+        try:
+            if self._left is not None:
+                hold_draft(self._left.folder).discard()
+        except InsoleError as error:
+            self._told(error)
+        self._offer_left()
+
+    def close(self) -> None:
+        """Leave the drafts to others."""
+        for scan in (self._scan, self._earlier):
+            if scan is not None:
+                scan.release()
 
     def use(self) -> None:
         """Keep the session and finish."""
@@ -248,7 +280,8 @@ class CapturePresenter:
     def edit_options(self, options: CaptureOptions) -> None:
         """Apply the options; another side begins a new capture."""
         if options.side is not self.options.side:
-            self._forget_draft()
+            self._set_aside()
+            self._offer_left()
         self.options = options
         self._show()
 
@@ -257,12 +290,29 @@ class CapturePresenter:
             self._sensors = event
         elif isinstance(event, CaptureStatus):
             self._status = event
-            done = (view.view for view in event.views if view.finished)
-            self._finished = tuple(dict.fromkeys((*self._finished, *done)))
-            if event.phase is CapturePhase.FAILED:
-                self._panel.show_sentence(event.sentence)
+            if self._scan is not None:
+                self._scan.take(event)
+            if event.phase.is_end:
+                self._end(event)
         elif isinstance(event, Message):
             self._panel.show_sentence(event)
+
+    def _end(self, status: CaptureStatus) -> None:
+        """Keep what a capture has; one that was to replace a scan does so only if it succeeds."""
+        if status.phase is CapturePhase.FAILED:
+            self._panel.show_sentence(status.sentence)
+        if status.phase is not CapturePhase.DONE and self._scan is not None:
+            self._scan.look_on_disk()
+        earlier, self._earlier = self._earlier, None
+        if earlier is None:
+            return
+        if status.phase is CapturePhase.DONE:
+            earlier.release()
+        else:
+            self._set_aside()
+            self._scan, self._is_earlier_back = earlier, True
+            self._status = replace(status, views=())
+        self._offer_left()
 
     def _welcome(self) -> None:
         """Assign views to new sensors, and start following each sensor."""
@@ -301,19 +351,24 @@ class CapturePresenter:
             tell(str(error))
             return None
 
-    def _begin_draft(self, plan: CapturePlan) -> None:
-        stamp = datetime.now().strftime("%Y-%m-%d-%H%M%S")
-        self._draft = self._folder / "captures" / f"{stamp}-{self.options.side.value}"
-        self._order = plan.views
-        self._finished = ()
-        self._left = None
+    @property
+    def _is_busy(self) -> bool:
+        return self.is_capturing or self._jobs.is_running(_PUBLISHING)
 
-    def _start(self, plan: CapturePlan) -> None:
-        if self._draft is None or self.is_capturing:
-            return
-        self._finished = tuple(view for view in self._finished if view not in plan.views)
+    def _begin_scan(self, plan: CapturePlan) -> Scan:
+        stamp = datetime.now().strftime("%Y-%m-%d-%H%M%S")
+        held = self._drafts.begin(f"{stamp}-{self.options.side.value}")
+        if self._scan is not None and self._scan.finished:
+            self._earlier = self._scan
+        else:
+            self._set_aside()
+        self._scan = Scan(held, plan.views)
+        return self._scan
+
+    def _start(self, scan: Scan, plan: CapturePlan) -> None:
         self._status = CaptureStatus(CapturePhase.SETTLING, (), tr("Starting"))
-        self._service.send(Start(plan, self._draft, self._manifest(), self._order))
+        self._is_earlier_back = False
+        self._service.send(Start(plan, scan.folder, self._manifest(), scan.order))
         self._show()
 
     def _manifest(self) -> Manifest:
@@ -324,32 +379,48 @@ class CapturePresenter:
             reference_system=place.system,
             views=(),
             volume_of_interest=place.volume_of_interest,
-            capture_condition=CaptureCondition(options.weight_bearing, options.held, options.notes),
+            capture_condition=self._condition,
             extra=self._request.as_extra(),
         )
 
+    @property
+    def _condition(self) -> CaptureCondition:
+        options = self.options
+        return CaptureCondition(options.weight_bearing, options.held, options.notes)
+
     def _publish(self, then: Callable[[], object]) -> None:
-        if self._draft is None or not self._finished or self.is_capturing:
+        scan = self._scan
+        if scan is None or not scan.finished or self._is_busy:
             return
-        draft, order = self._draft, self._order
+        draft, order, condition = scan.folder, scan.order, self._condition
         path = self._folder / "sessions" / draft.name
 
         def write(progress: Progress) -> Path:
             progress.step(0.0, tr("Checking the session"))
             path.parent.mkdir(parents=True, exist_ok=True)
-            Draft.reopen(draft, order).publish(path)
+            reopened = Draft.reopen(draft, order)
+            reopened.describe(condition)  # what was entered since the capture began
+            reopened.publish(path)
             return path
 
         def written(done: Path) -> None:
-            self._forget_draft()
-            self._show()
+            self._set_aside()
+            self._offer_left()
             self._kept(done)
             then()
 
         self._jobs.start(_PUBLISHING, write, written, self._told)
 
-    def _forget_draft(self) -> None:
-        self._draft, self._status, self._finished = None, None, ()
+    def _set_aside(self) -> None:
+        """Leave the scan, if there is one, on the disk, where it can be offered."""
+        if self._scan is not None:
+            self._scan.release()
+        self._scan = self._status = None
+        self._is_earlier_back = False
+
+    def _offer_left(self) -> None:
+        self._left = self._drafts.newest()
+        self._show()
 
     def _turn_to(self, side: Side) -> None:
         self._choose(replace(self.options, side=side))
@@ -392,14 +463,22 @@ class CapturePresenter:
 
     def _retakes(self, serial: str) -> tuple[str, ...]:
         """Return the positions of a sensor at which all its views are complete."""
-        plan = self._plan() if self._finished else None
+        finished = self._finished
+        plan = self._plan() if finished else None
         shots = [shot for shot in plan.shots if shot.serial == serial] if plan is not None else []
-        missing = {shot.place for shot in shots if shot.view not in self._finished}
+        missing = {shot.place for shot in shots if shot.view not in finished}
         return tuple(dict.fromkeys(s.place for s in shots if s.place not in missing))
 
+    @property
+    def _finished(self) -> tuple[str, ...]:
+        return self._scan.finished if self._scan is not None else ()
+
+    @property
+    def _views(self) -> tuple[ViewStatus, ...]:
+        return self._scan.views(self._status) if self._scan is not None else ()
+
     def _progress_of(self, serial: str) -> str:
-        views = self._status.views if self._status is not None else ()
-        own = [view for view in views if view.serial == serial]
+        own = [view for view in self._views if view.serial == serial]
         if not own:
             return ""
         taken, wanted = sum(view.frames for view in own), sum(view.wanted for view in own)
@@ -410,7 +489,7 @@ class CapturePresenter:
         return CaptureRow(
             running=running,
             fraction=status.fraction if status is not None else 0.0,
-            sentence=_describe(status) if status is not None else "",
+            sentence=self._told_status(),
             button=self._button(),
             can_capture=not running and any(s.problem is None for s in self._sensors.states),
             can_use=not running and bool(self._finished),
@@ -418,6 +497,12 @@ class CapturePresenter:
             waits_for_hand=self._waits_for_hand,
             offer=_offer(self._left) if self._left is not None and not running else "",
         )
+
+    def _told_status(self) -> str:
+        if self._status is None:
+            return ""
+        text = _describe(self._status, self._views)
+        return f"{text} {tr('The earlier scan is kept.')}" if self._is_earlier_back else text
 
     @property
     def _waits_for_hand(self) -> bool:
@@ -430,7 +515,7 @@ class CapturePresenter:
 
     @property
     def _is_whole(self) -> bool:
-        return bool(self._finished) and set(self._order) <= set(self._finished)
+        return self._scan is not None and self._scan.is_whole
 
 
 def _offer(left: UnfinishedCapture) -> str:
@@ -446,9 +531,9 @@ def _offer(left: UnfinishedCapture) -> str:
     )
 
 
-def _describe(status: CaptureStatus) -> str:
+def _describe(status: CaptureStatus, views: Sequence[ViewStatus]) -> str:
     if status.phase is CapturePhase.DONE:
-        warned = [text for view in status.views for text in view.warnings]
+        warned = [text for view in views for text in view.warnings]
         return joined(dict.fromkeys(warned), " ") or tr("All views are captured.")
     sentences = {
         CapturePhase.MOVING: tr(

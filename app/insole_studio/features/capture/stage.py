@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
 from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import CaptureService
-from insole_studio.acquisition.unfinished_captures import newest_unfinished_capture
 from insole_studio.features.capture.presenter import TILT_STEP_DEG, CapturePresenter
 from insole_studio.features.capture.rows import CaptureOptions
 from insole_studio.features.capture.view import CaptureView
@@ -67,7 +66,6 @@ class CaptureStage(StageFrame):
         layout.addWidget(self.view)
         self._jobs = Jobs(self)
         self._service = CaptureService(source)
-        self._lock = _lock_drafts(folder)
         self.presenter = CapturePresenter(
             panel=self.view,
             service=self._service,
@@ -76,7 +74,6 @@ class CaptureStage(StageFrame):
             assignment=assignment or source.usual_views(),
             folder=folder,
             options=first_options(source),
-            left=newest_unfinished_capture(folder / "captures") if self._lock.isLocked() else None,
             remember=remember,
             kept=self.kept.emit,
             finished=self.close,
@@ -91,7 +88,7 @@ class CaptureStage(StageFrame):
         self._timer.stop()
         self._jobs.close()
         self._service.close()
-        self._lock.unlock()
+        self.presenter.close()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Switch the sensors off."""
@@ -106,11 +103,3 @@ def first_options(source: SensorSource) -> CaptureOptions:
         return CaptureOptions()
     request = PlanRequest(source.usual_views(), bursts=source.usual_bursts())
     return options_of(request, CaptureOptions(source.session.manifest.side))
-
-
-def _lock_drafts(folder: Path) -> QLockFile:
-    """Lock the drafts for this window, so that no other window offers them as unfinished."""
-    folder.mkdir(parents=True, exist_ok=True)
-    lock = QLockFile(str(folder / "captures.lock"))
-    lock.tryLock(0)
-    return lock

@@ -190,7 +190,7 @@ class CaptureView(QWidget):
         self._held.toggled.connect(lambda on: self._edit(held=on))
         self._notes = QLineEdit()
         self._notes.setPlaceholderText(tr("Notes"))
-        self._notes.editingFinished.connect(lambda: self._edit(notes=self._notes.text()))
+        self._notes.editingFinished.connect(self._enter_texts)
         self._mode = ComboBox(
             [
                 ("turns", tr("One after the other")),
@@ -203,9 +203,7 @@ class CaptureView(QWidget):
         self._views.setToolTip(tr("All views in order; a sensor is moved to those that have none"))
         self._views.setAccessibleName(tr("Views"))
         self._views.hide()
-        self._views.editingFinished.connect(
-            lambda: self._edit(views=tuple(self._views.text().replace(",", " ").split()))
-        )
+        self._views.editingFinished.connect(self._enter_texts)
         self._frames = NumberField(tr("frames"), least=1, greatest=200, step=1, decimals=0)
         self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
         self._bursts = NumberField("", least=1, greatest=9, step=1, decimals=0)
@@ -299,8 +297,13 @@ class CaptureView(QWidget):
 
     def _order(self, signal: Any) -> None:
         """Hide the last message and emit a signal, which may cause another one."""
+        self._enter_texts()  # F5 leaves the focus where something is being typed
         self.show_sentence("")
         signal.emit()
+
+    def _enter_texts(self) -> None:
+        views = tuple(self._views.text().replace(",", " ").split())
+        self._edit(notes=self._notes.text(), views=views)
 
     def _edit(self, **changes: Any) -> None:
         options = replace(self._options, **changes)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from insole_studio.document.autosave import Autosave
 from insole_studio.features.case_files.open_actions import OpenActions
+from insole_studio.features.case_files.recovery import Recovery
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.features.case_files.scan_monitor import ScanMonitor
 from insole_studio.services.app_services import AppServices
@@ -15,10 +16,11 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class CaseFiles:
-    """The actions for opening and saving, and the monitor of scans."""
+    """The actions for opening and saving, and the recovery of unsaved work."""
 
     opener: OpenActions
     saver: SaveActions
+    recovery: Recovery
 
 
 def make_case_files(
@@ -37,4 +39,5 @@ def make_case_files(
     """
     ScanMonitor(services, services.window)
     saver = SaveActions(services)
-    return CaseFiles(OpenActions(services, saver, autosave, reconstruct), saver)
+    opener = OpenActions(services, saver, reconstruct)
+    return CaseFiles(opener, saver, Recovery(services, saver, autosave, opener.open_path))

@@ -1,4 +1,4 @@
-"""Open cases, sessions and meshes, and recover unsaved work after a crash."""
+"""Open cases, sessions and meshes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.template_transfer import last_design
-from insole_studio.document.autosave import Autosave, Recovered
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
@@ -41,7 +40,6 @@ class OpenActions:
         self,
         services: AppServices,
         saver: SaveActions,
-        autosave: Autosave,
         reconstruct: Callable[[Path], None],
     ) -> None:
         self._services = services
@@ -50,7 +48,6 @@ class OpenActions:
         self._notices = services.notices
         self._recent = services.recent
         self._saver = saver
-        self._autosave = autosave
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
@@ -92,33 +89,29 @@ class OpenActions:
         """Start an empty case."""
         self._saver.after_unsaved(lambda: self._case.open(CaseRecord(), None))
 
+    def cancel(self) -> None:
+        """Stop reading a file: its case or its foot is not wanted any more."""
+        self._services.jobs.cancel(CHANNEL)
+
     def open_example(self) -> None:
         """Open the example case that ships with the product."""
         self.open_path(resource_path(EXAMPLE))
 
-    def offer_recovered(self, recovered: Recovered) -> None:
-        """Open the work recovered after a crash, unsaved, with an autosave copy of its own."""
-        self._case.open(recovered.record, recovered.path, unsaved=True)
-        self._messages.say(
-            tr("Work that was not saved when Insole Studio ended last time is open again."), LONG_MS
-        )
-        self._autosave.write_now()
-        recovered.discard()
-
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""
         self._recent.remember(Path(scanned.source.path))
-        # The latest findings concern the foot, the first ones the file.
-        self._tell(" ".join(map(translate_core_message, reversed(scanned.foot.notes))))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and before.source.path == scanned.source.path:
             again = replace(before, foot=scanned.foot, source=scanned.source)
+            self._tell(scanned)
             self._case.apply(again, tr("Reconstruct the foot again"))
         else:
             self._put_on_bench(scanned)
 
-    def _tell(self, notes: str) -> None:
+    def _tell(self, scanned: ScannedFoot) -> None:
         """Show how the scan was read; texts too long for the status bar become a notice."""
+        # The latest findings concern the foot, the first ones the file.
+        notes = " ".join(map(translate_core_message, reversed(scanned.foot.notes)))
         self._notices.drop(NOTICE)
         if len(notes) > LINE_LETTERS:
             self._notices.put(NOTICE, notes)
@@ -185,9 +178,11 @@ class OpenActions:
         record = self._case.record
         before = record.of_side(foot.side)
         if not record.feet:
+            self._tell(scanned)
             self._case.open_foot(scanned.foot, scanned.source)
             return
         if before is None:
+            self._tell(scanned)
             self._case.apply(foot, _sentence_of_adding(foot.side))
             return
         answer = SameSide.REPLACE
@@ -195,11 +190,15 @@ class OpenActions:
             answer = self._messages.questions.about_same_side(foot.side)
         if answer is SameSide.REPLACE:
             foot = replace(foot, earlier=last_design(before))
+            self._tell(scanned)
             self._case.apply(foot, tr("Put a new scan into the place of the old"))
         elif answer is SameSide.NEW_CASE:
-            self._saver.after_unsaved(
-                lambda: self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
-            )
+            self._saver.after_unsaved(lambda: self._begin_case(scanned))
+
+    def _begin_case(self, scanned: ScannedFoot) -> None:
+        foot = FootRecord.begun(scanned.foot, scanned.source)
+        self._case.open(CaseRecord.of_foot(foot), None, unsaved=True)
+        self._tell(scanned)
 
 
 def _is_untouched(foot: FootRecord) -> bool:

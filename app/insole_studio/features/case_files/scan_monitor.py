@@ -25,15 +25,18 @@ class ScanMonitor(QObject):
         self._case = case = services.case
         self._notices = services.notices
         self._sizes = ""
+        case.closing.connect(self._forget)
         case.opened.connect(self._look_at_sources)
         case.opened.connect(self._look_at_sizes)
         case.changed.connect(self._look_at_sizes)
 
+    def _forget(self) -> None:
+        self._services.jobs.cancel(CHANNEL)
+        self._sizes = ""
+
     def _look_at_sources(self) -> None:
-        self._notices.drop(SOURCES)
         record = self._case.record
         if self._case.path is None or not record.feet:
-            self._services.jobs.cancel(CHANNEL)
             return
 
         def look(_progress: Progress) -> str:

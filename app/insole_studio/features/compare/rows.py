@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from insole_core.compare.difference import Difference, foot_rows, part_rows
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 FILE, FOLDER = "file", "folder"
 """Keys of the choices that ask for a path."""
@@ -57,10 +57,13 @@ def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
     statistics = difference.statistics
     fit = difference.fit.residual_mm
     rows = [FigureRow(tr("Difference"))]
-    rows += [FigureRow(text(), f"{statistics[key]:.2f} mm") for key, text in STATISTICS.items()]
+    rows += [
+        FigureRow(text(), f"{localised(statistics[key], '.2f')} mm")
+        for key, text in STATISTICS.items()
+    ]
     rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
     if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
-        rows.append(FigureRow(tr("Residual of the fit"), f"{fit:.2f} mm"))
+        rows.append(FigureRow(tr("Residual of the fit"), f"{localised(fit, '.2f')} mm"))
     for heading, measures in (
         (tr("Feet"), foot_rows(difference)),
         (tr("Compared part"), part_rows(difference)),
@@ -72,4 +75,4 @@ def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
 
 
 def _mm(value: float | None) -> str:
-    return "–" if value is None else f"{value:.1f} mm"
+    return "–" if value is None else f"{localised(value)} mm"

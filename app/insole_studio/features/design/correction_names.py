@@ -16,7 +16,7 @@ from insole_core.insole.prescription.design import (
     Posting,
 )
 from insole_core.workflows.pad_library import LibraryPad
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 PAD_NAMES: dict[str, Callable[[], str]] = {
     "egg": lambda: tr("Pelott"),
@@ -83,20 +83,34 @@ def describe(correction: Correction) -> str:
 
 def _numbers(correction: Correction) -> str:
     if isinstance(correction, Pelott):
-        size = f" ({correction.length_mm:g} × {correction.width_mm:g})"
-        return f"{correction.height_mm:g} mm" + (size if correction.outline_mm is None else "")
+        size = f" ({_plain(correction.length_mm)} × {_plain(correction.width_mm)})"
+        return f"{_plain(correction.height_mm)} mm" + (
+            size if correction.outline_mm is None else ""
+        )
     if isinstance(correction, Posting):
-        return f"{correction.rearfoot_deg:g}° / {correction.forefoot_deg:g}°"
+        return f"{_edge(correction.rearfoot_deg)} / {_edge(correction.forefoot_deg)}"
     if isinstance(correction, ForefootTwist):
-        return f"{correction.angle_deg:g}°"
+        return f"{_plain(correction.angle_deg)}°"
     if isinstance(correction, BrushStroke):
         return WORDS[correction.mode]().lower()
     if isinstance(correction, HeelSkive):
-        return f"{WORDS[correction.border]().lower()} {correction.depth_mm:g} mm"
+        return f"{WORDS[correction.border]().lower()} {_plain(correction.depth_mm)} mm"
     height = correction.depth_mm if isinstance(correction, HeelCup) else correction.height_mm
-    return f"{height:g} mm"
+    return f"{_plain(height)} mm"
+
+
+def _plain(value: float) -> str:
+    return localised(value, "g")
+
+
+def _edge(angle_deg: float) -> str:
+    """Say which edge an angle of a posting raises."""
+    if angle_deg == 0:
+        return "0°"
+    edge = tr("medial") if angle_deg > 0 else tr("lateral")
+    return f"{_plain(abs(angle_deg))}° {edge}"
 
 
 def _size(pad: Pelott) -> str:
     sizes = (pad.length_mm, pad.width_mm) if pad.outline_mm is None else ()
-    return " × ".join(f"{number:g}" for number in (*sizes, pad.height_mm)) + " mm"
+    return " × ".join(_plain(length) for length in (*sizes, pad.height_mm)) + " mm"

@@ -31,17 +31,19 @@ from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
+from insole_studio.widgets.typed_text import is_typing
 
 
 class DesignStage(QObject):
     """The panels of the design stage; the window only arranges them."""
 
     offer_chosen = Signal(str)
+    recent_chosen = Signal(str)
     pointed = Signal(str)
     hint_changed = Signal(str)
     section_wanted = Signal(bool)
@@ -114,17 +116,27 @@ class DesignStage(QObject):
             rules,
             request_action=self.offer_chosen.emit,
         )
-        self._section_presenter = SectionPresenter(self.section, case, surface, section)
+        self._section_presenter = SectionPresenter(
+            self.section,
+            case=case,
+            surface=surface,
+            section=section,
+            tool_controller=tool_controller,
+        )
         for view, presenter in self._presenters.values():
             self._connect(view, presenter)
+        self.insole.listed_chosen.connect(self.recent_chosen)
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
+        self._keeps_focus = False
+        """Whether the focus stays where the user is typing when a foot arrives."""
         self._fitted: dict[Subject, ViewCamera] = {}
         """The cameras set by `look` until the user moves one: they adapt to the views' size."""
         self.counterpart = self._counterpart = counterpart
         self._shown_beside = Beside.NOTHING
         counterpart.changed.connect(self._fit_counterpart)
         counterpart.failed.connect(self.insole.show_warning)
+        case.leaving.connect(self._note_typing)
         case.opened.connect(self._fit_later)
         surface.changed.connect(self._fit_insole_once)
         case.selection_changed.connect(self._show_hint)
@@ -134,11 +146,9 @@ class DesignStage(QObject):
         tool_controller.tool_changed.connect(self._forget_highlight)
         tool_controller.tool_changed.connect(self._show_rear)
         case.changed.connect(self._forget_highlight)
-        case.opened.connect(self._forget_highlight)
         section.changed.connect(self._show_hint)
         section.changed.connect(self._ask_for_section)
         tool_controller.tool_changed.connect(self._ask_for_section)
-        case.opened.connect(self._forget_section)
 
     @property
     def panels(self) -> tuple[QWidget, ...]:
@@ -152,6 +162,10 @@ class DesignStage(QObject):
             self.parameters,
             self.section,
         )
+
+    def show_recent(self, names: Sequence[str]) -> None:
+        """Offer the recently opened files while there is no foot."""
+        self.insole_presenter.show_recent(names)
 
     def focus_view(self) -> None:
         """Give the keys to the foot; to the insole while the foot is hidden."""
@@ -216,8 +230,20 @@ class DesignStage(QObject):
         for view, presenter in self._presenters.values():
             view.scene.set_dark(dark)
             presenter.show_all()
-        self.patient.variants.renew_icons()
-        self._patient_presenter.show()
+        self.patient.renew_icons()
+
+    def clear(self) -> None:
+        """Take away what is shown of the case, and what was chosen for looking at it."""
+        self._tool_controller.reset()
+        self._cut.show(None)
+        self._forget_highlight()
+        for view, presenter in self._presenters.values():
+            view.scene.keys.forget()
+            view.scene.set_camera(ViewCamera())
+            presenter.clear()
+        for panel in (self.patient, self.parameters):
+            panel.verticalScrollBar().setValue(0)
+        self.pointed.emit("")
 
     def close(self) -> None:
         """Free the renderers."""
@@ -288,8 +314,12 @@ class DesignStage(QObject):
         self._fit_when_shown = True
         self._before_posting = {}
         self.look(Preset.PLANTAR)
-        self.focus_view()
+        if not self._keeps_focus:
+            self.focus_view()
         self._show_hint()
+
+    def _note_typing(self) -> None:
+        self._keeps_focus = is_typing()
 
     def _fit_insole_once(self) -> None:
         if self._fit_when_shown and self.insole_presenter.bounds_mm is not None:
@@ -311,9 +341,6 @@ class DesignStage(QObject):
     def _ask_for_section(self) -> None:
         wanted = self._cut.plane is not None or self._tool_controller.tool.key == "section"
         self.section_wanted.emit(wanted)
-
-    def _forget_section(self) -> None:
-        self._cut.show(None)
 
     def _show_hint(self) -> None:
         hint = self._tool_controller.tool.hint(self._case) if self._case.foot is not None else ""
@@ -337,4 +364,4 @@ def _describe(event: PointerEvent) -> str:
     if event.surface_mm is None:
         return ""
     x, y, z = np.round(event.surface_mm, 1) + 0.0
-    return f"x {x:.1f}   y {y:.1f}   " + tr("height") + f" {z:.1f} mm"
+    return f"x {localised(x)}   y {localised(y)}   {tr('height')} {localised(z)} mm"

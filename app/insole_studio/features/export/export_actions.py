@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.build import build_insole
@@ -59,6 +59,13 @@ class ExportActions(StageWindow["ExportStage"]):
     def connect_stage(self, stage: ExportStage) -> None:
         """Record what the stage exports."""
         stage.exported.connect(self._note)
+
+    def leave_case(self) -> None:
+        """Close the stage of the case that is left, once nothing is being written."""
+        if self.stage is not None and self.stage.is_writing:
+            self.stage.jobs.ended.connect(self.leave_case, Qt.ConnectionType.QueuedConnection)
+        else:
+            self.close()
 
     def _ask_path(self, word: str, suffix: str) -> Path | None:
         stem = file_stem(self._case)

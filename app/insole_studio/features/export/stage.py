@@ -14,7 +14,7 @@ from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
-from insole_studio.features.export.presenter import ExportPresenter
+from insole_studio.features.export.presenter import WRITING, ExportPresenter
 from insole_studio.features.export.view import ExportView
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
@@ -78,6 +78,11 @@ class ExportStage(StageFrame):
             memory=memory,
             exported=self.exported.emit,
         )
+
+    @property
+    def is_writing(self) -> bool:
+        """Whether files are being written."""
+        return self.jobs.is_running(WRITING)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Cancel the running job and free the renderer."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
@@ -67,6 +68,25 @@ class FootWindow(StageWindow["FootStage"]):
         stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
+
+    def leave_case(self, coming: CaseRecord) -> bool:
+        """Close the stage, whose foot belongs to the case that is left.
+
+        Parameters
+        ----------
+        coming
+            The next case.
+
+        Returns
+        -------
+        bool
+            False if the foot belongs to the next case as well, which it may begin.
+        """
+        path = None if self.stage is None else self.stage.path
+        if any(Path(foot.source.path) == path for foot in coming.feet):
+            return False
+        self.close()
+        return True
 
     def _remember_limits(self, limits: RegistrationLimits) -> None:
         settings = self._services.settings

@@ -50,6 +50,11 @@ class MarkerPanel(QWidget):
         layout.addLayout(self._header())
         layout.addWidget(self.picture, 1)
 
+    def show_nothing(self) -> None:
+        """Show no image and no marks."""
+        self._marks, self._ids = (), ()
+        self.picture.show_nothing()
+
     def show_picture(self, picture: ByteArray) -> None:
         """Show the image of another view."""
         self.picture.show_picture(picture)
@@ -128,7 +133,9 @@ class MarkerPanel(QWidget):
         for button in (self.search, self.ignore, self.clear):
             header.addWidget(button)
         header.addStretch(1)
-        scale = QLabel(tr("Red: residual × {number}").format(number=ENLARGED))
+        scale = QLabel(
+            tr("Red: how far a marker is off, {number} times enlarged").format(number=ENLARGED)
+        )
         scale.setObjectName("quiet")
         header.addWidget(scale)
         return header

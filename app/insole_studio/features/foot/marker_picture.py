@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.hand_edits import Pixel, Region
 from insole_studio.features.foot.rows import Mark
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 ENLARGED = 100
 """Factor by which residuals are enlarged."""
@@ -88,6 +88,12 @@ class MarkerPicture(QWidget):
         self._selected = ""
         self.show_whole()
         self._fits_marks = True
+
+    def show_nothing(self) -> None:
+        """Show no image, no marks and no regions."""
+        self._image = QImage()
+        self.show_marks(())
+        self.show_regions((), None)
 
     def show_whole(self) -> None:
         """Show the whole image."""
@@ -346,7 +352,7 @@ def _numbers(mark: Mark) -> str:
     """Return the marker's name with its residual."""
     parts = [mark.id or tr("Blue spot")]
     if mark.residual_px is not None:
-        parts.append(f"{mark.residual_px:.1f} px")
+        parts.append(f"{localised(mark.residual_px)} px")
     if mark.residual_mm is not None:
-        parts.append(f"{mark.residual_mm:.1f} mm")
+        parts.append(f"{localised(mark.residual_mm)} mm")
     return "  ".join(parts)

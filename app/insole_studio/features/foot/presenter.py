@@ -63,6 +63,7 @@ class FootStagePanel(ImagePanel, Protocol):
     def show_views(self, rows: Sequence[ViewRow], selected: str) -> None: ...  # noqa: D102
     def show_foot(self, mesh: TriangleMesh, coloring: Coloring | None) -> None: ...  # noqa: D102
     def show_nothing(self, sentence: str) -> None: ...  # noqa: D102
+    def show_no_session(self, sentence: str) -> None: ...  # noqa: D102
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None: ...  # noqa: D102
     def show_box(self, box: Box) -> None: ...  # noqa: D102
     def show_limits(self, limits: Limits) -> None: ...  # noqa: D102
@@ -145,18 +146,24 @@ class FootStagePresenter:
             Whether to hand the foot over when it is made, or wait for the user.
         """
         self._jobs.cancel(MAKING)  # a late foot of another session must not appear as this one's
-        self._work = self._made = self._handed = None
-        self._markers.take(None)
-        self._hands_over, self._leaves = hand_over, False
-        self._trouble = ""
+        self._forget(tr("The session is being read."))
+        self._hands_over = hand_over
 
         def read(progress: Progress) -> SessionEditor:
             opened = measure_session(path, progress.part(0.0, 0.8))
             return SessionEditor(opened, self._limits, self._take_change, progress.part(0.8, 1.0))
 
-        self._panel.show_nothing(tr("The session is being read."))
         self._jobs.start(READING, read, self._take_session, self._unreadable)
         self._show_buttons()
+
+    def _forget(self, sentence: str) -> None:
+        """Let go of the session, and show a sentence instead of all that was shown of it."""
+        self._work = self._made = self._handed = self._mesh_box = None
+        self._meshes = {}
+        self._hands_over = self._leaves = False
+        self._trouble = ""
+        self._markers.take(None)
+        self._panel.show_no_session(sentence)
 
     @property
     def box(self) -> Box | None:
@@ -279,13 +286,22 @@ class FootStagePresenter:
         panel.go_on_requested.connect(self.go_on)
 
     def _take_session(self, work: SessionEditor) -> None:
+        try:
+            self._show_session(work)
+        except Exception as error:  # noqa: BLE001 - shown by the window
+            # Half of one session must not stand beside half of another.
+            self._forget("")
+            self._unreadable(error)
+            return
+        self.make()
+
+    def _show_session(self, work: SessionEditor) -> None:
         self._work = work
         session = work.opened.session
         self._panel.show_session(work.opened.path.stem, session.manifest.side)
         self._panel.show_box(work.box)
         self._markers.take(work)
         self._take_change(frozenset(work.names))
-        self.make()
 
     def _take_change(self, moved: frozenset[str]) -> None:
         """Show the views after a correction that moved some of them."""

@@ -137,6 +137,17 @@ class FootStageView(QWidget):
         """Show why there is no foot."""
         self.foot.show_empty(sentence, {})
 
+    def show_no_session(self, sentence: str) -> None:
+        """Clear all that belongs to a session, and show a sentence instead of its foot."""
+        self._name.clear()
+        self.table.show_rows([], "")
+        self.markers.show_nothing()
+        self.foot.clear()
+        self.foot.show_side(None)
+        self.show_nothing(sentence)
+        self.show_sentences([])
+        self._bounds = None
+
     def show_map(self, kind: FootMap, possible: Sequence[FootMap]) -> None:
         """Show which colour map is chosen, and which are possible."""
         texts = _map_texts()

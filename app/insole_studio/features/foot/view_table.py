@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.features.foot.rows import ViewRow
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 from insole_studio.view_names import view_text
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -124,7 +124,7 @@ def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
         (
             tr("At foot, mm"),
             tr("How uncertain the pose leaves the place of the foot (standard deviation)"),
-            lambda row: f"± {row.displacement_mm:.1f}" if row.displacement_mm else "–",
+            lambda row: f"± {localised(row.displacement_mm)}" if row.displacement_mm else "–",
         ),
         (
             tr("Frames"),

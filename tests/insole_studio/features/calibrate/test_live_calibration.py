@@ -135,3 +135,18 @@ def test_what_is_being_taken_stays_with_its_step(
     assert [path.name for path in day.iterdir()] == ["camera"]
     assert (day / "camera" / "color_000.png").is_file()
     assert stage.view.looks.count() == 0
+
+
+@pytest.mark.slow
+def test_a_service_that_died_is_told_and_the_live_picture_starts_another(
+    stage: CalibrateStage, qtbot: QtBot
+) -> None:
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.live._live.taking, timeout=PATIENCE_MS)
+    assert stage.live._live._service is not None
+    stage.live._live._service._process.kill()
+    qtbot.waitUntil(lambda: "has ended" in said(stage), timeout=PATIENCE_MS)
+    assert not stage.live._live.taking
+    stage.view.live.click()
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1, timeout=PATIENCE_MS)

@@ -94,17 +94,6 @@ def test_emulated_sensors_are_captured_as_they_were_recorded(
     assert first_options(SensorSource(store)) == CaptureOptions()
 
 
-def test_a_second_window_is_not_offered_what_the_first_has_begun(
-    stage: CaptureStage, tmp_path: Path, small_session: Path
-) -> None:
-    source = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
-    second = CaptureStage(source=source, assignment=(), folder=tmp_path, remember=print)
-    assert stage._lock.isLocked()
-    assert not second._lock.isLocked()
-    second.end()
-    second.deleteLater()
-
-
 def test_a_card_is_dropped_on_another(
     stage: CaptureStage, qtbot: QtBot, remembered: list[object]
 ) -> None:

@@ -64,7 +64,7 @@ class MockView:
         return self.can_move
 
     def __getattr__(self, name: str) -> Callable[..., None]:
-        if name != "clear" and not name.startswith("show_"):
+        if name not in ("clear", "forget_typed") and not name.startswith("show_"):
             raise AttributeError(name)
 
         def show(*arguments: Any) -> None:
@@ -438,11 +438,14 @@ class TestSection:
         case: Case,
         surface: InsolePreview,
         section: SectionModel,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
         side: Side,
     ) -> None:
-        presenter = SectionPresenter(view, case, surface, section)
+        presenter = SectionPresenter(
+            view, case=case, surface=surface, section=section, tool_controller=tool_controller
+        )
         assert "section tool" in view.shown["show_sentence"][0]
         open_foot(side)
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
@@ -461,10 +464,13 @@ class TestSection:
         case: Case,
         surface: InsolePreview,
         section: SectionModel,
+        tool_controller: ToolController,
         open_foot: Any,
         qtbot: QtBot,
     ) -> None:
-        presenter = SectionPresenter(view, case, surface, section)
+        presenter = SectionPresenter(
+            view, case=case, surface=surface, section=section, tool_controller=tool_controller
+        )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None, timeout=20_000)
         section.show(SectionPlane((20.0, 110.0), 90.0))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import shutil
-from collections.abc import Callable
+import zipfile
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -281,6 +283,60 @@ def test_a_damaged_session_closes_the_stage(
     assert app.features.foot.stage is None
     (dialog,) = app.services.messages.dialogs
     assert "holds no manifest.json" in dialog.text()
+
+
+def with_views(session: Path, folder: Path, names: Sequence[str]) -> Path:
+    """A copy of a recorded session whose views are copies of its first one, under these names."""
+    with zipfile.ZipFile(session) as archive:
+        archive.extractall(folder)
+    manifest = json.loads((folder / "manifest.json").read_text())
+    first, *others = manifest["views"]
+    for name in names:
+        if name not in manifest["views"]:
+            shutil.copytree(folder / "views" / first, folder / "views" / name)
+    for name in set(others) - set(names):
+        shutil.rmtree(folder / "views" / name)
+    manifest["views"] = list(names)
+    (folder / "manifest.json").write_text(json.dumps(manifest))
+    return folder
+
+
+@pytest.mark.slow
+def test_a_session_of_three_views_follows_one_of_six(
+    app: Application, qtbot: QtBot, session: Path, tmp_path: Path
+) -> None:
+    six = with_views(session, tmp_path / "six", ["left", "right", "top", "heel", "toes", "inside"])
+    app.features.case_files.opener.open_path(six)
+    stage = shown_stage(app)
+    qtbot.waitUntil(lambda: stage.view.table.rowCount() == 6, timeout=PATIENCE_MS)
+    stage.view.cancel_requested.emit()
+    QTest.qWait(50)
+    app.features.case_files.opener.open_path(session)
+    assert stage.view.table.rowCount() == 0  # nothing of the first is left while this one is read
+    assert stage.view.foot.scene._mesh is None
+    assert stage.view.markers.picture._image.isNull()
+    with qtbot.captureExceptions() as exceptions:
+        qtbot.waitUntil(lambda: stage.view.table.rowCount() == 3, timeout=PATIENCE_MS)
+    assert exceptions == []
+    assert app.jobs.is_running("reconstruct")
+    assert stage.view._name.text() == session.stem
+
+
+def test_a_session_that_fails_on_the_way_leaves_nothing_of_the_one_before(
+    app: Application, stage: FootStage, settle: Callable[[], None], session: Path, monkeypatch
+) -> None:
+    def fail(*_rows: object) -> None:
+        raise RuntimeError("the table cannot be filled")
+
+    again = session.with_name("again.zip")
+    shutil.copy(session, again)
+    monkeypatch.setattr(stage.view.markers, "show_markers", fail)
+    app.features.case_files.opener.open_path(again)
+    settle()
+    assert app.features.foot.stage is None
+    (dialog,) = app.services.messages.dialogs
+    assert "the table cannot be filled" in dialog.detailedText()
+    assert app.case.foot is None
 
 
 @pytest.mark.display

@@ -37,7 +37,6 @@ class RepeatActions(QObject):
         self._mirror_offered: Foot | None = None
         self._found: dict[tuple[object, Side], Template | None] = {}
         self._offered: tuple[Foot, Template] | None = None
-        case.opened.connect(self._forget)
         case.foot_changed.connect(self.offer)
         case.changed.connect(self.offer)
 
@@ -63,7 +62,7 @@ class RepeatActions(QObject):
         elif self._offered != (foot.foot, template):  # once: it may be dismissed
             self._offered = foot.foot, template
             self._notices.put(
-                NOTICE, _describe(template), tr("Repeat the last design"), self.repeat
+                NOTICE, _describe(template), (tr("Repeat the last design"), self.repeat)
             )
 
     def repeat(self) -> None:
@@ -91,16 +90,21 @@ class RepeatActions(QObject):
             Side.LEFT: tr("The right foot has a prescription."),
             Side.RIGHT: tr("The left foot has a prescription."),
         }
-        self._notices.put(MIRROR, text[foot.side], tr("Prescribe it here, mirrored"), self._mirror)
+        self._notices.put(
+            MIRROR, text[foot.side], (tr("Prescribe it here, mirrored"), self._mirror)
+        )
 
     def _mirror(self) -> None:
         self._feet.take_other()
         self._feet.copy_prescription()
 
-    def _forget(self) -> None:
-        """Begin anew with another case, and let go of the feet of the one before."""
+    def forget(self) -> None:
+        """Let go of the feet of a case that is closed, and of what was found for them."""
+        self._services.jobs.cancel(CHANNEL)
         self._found.clear()
-        self._withdraw()
+        self._offered = self._mirror_offered = None
+        for notice in (NOTICE, MIRROR):
+            self._notices.drop(notice)
 
     def _withdraw(self) -> None:
         self._offered = None

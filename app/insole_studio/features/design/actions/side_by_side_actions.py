@@ -38,8 +38,13 @@ class SideBySideActions:
         if kind is Beside.VARIANT and not self._has_variants:
             raise UsageError(tr("This foot has one variant only; duplicate it first (Ctrl+D)."))
         self.counterpart.show(kind)
-        if kind is Beside.NOTHING and self.map_kind is MapKind.DIFFERENCE:
-            self._show(MapKind.NONE)
+        if kind is Beside.NOTHING:
+            self._drop_difference()
+
+    def forget(self) -> None:
+        """Show one insole alone, without a difference to what stood beside it."""
+        self.counterpart.forget()
+        self._drop_difference()
 
     def show_map(self, kind: MapKind) -> None:
         """Choose the colour map of the insole; a difference colours the foot as well.
@@ -58,6 +63,10 @@ class SideBySideActions:
     def _has_variants(self) -> bool:
         foot = self._case.record.current
         return foot is not None and len(foot.variants) > 1
+
+    def _drop_difference(self) -> None:
+        if self.map_kind is MapKind.DIFFERENCE:
+            self._show(MapKind.NONE)
 
     def _show(self, kind: MapKind) -> None:
         self._stage.insole_presenter.show_map(kind)

@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.side_by_side import SideBySide, foot_difference, insole_difference
 from insole_studio.scene.coloring import Coloring
-from insole_studio.texts import tr
+from insole_studio.texts import fill, tr
 
 LEAST_SPAN_MM = 1.0
 
@@ -110,8 +110,11 @@ def numbers_text(over: FloatArray) -> str:
     if len(known) == 0:
         return tr("Nothing lies over each other")
     size = np.abs(known)
-    return tr("mean {mean:+.2f}   95 % {p95:.2f}   max {max:.2f} mm").format(
-        mean=float(known.mean()) + 0.0, p95=float(np.quantile(size, 0.95)), max=float(size.max())
+    return fill(
+        tr("mean {mean:+.2f}   95 % {p95:.2f}   max {max:.2f} mm"),
+        mean=float(known.mean()) + 0.0,
+        p95=float(np.quantile(size, 0.95)),
+        max=float(size.max()),
     )
 
 

@@ -13,6 +13,7 @@ from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
+from insole_studio.widgets.empty_page import ListedRow
 
 
 class ModelPanel(Protocol):
@@ -20,6 +21,7 @@ class ModelPanel(Protocol):
 
     def show_side(self, side: Side | None) -> None: ...  # noqa: D102
     def show_empty(self, sentence: str, offers: dict[str, str]) -> None: ...  # noqa: D102
+    def show_list(self, title: str, rows: Sequence[ListedRow]) -> None: ...  # noqa: D102
     def clear(self) -> None: ...  # noqa: D102
     def show_mesh(  # noqa: D102
         self,

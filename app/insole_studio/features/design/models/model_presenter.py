@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import Pelott
+from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, section_line
@@ -45,7 +47,8 @@ from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
+from insole_studio.widgets.empty_page import ListedRow
 
 OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
@@ -163,6 +166,15 @@ class ModelPresenter:
         """Return whether the insole covers a position of the insole frame."""
         return self._surface.covers(x_mm, y_mm)
 
+    def clear(self) -> None:
+        """Show nothing: whatever fails with the next case, this one is not taken for it."""
+        self._marked = _NOTHING
+        self.panel.clear()
+        self.panel.show_side(None)
+        self.panel.show_numbers("")
+        self.panel.show_warning("")
+        self.panel.show_empty("", {})
+
     def show_all(self) -> None:
         """Show the case after another foot was opened."""
         self._marked = _NOTHING
@@ -274,7 +286,7 @@ class ModelPresenter:
             return
         way = self._on_surface(np.stack([found.front, found.nearest]))
         lines = self._on_surface(found.line), way
-        self.panel.show_guide(lines, f"{found.distance_mm:.1f} mm", self._outline(pad))
+        self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", self._outline(pad))
 
     def _section_line(self) -> FloatArray | None:
         plane = self._section.plane
@@ -425,6 +437,7 @@ class InsolePresenter(ModelPresenter):
         )
         self._map = MapKind.NONE
         self._contours = True
+        self._recent: list[ListedRow] = []
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
         surface.failed.connect(self.panel.show_warning)
 
@@ -460,6 +473,12 @@ class InsolePresenter(ModelPresenter):
     def rest(self) -> None:
         """Redraw the contour lines."""
         self._show_contours()
+
+    def show_recent(self, names: Sequence[str]) -> None:
+        """Offer the recently opened files while there is no foot."""
+        self._recent = [_listed(Path(name)) for name in names]
+        if self._surface.mesh is None:
+            self._show_why_empty()
 
     def show_contours(self, shown: bool) -> None:
         """Show or hide contour lines of height, one per millimetre."""
@@ -510,7 +529,17 @@ class InsolePresenter(ModelPresenter):
         self.panel.show_contours(CONTOUR_MM if wanted else 0.0)
 
     def _show_why_empty(self) -> None:
-        if self._case.foot is None:
-            self.panel.show_empty(tr("The insole appears here as soon as there is a foot."), {})
+        is_start = self._case.foot is None
+        if is_start:
+            sentence = tr("The insole appears here as soon as there is a foot.")
+            self.panel.show_empty(sentence, {"open": tr("Open case…")})
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
+        self.panel.show_list(tr("Go on with"), self._recent if is_start else ())
+
+
+def _listed(path: Path) -> ListedRow:
+    """Return the row of a recently opened file: its icon tells a case, a mesh and a session."""
+    kinds = {CASE_SUFFIX: "open", **dict.fromkeys(MESH_SUFFIXES, "mesh")}
+    name = path.stem if path.suffix == CASE_SUFFIX else path.name
+    return ListedRow(str(path), kinds.get(path.suffix.lower(), "session"), name, str(path.parent))

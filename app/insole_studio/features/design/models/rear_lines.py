@@ -11,7 +11,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool, ring_centre
 from insole_studio.scene.guide_lines import GuideLines
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 LEVEL_HALF_MM = 60.0
 BELOW_MM = np.array([0.0, -9.0, -9.0])
@@ -54,7 +54,7 @@ def rear_lines(record: CaseRecord) -> GuideLines | None:
     way = lines[0][1] - lines[0][0]
     lean = float(np.degrees(np.arctan2(record.foot.side.medial_sign * way[0], way[2])))
     kind = tr("valgus") if lean > 0 else tr("varus")
-    text = tr("{angle}° {kind}").format(angle=f"{abs(lean):.1f}", kind=kind)
+    text = tr("{angle}° {kind}").format(angle=localised(abs(lean)), kind=kind)
     # Below the lateral end, clear of lines and handles, which are at the medial edge.
     end = level[0] if record.foot.side.medial_sign > 0 else level[1]
     return GuideLines((*lines, level), end + BELOW_MM, text)

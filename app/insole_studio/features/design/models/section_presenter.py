@@ -9,6 +9,7 @@ from insole_core.geometry.side import Side
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.section_plane import SectionModel, SectionPlane, cut_profile
+from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.texts import tr
 
 
@@ -25,12 +26,20 @@ class SectionPresenter:
     """Cuts the insole again whenever insole or plane change."""
 
     def __init__(
-        self, panel: SectionPanel, case: Case, surface: InsolePreview, section: SectionModel
+        self,
+        panel: SectionPanel,
+        *,
+        case: Case,
+        surface: InsolePreview,
+        section: SectionModel,
+        tool_controller: ToolController,
     ) -> None:
         self._panel = panel
         self._case = case
         self._surface = surface
         self._section = section
+        self._tool_controller = tool_controller
+        tool_controller.tool_changed.connect(self.show)
         surface.changed.connect(self.show)
         section.changed.connect(self.show)
         self.show()
@@ -39,13 +48,18 @@ class SectionPresenter:
         """Show the section, or how to obtain one."""
         plane, side = self._section.plane, self._case.side
         if plane is None or side is None:
-            self._panel.show_sentence(tr("Choose the section tool and click on the sole."))
+            self._panel.show_sentence(self._next_step())
             return
         profile = cut_profile(self._surface, plane)
         if profile is None:
             self._panel.show_sentence(tr("The section lies beside the insole."))
             return
         self._panel.show_cut(profile.top, profile.bottom, profile.skin, end_words(plane, side))
+
+    def _next_step(self) -> str:
+        if self._tool_controller.tool.key == "section":
+            return tr("Click on the sole to cut the insole there")
+        return tr("Choose the section tool and click on the sole.")
 
 
 def end_words(plane: SectionPlane, side: Side) -> tuple[str, str]:

@@ -24,7 +24,7 @@ from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.key_point_tool import point_text
 from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message
 
 _ANGLE = Range(-45, 45, "degrees")
 
@@ -57,7 +57,7 @@ class FootProposals:
             return ""
         kind = tr("valgus") if lean > 0 else tr("varus")
         return tr("Achilles axis {angle}° {kind} to the sole").format(
-            angle=f"{abs(lean):.1f}", kind=kind
+            angle=localised(abs(lean)), kind=kind
         )
 
     def posting_offers(self) -> tuple[Proposal, ...]:
@@ -66,7 +66,7 @@ class FootProposals:
         posting = None if design is None else posting_of(design)
         if not proposed or (posting is not None and posting.rearfoot_deg == proposed):
             return ()
-        text = tr("Propose {angle}° medial").format(angle=f"{proposed:g}")
+        text = tr("Propose {angle}° medial").format(angle=localised(proposed, "g"))
         tip = tr("Post the rearfoot as the rule of the clinic suggests for this axis")
         return (Proposal("propose.post", text, tip),)
 

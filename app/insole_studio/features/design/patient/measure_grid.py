@@ -24,6 +24,7 @@ class MeasureGrid(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._shown: list[Measure] = []
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(6)
@@ -31,7 +32,10 @@ class MeasureGrid(QWidget):
         self._grid.setColumnStretch(0, 1)
 
     def show_measures(self, measures: Sequence[Measure]) -> None:
-        """Replace the shown measures."""
+        """Show other measures; the same ones stay, with a name being pressed."""
+        if list(measures) == self._shown:
+            return
+        self._shown = list(measures)
         while (item := self._grid.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()

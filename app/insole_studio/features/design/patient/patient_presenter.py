@@ -35,6 +35,7 @@ class PatientPanel(Protocol):
     correction_copied: Any
 
     def show_fields(self, values: dict[str, str]) -> None: ...  # noqa: D102
+    def forget_typed(self) -> None: ...  # noqa: D102
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None: ...  # noqa: D102
     def show_variants(self, names: Sequence[str], chosen: str) -> None: ...  # noqa: D102
     def show_measures(self, measures: Sequence[Measure]) -> None: ...  # noqa: D102
@@ -56,9 +57,14 @@ class PatientPresenter:
         panel.correction_removed.connect(self.remove)
         panel.correction_moved.connect(self.move)
         panel.correction_copied.connect(self.copy)
-        case.opened.connect(self.show)
+        case.opened.connect(self.show_opened)
         case.changed.connect(self.show)
         case.selection_changed.connect(self._show_corrections)
+        self.show()
+
+    def show_opened(self) -> None:
+        """Show another case."""
+        self._panel.forget_typed()
         self.show()
 
     def show(self) -> None:

@@ -73,8 +73,10 @@ class PatientView(VerticalScroll):
         self.variants.action_requested.connect(self.action_requested)
         self._measures = MeasureGrid()
         self._measures.chosen.connect(self.measure_chosen)
+        self._rows: list[CorrectionRow] | None = None
         self._corrections = QVBoxLayout()
         self._corrections.setSpacing(2)
+        self._warned: list[WarningRow] = []
         self._warnings = QVBoxLayout()
         self._warnings.setSpacing(4)
         self.setWidget(self._content())
@@ -85,13 +87,20 @@ class PatientView(VerticalScroll):
         return QSize(max(LEAST_PX, hint.width()), hint.height())
 
     def show_fields(self, values: dict[str, str]) -> None:
-        """Show the fields; text being typed is kept."""
+        """Show the fields; text being typed is kept until it is entered or forgotten."""
         for key, field in self._fields.items():
-            if field.text() != values[key]:
+            if field.text() != values[key] and not field.isModified():
                 field.setText(values[key])
-        if self._notes.toPlainText() != values["notes"]:
+        typing = self._notes.document().isModified()
+        if self._notes.toPlainText() != values["notes"] and not typing:
             with QSignalBlocker(self._notes):
                 self._notes.setPlainText(values["notes"])
+
+    def forget_typed(self) -> None:
+        """Let the next values replace text being typed: it belongs to another patient."""
+        for field in self._fields.values():
+            field.setModified(False)
+        self._notes.document().setModified(False)
 
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
         """Show which feet the case has, and which of them is active."""
@@ -110,7 +119,10 @@ class PatientView(VerticalScroll):
         self.updateGeometry()  # two feet need a wider panel than one
 
     def show_corrections(self, rows: Sequence[CorrectionRow]) -> None:
-        """Show the corrections, one per row."""
+        """Show the corrections, one per row; the same rows stay, with a button being pressed."""
+        if list(rows) == self._rows:
+            return
+        self._rows = list(rows)
         while (item := self._corrections.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -123,8 +135,17 @@ class PatientView(VerticalScroll):
             empty.setObjectName("quiet")
             self._corrections.addWidget(empty)
 
+    def renew_icons(self) -> None:
+        """Redraw the icons in the colours of the palette."""
+        self.variants.renew_icons()
+        rows, self._rows = self._rows, None
+        self.show_corrections(rows or [])
+
     def show_warnings(self, rows: Sequence[WarningRow]) -> None:
-        """Show the warnings; a click goes to the cause."""
+        """Show the warnings; a click goes to the cause. The same ones stay while pressed."""
+        if list(rows) == self._warned:
+            return
+        self._warned = list(rows)
         while (item := self._warnings.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
@@ -221,9 +242,11 @@ class PatientView(VerticalScroll):
     def _line_edited(self) -> None:
         field = self.sender()
         assert isinstance(field, QLineEdit)
+        field.setModified(False)
         self.field_edited.emit(field.property("key"), field.text())
 
     def _notes_edited(self) -> None:
+        self._notes.document().setModified(False)
         self.field_edited.emit("notes", self._notes.toPlainText())
 
     def _select(self) -> None:

@@ -23,6 +23,10 @@ class BrushTool(Tool):
     key = "brush"
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
         self.template = BrushStroke(points_mm=((0.0, 0.0),))
 
     def hint(self, _case: Case) -> str:

@@ -25,6 +25,10 @@ class FreeHandTool(Tool):
     key = "free_hand"
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
         self._sketch: tuple[Place, ...] = ()
         self._refusal = ""
 

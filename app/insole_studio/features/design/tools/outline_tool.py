@@ -38,6 +38,10 @@ class OutlineTool(Tool):
     key = "outline"
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
         self._refusal = ""
         self._last: int | None = None
         """The point dragged last, which the arrow keys move."""

@@ -35,7 +35,7 @@ from insole_studio.features.design.tools.tool import (
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 HEIGHT_STEP_MM = 0.5
 TURN_STEP_DEG = 0.5
@@ -51,6 +51,10 @@ class PelottTool(Tool):
     key = "pelott"
 
     def __init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
         self.template = Pelott(centre_mm=(0.0, 0.0))
 
     def hint(self, case: Case) -> str:
@@ -223,7 +227,7 @@ def clearance_text(case: Case) -> str:
     if found is None or abs(found.distance_mm) > NEAR_MM:
         return ""
     return tr("Front edge {distance} mm behind the metatarsal heads").format(
-        distance=f"{found.distance_mm:.1f}"
+        distance=localised(found.distance_mm)
     )
 
 

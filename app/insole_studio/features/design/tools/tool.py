@@ -81,6 +81,9 @@ class Tool:
 
     key: ClassVar[str]
 
+    def reset(self) -> None:
+        """Forget what was set for the case before."""
+
     def hint(self, case: Case) -> str:
         """Return one short sentence on what the user can do now."""
         raise NotImplementedError

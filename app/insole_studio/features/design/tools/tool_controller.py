@@ -32,6 +32,12 @@ class ToolController(QObject):
         self.tool = self.tools[key]
         self.tool_changed.emit()
 
+    def reset(self) -> None:
+        """Choose the first tool, and let every tool forget what was set for the case before."""
+        for tool in self.tools.values():
+            tool.reset()
+        self.take(next(iter(self.tools)))
+
     @property
     def is_busy(self) -> bool:
         """Whether a gesture is running."""

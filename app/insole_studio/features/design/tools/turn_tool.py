@@ -20,7 +20,7 @@ from insole_studio.features.design.tools.tool import SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
-from insole_studio.texts import tr
+from insole_studio.texts import localised, tr
 
 PREFIX = "turn-"
 RADIUS_MM = 50.0
@@ -151,7 +151,7 @@ class TurnTool(Tool):
                 angles = _dragged(ring, start, foot, press, event)
                 anew = turned(foot, landmarks, angles)
                 self._step = anew.source2insole @ inverse(foot.source2insole)
-                self._angle_text = f"{ring.text()} {getattr(angles, ring.angle):.1f}°"
+                self._angle_text = f"{ring.text()} {localised(getattr(angles, ring.angle))}°"
                 case.preview(case.record)
         finally:
             self._step, self._angle_text = None, ""

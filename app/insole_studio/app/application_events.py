@@ -1,0 +1,61 @@
+"""What holds for every widget of the application, whoever made it: foreign text, typed text."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
+
+from insole_studio.widgets.typed_text import commit_typed_text
+
+_USER_TURNS = (
+    QEvent.Type.MouseButtonPress,
+    QEvent.Type.TouchBegin,
+    QEvent.Type.TabletPress,
+    QEvent.Type.Wheel,
+    QEvent.Type.Shortcut,
+    QEvent.Type.Close,
+)
+"""Events by which the user turns from the focused field to something else."""
+
+
+class ApplicationEvents(QObject):
+    """Filters the events of the whole application.
+
+    Labels, those of dialogs and tooltips included, show their text as it is unless they ask for
+    rich text themselves: the names of patients and files come from elsewhere, and Qt would take
+    ``<img src=…>`` among them for an image to be loaded.
+
+    What is typed into a field counts as entered as soon as the user turns to anything else:
+    buttons of a toolbar, menus, shortcuts and closing a window do not take the focus from it.
+    """
+
+    def __init__(self, application: QApplication) -> None:
+        super().__init__(application)
+        application.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Look at an event on its way; none is withheld."""
+        kind = event.type()
+        if kind == QEvent.Type.Polish:
+            _show_as_it_is(watched)
+        elif kind in _USER_TURNS and not _is_in_focused_field(watched):
+            commit_typed_text()
+        return False
+
+    def close(self) -> None:
+        """Stop filtering."""
+        QGuiApplication.instance().removeEventFilter(self)  # type: ignore[union-attr]
+        self.deleteLater()
+
+
+def _show_as_it_is(watched: QObject) -> None:
+    if isinstance(watched, QLabel) and watched.textFormat() == Qt.TextFormat.AutoText:
+        watched.setTextFormat(Qt.TextFormat.PlainText)
+
+
+def _is_in_focused_field(watched: QObject) -> bool:
+    field = QApplication.focusWidget()
+    return field is None or (
+        isinstance(watched, QWidget) and (watched is field or field.isAncestorOf(watched))
+    )

@@ -1,0 +1,200 @@
+"""The dialog that prints boards and marker templates at true size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtGui import QPagedPaintDevice
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.calibration.boards.board import Charuco, Chequerboard
+from insole_core.calibration.boards.printed_page import (
+    PrintedPage,
+    charuco_page,
+    chequerboard_page,
+    marker_pages,
+)
+from insole_core.errors import InsoleError
+from insole_core.recording.session import ReferenceSystem
+from insole_studio.features.calibrate.page_painter import PagePreview, paint_pages, write_pdf
+from insole_studio.features.calibrate.rows import BoardSize
+from insole_studio.texts import tr
+from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.number_field import NumberField
+
+PAPERS_MM = {
+    "A4": (297.0, 210.0),
+    "A3": (420.0, 297.0),
+    "Letter": (279.4, 215.9),
+    "Tabloid": (431.8, 279.4),
+}
+"""Paper sizes, landscape."""
+_CHEQUERBOARD, _CHARUCO, _MARKERS = "chequerboard", "charuco", "markers"
+_CHARUCO_SQUARES = (10, 7)
+_MARKER_SHARE = 0.75
+"""Side of a ChArUco marker as a share of its square's."""
+
+
+class PrintDialog(QDialog):
+    """Chooses a board and a paper, and prints the board or saves it as PDF.
+
+    Parameters
+    ----------
+    board
+        The board in use, which is proposed.
+    system
+        The reference system whose marker templates can be printed.
+    ask_file
+        Lets the user choose a PDF file by a proposed name; by default in a dialog.
+    ask_printer
+        Lets the user choose a printer; by default in a dialog.
+    """
+
+    def __init__(
+        self,
+        board: BoardSize,
+        system: ReferenceSystem,
+        parent: QWidget | None = None,
+        *,
+        ask_file: Callable[[str], Path | None] | None = None,
+        ask_printer: Callable[[], QPagedPaintDevice | None] | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Print boards"))
+        self._system = system
+        self._ask_file = ask_file or self._choose_file
+        self._ask_printer = ask_printer or self._choose_printer
+        self._pages: Sequence[PrintedPage] = ()
+        self.what = ComboBox(
+            [
+                (_CHEQUERBOARD, tr("Chequerboard")),
+                (_CHARUCO, tr("ChArUco board")),
+                (_MARKERS, tr("Templates of the marker faces")),
+            ]
+        )
+        self.paper = ComboBox([(name, name) for name in PAPERS_MM])
+        self.columns, self.rows = QSpinBox(), QSpinBox()
+        for field, value in ((self.columns, board.columns), (self.rows, board.rows)):
+            field.setRange(3, 50)
+            field.setValue(value)
+        self.square = NumberField("mm", least=5, greatest=200, step=0.5, decimals=2)
+        self.square.show_value(board.square_mm)
+        self._preview = PagePreview()
+        self._problem, self._done = MessageLabel("warning"), MessageLabel("quiet")
+        self.save = QPushButton(tr("Save as PDF…"))
+        self.print = QPushButton(tr("Print…"))
+        self._lay_out()
+        self._connect()
+        self._lay_out_pages()
+
+    def _connect(self) -> None:
+        for choice in (self.what, self.paper):
+            choice.edited.connect(lambda _key: self._lay_out_pages())
+        for field in (self.columns, self.rows):
+            field.valueChanged.connect(lambda _count: self._lay_out_pages())
+        self.square.edited.connect(lambda _side: self._lay_out_pages())
+        self.save.clicked.connect(self._save)
+        self.print.clicked.connect(self._print)
+
+    def _lay_out(self) -> None:
+        corners = QHBoxLayout()
+        corners.addWidget(self.columns, 1)
+        corners.addWidget(QLabel("×"))
+        corners.addWidget(self.rows, 1)
+        self._form = QFormLayout()
+        self._form.addRow(tr("Board"), self.what)
+        self._form.addRow(tr("Paper"), self.paper)
+        self._form.addRow(tr("Inner corners"), corners)
+        self._form.addRow(tr("Side of a square"), self.square)
+        hint = QLabel(
+            tr("Print at 100 %, check the line at the edge, and glue the page to something stiff.")
+        )
+        hint.setWordWrap(True)
+        close = QPushButton(tr("Close"))
+        close.clicked.connect(self.close)
+        buttons = QHBoxLayout()
+        buttons.addStretch(1)
+        for button in (self.save, self.print, close):
+            button.setAutoDefault(False)
+            buttons.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.addLayout(self._form)
+        layout.addWidget(self._preview, 1)
+        for label in (hint, self._problem, self._done):
+            layout.addWidget(label)
+        layout.addLayout(buttons)
+
+    def _lay_out_pages(self) -> None:
+        """Lay out what is chosen, or say why it cannot be printed."""
+        self._form.setRowVisible(2, self.what.currentData() == _CHEQUERBOARD)
+        self._form.setRowVisible(3, self.what.currentData() == _CHEQUERBOARD)
+        self._done.say("")
+        try:
+            self._pages = self._chosen()
+        except InsoleError as error:
+            self._pages = ()
+            self._problem.say(str(error))
+        else:
+            self._problem.say("")
+        self._preview.show_page(self._pages[0] if self._pages else None)
+        for button in (self.save, self.print):
+            button.setEnabled(bool(self._pages))
+
+    def _chosen(self) -> list[PrintedPage]:
+        paper_mm = PAPERS_MM[self.paper.currentData()]
+        if self.what.currentData() == _MARKERS:
+            return marker_pages(self._system, paper_mm)
+        if self.what.currentData() == _CHARUCO:
+            return [charuco_page(_charuco_for(paper_mm), paper_mm)]
+        board = Chequerboard(self.columns.value(), self.rows.value(), self.square.value())
+        return [chequerboard_page(board, paper_mm)]
+
+    def _save(self) -> None:
+        path = self._ask_file(f"{self.what.currentData()}-{self.paper.currentData().lower()}.pdf")
+        if path is None:
+            return
+        try:
+            write_pdf(self._pages, path)
+        except InsoleError as error:
+            self._problem.say(str(error))
+        else:
+            self._done.say(tr("Saved: {path}").format(path=path))
+
+    def _print(self) -> None:
+        printer = self._ask_printer()
+        if printer is not None:
+            paint_pages(printer, self._pages)
+
+    def _choose_file(self, proposed: str) -> Path | None:
+        dialog = QFileDialog(self, tr("Save"), proposed, "PDF (*.pdf)")
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix("pdf")  # so that it asks about the file that is written
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        return Path(dialog.selectedFiles()[0]) if accepted else None
+
+    def _choose_printer(self) -> QPagedPaintDevice | None:
+        from PySide6.QtPrintSupport import QPrintDialog, QPrinter
+
+        printer = QPrinter(QPrinter.PrinterMode.HighResolution)
+        printer.setFullPage(True)
+        dialog = QPrintDialog(printer, self)
+        return printer if dialog.exec() == QDialog.DialogCode.Accepted else None
+
+
+def _charuco_for(paper_mm: tuple[float, float]) -> Charuco:
+    """Return the ChArUco board with the largest squares, whole mm, that fit a paper."""
+    columns, rows = _CHARUCO_SQUARES
+    side = int(min((paper_mm[0] - 10) / columns, (paper_mm[1] - 10) / rows))
+    return Charuco(columns, rows, side, round(_MARKER_SHARE * side))

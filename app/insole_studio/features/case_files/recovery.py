@@ -1,0 +1,106 @@
+"""Unsaved work of a program that has ended without asking, offered at the next start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QDateTime, QLocale
+
+from insole_core.cases.case_record import CaseRecord
+from insole_studio.document.autosave import Autosave, Recovered
+from insole_studio.document.case_name import case_name
+from insole_studio.features.case_files.save_actions import SaveActions
+from insole_studio.services.app_services import AppServices
+from insole_studio.texts import tr
+
+NOTICE = "recovered"
+
+
+class Recovery:
+    """Opens recovered work, says so in the window, and lets the user decide about it."""
+
+    def __init__(
+        self,
+        services: AppServices,
+        saver: SaveActions,
+        autosave: Autosave,
+        reopen: Callable[[Path], None],
+    ) -> None:
+        self._case = services.case
+        self._notices = services.notices
+        self._messages = services.messages
+        self._saver = saver
+        self._autosave = autosave
+        self._reopen = reopen
+        self._case.saved_changed.connect(self._drop_when_saved)
+
+    def offer(self, found: Sequence[Recovered]) -> None:
+        """Open the first of the recovered cases, unsaved; the others are offered beside it."""
+        for number, other in enumerate(found[1:]):
+            self._offer_other(f"{NOTICE}-{number}", other)
+        if found:
+            self._open(found[0])
+
+    def _open(self, recovered: Recovered) -> None:
+        changed = _changed_at(recovered)
+        self._case.open(recovered.record, recovered.path, unsaved=True)
+        self._autosave.write_now()
+        recovered.discard()
+        self._tell(changed)
+
+    def _tell(self, changed: str) -> None:
+        sentence = tr(
+            "{name} was not saved when Insole Studio ended last time. "
+            "It is open again as it was on {time}."
+        )
+        self._notices.put(
+            NOTICE,
+            sentence.format(name=case_name(self._case), time=changed),
+            (tr("Save"), self._saver.save),
+            (tr("Keep it open"), lambda: None),
+            (tr("Discard it…"), lambda: self._ask_to_discard(changed)),
+        )
+
+    def _drop_when_saved(self) -> None:
+        if not self._case.has_unsaved_changes:
+            self._notices.drop(NOTICE)
+
+    def _ask_to_discard(self, changed: str) -> None:
+        """Go back to what was saved, or to an empty case, once the user has confirmed it."""
+        if not self._messages.questions.may_discard(case_name(self._case)):
+            self._tell(changed)
+            return
+        saved = self._case.path
+        self._case.open(CaseRecord(), None)
+        if saved is not None and saved.exists():
+            self._reopen(saved)
+
+    def _offer_other(self, key: str, recovered: Recovered) -> None:
+        sentence = tr("{name} was not saved either; it is kept as it was on {time}.")
+        self._notices.put(
+            key,
+            sentence.format(name=_name(recovered), time=_changed_at(recovered)),
+            (tr("Open it"), lambda: self._saver.after_unsaved(lambda: self._open(recovered))),
+            (tr("Discard it…"), lambda: self._ask_to_discard_other(key, recovered)),
+            stays=True,
+        )
+
+    def _ask_to_discard_other(self, key: str, recovered: Recovered) -> None:
+        if self._messages.questions.may_discard(_name(recovered)):
+            recovered.discard()
+        else:
+            self._offer_other(key, recovered)
+
+
+def _name(recovered: Recovered) -> str:
+    if recovered.path is not None:
+        return recovered.path.stem
+    return recovered.record.patient.name or tr("New case")
+
+
+def _changed_at(recovered: Recovered) -> str:
+    """Return when the copy was written, as the user writes dates."""
+    seconds = int(recovered.copies[0].stat().st_mtime)
+    moment = QDateTime.fromSecsSinceEpoch(seconds)
+    return QLocale().toString(moment, QLocale.FormatType.ShortFormat)

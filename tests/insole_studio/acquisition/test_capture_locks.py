@@ -1,0 +1,173 @@
+"""Commands and windows that capture at the same time leave each other's work alone."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.recording.reader import read_session
+from insole_studio.acquisition.unfinished_captures import Drafts, hold_draft, hold_unfinished
+
+PATIENCE_S = 60.0
+
+pytestmark = pytest.mark.slow
+
+
+class Commands:
+    """Runs ``insole-studio capture`` in processes of its own, with a data folder of its own."""
+
+    def __init__(self, folder: Path, session: Path) -> None:
+        self.drafts = folder / "data" / "insole-studio" / "captures"
+        self._call = [sys.executable, "-m", "insole_studio", "capture", "--emulate", str(session)]
+        self._environment = {**os.environ, "XDG_DATA_HOME": str(folder / "data")}
+
+    @contextmanager
+    def started(self, out: Path, *options: str) -> Iterator[subprocess.Popen[str]]:
+        process = subprocess.Popen(
+            [*self._call, "--out", str(out), *options],
+            env=self._environment, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+        try:
+            yield process
+        finally:
+            process.kill()
+            process.communicate()
+
+    def killed_after_a_view(self, out: Path) -> Path:
+        """Return the draft of a capture that was killed after its first view."""
+        with self.started(out):
+            self.wait_for_view()
+        (draft,) = self.folders()
+        return draft
+
+    def wait_for_view(self) -> None:
+        wait_for(lambda: list(self.drafts.glob("*/manifest.json")))
+
+    def folders(self) -> list[Path]:
+        return [path for path in self.drafts.iterdir() if path.is_dir()]
+
+
+def wait_for(is_there: Callable[[], object]) -> None:
+    limit_s = time.monotonic() + PATIENCE_S
+    while not is_there():
+        assert time.monotonic() < limit_s
+        time.sleep(0.01)
+
+
+@contextmanager
+def stopped(process: subprocess.Popen[str]) -> Iterator[None]:
+    """Hold a process, so that it does not end before another has begun."""
+    process.send_signal(signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        process.send_signal(signal.SIGCONT)
+
+
+def ended(process: subprocess.Popen[str]) -> tuple[int, str]:
+    """Exit code and last line of a command."""
+    _out, said = process.communicate(timeout=PATIENCE_S)
+    return process.returncode, said.strip().splitlines()[-1]
+
+
+@pytest.fixture
+def commands(tmp_path: Path, small_session: Path) -> Commands:
+    return Commands(tmp_path, small_session)
+
+
+def test_a_running_capture_is_not_offered_but_a_killed_one_is(
+    commands: Commands, tmp_path: Path
+) -> None:
+    drafts = Drafts(commands.drafts)
+    with commands.started(tmp_path / "session"):
+        commands.wait_for_view()
+        assert drafts.newest() is None
+        drafts.sweep()
+    left = drafts.newest()
+    assert left is not None
+    assert left.views[0].frames == left.views[0].wanted == 10
+
+
+def test_of_two_that_resume_one_draft_one_succeeds(commands: Commands, tmp_path: Path) -> None:
+    draft = commands.killed_after_a_view(tmp_path / "session")
+    lock = draft.with_name(f"{draft.name}.lock")
+    lock.unlink()  # which the killed one left
+    with commands.started(tmp_path / "a", "--resume", str(draft)) as first:
+        wait_for(lock.exists)
+        with (
+            stopped(first),
+            commands.started(tmp_path / "b", "--resume", str(draft)) as second,
+        ):
+            assert ended(second) == (
+                1,
+                f"{draft} is in use by another window or command; finish or close that one first.",
+            )
+        assert ended(first)[0] == 0
+    assert not (tmp_path / "b").exists()
+    assert read_session(tmp_path / "a").manifest.views == ("left", "right", "top")
+    assert list(commands.drafts.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["session", "session.zip"])
+def test_of_two_captures_to_one_place_the_second_is_refused(
+    name: str, commands: Commands, tmp_path: Path
+) -> None:
+    out = tmp_path / name
+    (tmp_path / "folder").mkdir()
+    same = tmp_path / "folder" / ".." / name
+    with commands.started(out, "--notes", "the first") as first:
+        wait_for((tmp_path / f".{name}.lock").exists)
+        with stopped(first), commands.started(same, "--notes", "the second") as second:
+            assert ended(second) == (
+                1,
+                f"Another capture is to be written to {same}; wait until it has ended, or choose "
+                "another name.",
+            )
+        assert ended(first)[0] == 0
+    condition = read_session(out).manifest.capture_condition
+    assert condition is not None
+    assert condition.notes == "the first"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "folder", name]
+
+
+def test_what_a_killed_capture_held_is_free(commands: Commands, tmp_path: Path) -> None:
+    out = tmp_path / "session"
+    draft = commands.killed_after_a_view(out)
+    with commands.started(out, "--resume", str(draft)) as again:
+        assert ended(again) == (0, f"100%  Done: {out}")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "session"]
+    assert list(commands.drafts.iterdir()) == []
+
+
+def test_what_is_killed_before_its_first_view_is_swept(commands: Commands, tmp_path: Path) -> None:
+    with commands.started(tmp_path / "session"):
+        wait_for(lambda: list(commands.drafts.glob("*/.taking-*")))
+    (mine := commands.drafts / "mine").mkdir()
+    (mine / "letter.txt").write_text("not a draft")
+    Drafts(commands.drafts).sweep()
+    assert commands.folders() == [mine]
+
+
+def test_a_draft_is_held_by_one(tmp_path: Path) -> None:
+    drafts = Drafts(tmp_path)
+    first, second = drafts.begin("today-left"), drafts.begin("today-left")
+    assert [held.folder.name for held in (first, second)] == ["today-left", "today-left-2"]
+    first.folder.mkdir()
+    with pytest.raises(InputError, match="in use by another window or command"):
+        hold_draft(first.folder)
+    first.release()
+    with pytest.raises(InputError, match="holds no unfinished capture"):
+        hold_unfinished(first.folder)
+    with pytest.raises(InputError, match="holds no unfinished capture"):
+        hold_draft(tmp_path / "gone")
+    assert drafts.begin("today-left").folder.name == "today-left-3"
+    second.release()

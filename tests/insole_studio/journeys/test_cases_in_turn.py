@@ -1,0 +1,377 @@
+"""A case opened after another one looks as it does in a window that has just been started."""
+
+from __future__ import annotations
+
+import shutil
+import zipfile
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QDockWidget,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QProgressBar,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_file import write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource, Variant
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import HeelLift, InsoleDesign, Pelott
+from insole_core.resources import resource_path
+from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.document.section_plane import SectionPlane
+from insole_studio.scene.view_camera import Preset
+from insole_studio.services.questions import SameSide
+from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.section_chart import SectionChart
+
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+PATIENCE_MS = 60_000
+
+
+def shown(app: Application) -> list[str]:
+    """All that the windows show, line by line, in the order of their widgets."""
+    lines = [f"status {app.window.statusBar().currentMessage()}"]
+    for window in sorted(QApplication.topLevelWidgets(), key=lambda w: w.windowTitle()):
+        if window.isVisible() and window.windowTitle():
+            lines.append(f"window {window.windowTitle()} {window.isWindowModified()}")
+            lines += _widgets_of(window)
+    for key, action in app.window.actions_by_key.items():
+        lines.append(f"action {key} {action.text()} {action.isEnabled()} {action.isChecked()}")
+    for subject, view in (("foot", app.stage.foot), ("insole", app.stage.insole)):
+        camera = view.scene.camera
+        focal = [round(x, 2) for x in camera.focal_mm]
+        lines.append(f"{subject} camera {camera.preset} {focal} {camera.height_mm:.2f}")
+        lines.append(f"{subject} turned {camera.azimuth_deg} {camera.elevation_deg}")
+        lines.append(f"{subject} handles {[handle.name for handle in view.scene.handles]}")
+        if app.case.foot is not None:
+            lines.append(f"{subject} drawn {sorted(view.scene.painter.shown)}")
+    tools = app.stage.tool_controller
+    for key, tool in tools.tools.items():
+        own = {name: value for name, value in vars(tool).items() if name != "_section"}
+        if "template" in own:
+            own["template"] = replace(own["template"], id="")
+        lines.append(f"tool {key} {own}")
+    lines.append(f"tool {tools.tool.key} beside {app.stage.counterpart.kind}")
+    lines.append(f"section {app.stage._cut.plane} selection {app.case.selection}")
+    lines.append(f"notices {[notice.text for notice in app.services.notices.notices]}")
+    return lines
+
+
+def _widgets_of(window: QWidget) -> Iterator[str]:
+    for widget in window.findChildren(QWidget):
+        if widget.isVisible() and not widget.objectName().startswith("qt_"):
+            name, tip = type(widget).__name__, widget.toolTip()
+            yield f"{name} {widget.objectName()} {_text_of(widget)!r} {tip!r} {widget.isEnabled()}"
+
+
+def _text_of(widget: QWidget) -> str:
+    text = ""
+    match widget:
+        case QLabel() | QLineEdit() | QAbstractSpinBox() | QProgressBar():
+            text = widget.text()
+        case QPlainTextEdit():
+            text = widget.toPlainText()
+        case QAbstractButton():
+            text = f"{widget.text()} {widget.isChecked()}"
+        case QComboBox():
+            text = f"{widget.currentText()} {[widget.itemText(i) for i in range(widget.count())]}"
+        case QDockWidget():
+            text = widget.windowTitle()
+        case SectionChart():
+            text = f"{widget._sentence} {widget._top is None}"
+    return text
+
+
+def differences(one: list[str], other: list[str]) -> tuple[list[str], list[str]]:
+    """What only the one shows, and what only the other shows."""
+    a, b = Counter(one), Counter(other)
+    return sorted((a - b).elements()), sorted((b - a).elements())
+
+
+@pytest.fixture
+def pair(make_foot: Callable[[Side], Foot], tmp_path: Path) -> Path:
+    """A case of two feet, the left one with two variants that differ."""
+    left, right = (
+        FootRecord.begun(make_foot(side), NOWHERE, InsoleDesign(side, grid_mm=2.0)) for side in Side
+    )
+    lifted = left.design.with_added(HeelLift(height_mm=4.0))
+    pad = lifted.with_added(Pelott(centre_mm=(5.0, 150.0), height_mm=12.0))
+    left = left.with_design(lifted).with_variant(Variant("B", pad))
+    path = tmp_path / "pair.insole"
+    write_case(CaseRecord(Patient(name="Anna Berg", notes="sore"), (left, right), Side.LEFT), path)
+    return path
+
+
+@pytest.fixture
+def one_foot(make_foot: Callable[[Side], Foot], tmp_path: Path) -> Path:
+    """A case of a right foot, on which nothing is prescribed yet."""
+    path = tmp_path / "one.insole"
+    design = InsoleDesign(Side.RIGHT, grid_mm=2.0)
+    foot = FootRecord.begun(make_foot(Side.RIGHT), NOWHERE, design)
+    write_case(CaseRecord.of_foot(foot, Patient(name="Bo Ek")), path)
+    return path
+
+
+def open_pair_and_use_everything(app: Application, pair: Path, settle: Callable[[], None]) -> None:
+    """Leave on the case as much as can hang on it."""
+    app.features.case_files.opener.open_path(pair)
+    settle()
+    run = app.controller.run_action
+    run("beside_variant", True)
+    settle()
+    run("map_difference", True)
+    settle()
+    app.stage._cut.show(SectionPlane((0.0, 120.0), 10.0))
+    app.features.design.prescription.take_pad(1)
+    app.stage.tool_controller.tools["brush"].template = replace(
+        app.stage.tool_controller.tools["brush"].template, radius_mm=25.0
+    )
+    design = app.case.record.design
+    app.case.apply(replace(design, thickness_mm=6.0), "Edit the insole")
+    app.case.undo()
+    run("tool_brush", True)
+    settle()
+    app.stage.look(Preset.MEDIAL)
+    app.stage.patient.verticalScrollBar().setValue(50)
+    app.stage.look_at_measure("ball_width")
+    view = app.stage.foot.scene
+    QTest.mouseMove(view.surface, view.surface.rect().center())
+    app.services.notices.put("scan", "The scan of Anna Berg was in metres.")
+    app.services.messages.say("Exported anna.stl", 100_000)
+    app.stage.insole.show_warning("The insole of Anna Berg cannot be built.")
+    run("compare", False)
+    run("export", False)
+    stage = app.features.export.stage
+    stage.view.reason.setText("Anna Berg asked for it")
+    settle()
+    assert app.stage.insole.numbers.isVisible()
+
+
+def session_of(small_session: Path, folder: Path) -> Path:
+    path = folder / "session.zip"
+    shutil.copy(small_session, path)
+    return path
+
+
+def scan_of(small_session: Path, folder: Path) -> Path:
+    with zipfile.ZipFile(small_session) as archive:
+        return Path(archive.extract("truth.ply", folder))
+
+
+CASES = {
+    "example": lambda _session, _one, _folder: resource_path("example/example.insole"),
+    "pair": lambda _session, _one, folder: folder / "pair.insole",
+    "one foot": lambda _session, one, _folder: one,
+    "scan": lambda session, _one, folder: scan_of(session, folder),
+    "session": lambda session, _one, folder: session_of(session, folder),
+    "empty": lambda _session, _one, _folder: None,
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", CASES)
+def test_a_case_opened_after_another_looks_as_at_a_fresh_start(
+    kind: str,
+    app: Application,
+    settle: Callable[[], None],
+    qapp: QApplication,
+    qtbot: QtBot,
+    questions,
+    pair: Path,
+    one_foot: Path,
+    small_session: Path,
+    tmp_path: Path,
+) -> None:
+    path = CASES[kind](small_session, one_foot, tmp_path)
+    questions.same_side, questions.side = SameSide.NEW_CASE, Side.LEFT
+
+    def show_case(application: Application) -> list[str]:
+        opener = application.features.case_files.opener
+        if path is None:
+            opener.new_case()
+        else:
+            opener.open_path(path)
+        qtbot.waitUntil(lambda: not application.jobs.is_running(), timeout=PATIENCE_MS)
+        QTest.qWait(50)
+        return shown(application)
+
+    app.window.resize(1366, 768)
+    open_pair_and_use_everything(app, pair, settle)
+    after_another = show_case(app)
+    app.services.save_settings()
+    recent = list(app.settings.recent)
+    app.features.close_windows()
+    app.window.hide()
+    fresh_paths = UserPaths(tmp_path / "fresh" / "settings.json", tmp_path / "fresh" / "autosave")
+    fresh = build_application(qapp, fresh_paths)
+    try:
+        fresh.services.messages.questions = questions
+        fresh.settings.recent = recent
+        fresh.services.recent.changed.emit()
+        fresh.window.resize(app.window.size())
+        fresh.window.show()
+        qtbot.waitExposed(fresh.window)
+        assert differences(after_another, show_case(fresh)) == ([], [])
+    finally:
+        fresh.autosave.forget()
+        fresh.close()
+
+
+@pytest.mark.slow
+def test_all_cases_in_turn_and_back_again(
+    app: Application,
+    settle: Callable[[], None],
+    questions,
+    pair: Path,
+    one_foot: Path,
+    small_session: Path,
+    tmp_path: Path,
+) -> None:
+    """The second round shows what the first one showed, and nothing of the case in between."""
+    opener = app.features.case_files.opener
+    paths = [resource_path("example/example.insole"), pair, one_foot]
+    rounds: list[list[list[str]]] = []
+    for _ in range(2):
+        rounds.append([])
+        for path in paths:
+            opener.open_path(path)
+            settle()
+            QTest.qWait(20)
+            rounds[-1].append([line for line in shown(app) if not line.startswith("window")])
+            app.controller.run_action("tool_section", True)
+            app.stage.look(Preset.POSTERIOR)
+        opener.new_case()
+        settle()
+    for first, second in zip(*rounds, strict=True):
+        assert differences(first, second) == ([], [])
+
+
+def test_two_variants_beside_each_other_keep_their_names_after_undo(
+    app: Application, settle: Callable[[], None], pair: Path, questions, monkeypatch
+) -> None:
+    app.features.case_files.opener.open_path(pair)
+    settle()
+    app.controller.run_action("beside_variant", True)
+    settle()
+    app.controller.run_action("map_difference", True)
+    questions.typed = "sport"
+    app.controller.run_action("variant_name", False)
+
+    def heads() -> str:
+        return app.stage.insole.numbers.text().partition(":")[0]
+
+    assert heads() == "sport − A"
+    names: list[list[str]] = []
+    drawn = app.stage.insole.scene.companion
+    monkeypatch.setattr(drawn, "show_names", lambda n: names.append([name.text for name in n]))
+    app.case.undo()
+    settle()
+    assert heads() == "B − A"
+    assert names[-1] == ["B", "A"]
+    app.case.redo()
+    settle()
+    assert heads() == "sport − A"
+    assert names[-1] == ["sport", "A"]
+
+
+def test_the_section_says_what_to_do_with_its_tool(
+    app: Application, settle: Callable[[], None], one_foot: Path
+) -> None:
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    assert app.stage.section._sentence == "Choose the section tool and click on the sole."
+    app.controller.run_action("tool_section", True)
+    assert app.stage.section._sentence == "Click on the sole to cut the insole there"
+
+
+def test_a_foot_still_being_made_does_not_come_into_the_next_case(
+    app: Application,
+    settle: Callable[[], None],
+    small_session: Path,
+    tmp_path: Path,
+    one_foot: Path,
+) -> None:
+    app.features.case_files.opener.open_path(session_of(small_session, tmp_path))
+    stage = app.features.foot.stage
+    assert stage is not None
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    assert app.features.foot.stage is None
+    assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
+
+
+def test_the_second_foot_of_a_visit_does_not_come_into_the_next_case(
+    app: Application,
+    settle: Callable[[], None],
+    small_session: Path,
+    tmp_path: Path,
+    one_foot: Path,
+) -> None:
+    """Both feet are captured; another case is opened while the first one is being made."""
+    app.features.capture._waiting.append(tmp_path / "the other foot")
+    app.features.case_files.opener.open_path(session_of(small_session, tmp_path))
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    QTest.qWait(20)
+    assert app.features.capture._waiting == []
+    assert app.features.foot.stage is None
+    assert app.services.messages.dialogs == []
+    assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
+
+
+def test_what_is_being_exported_is_still_written_when_another_case_is_opened(
+    app: Application,
+    settle: Callable[[], None],
+    qtbot: QtBot,
+    questions,
+    pair: Path,
+    one_foot: Path,
+    tmp_path: Path,
+) -> None:
+    app.features.case_files.opener.open_path(one_foot)
+    settle()
+    app.controller.run_action("export", False)
+    stage = app.features.export.stage
+    qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=PATIENCE_MS)
+    questions.path = tmp_path / "one.stl"
+    stage.view.export.click()
+    assert stage.jobs.is_running("write")
+    app.features.case_files.opener.open_path(pair)
+    qtbot.waitUntil(lambda: app.features.export.stage is None, timeout=PATIENCE_MS)
+    settle()
+    assert (tmp_path / "one-right.stl").exists() or (tmp_path / "one.stl").exists()
+    assert app.case.path == pair
+
+
+def test_whatever_fails_with_the_next_case_the_foot_before_is_not_shown(
+    app: Application, settle: Callable[[], None], pair: Path, one_foot: Path, monkeypatch, qtbot
+) -> None:
+    app.features.case_files.opener.open_path(pair)
+    settle()
+
+    def fail(*_arguments: object, **_values: object) -> None:
+        raise RuntimeError("the foot cannot be drawn")
+
+    for view in (app.stage.foot, app.stage.insole):
+        monkeypatch.setattr(view, "show_mesh", fail)
+    with qtbot.captureExceptions() as exceptions:
+        app.features.case_files.opener.open_path(one_foot)
+        settle()
+    assert exceptions
+    for view in (app.stage.foot, app.stage.insole):
+        assert view.scene._mesh is None
+        assert not view.scene.isVisible()

@@ -1,0 +1,372 @@
+"""What is typed and not yet entered is never lost, whatever the user turns to by real events."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QLineEdit,
+    QMenu,
+    QPlainTextEdit,
+    QSpinBox,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import HeelLift, InsoleDesign
+from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.features.calibrate.stage import CalibrateStage
+from insole_studio.features.capture.rows import CaptureOptions, CaptureRow
+from insole_studio.features.capture.view import CaptureView
+from insole_studio.services.questions import Answer
+from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.number_field import NumberField
+
+KEY, CTRL = Qt.Key, Qt.KeyboardModifier.ControlModifier
+NONE = Qt.KeyboardModifier.NoModifier
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+
+
+def strike(widget: QWidget, key: Qt.Key, modifiers: Qt.KeyboardModifier = NONE) -> None:
+    """Press a key of the keyboard, which goes where the focus is."""
+    QTest.keyClick(widget.window().windowHandle(), key, modifiers)
+
+
+def type_into(field: QWidget, text: str) -> None:
+    """Put the focus into a field, and replace its text by typing; nothing is entered."""
+    window = field.window()
+    window.activateWindow()
+    QTest.qWaitForWindowActive(window)
+    field.setFocus()
+    strike(field, KEY.Key_A, CTRL)
+    for letter in text:
+        QTest.keyClick(window.windowHandle(), letter)
+
+
+def click(widget: QWidget) -> None:
+    """Click with the mouse in the middle of a widget, as the window system does."""
+    window = widget.window()
+    middle = widget.mapTo(window, widget.rect().center())
+    QTest.mouseClick(window.windowHandle(), Qt.MouseButton.LeftButton, NONE, middle)
+
+
+def patient_field(app: Application, key: str) -> QWidget:
+    panel = app.stage.patient
+    if key == "notes":
+        return panel.findChild(QPlainTextEdit)
+    return next(f for f in panel.findChildren(QLineEdit) if f.property("key") == key)
+
+
+def number(app: Application, key: str) -> NumberField:
+    fields = app.stage.parameters.findChildren(NumberField)
+    return next(f for f in fields if f.property("key") == key and f.isVisible())
+
+
+@pytest.fixture
+def saved(
+    app: Application, settle: Callable[[], None], make_foot: Callable[[Side], Foot], tmp_path: Path
+) -> Application:
+    """A saved case of two feet, with a heel lift on the left one, which is at hand."""
+    feet = tuple(
+        FootRecord.begun(make_foot(side), NOWHERE, InsoleDesign(side, grid_mm=2.0)) for side in Side
+    )
+    lifted = feet[0].with_design(feet[0].design.with_added(HeelLift(height_mm=2.0)))
+    record = CaseRecord(Patient(name="Anna Berg"), (lifted, feet[1]), Side.LEFT)
+    path = tmp_path / "anna.insole"
+    write_case(record, path)
+    app.window.resize(1366, 768)
+    app.features.case_files.opener.open_path(path)
+    settle()
+    return app
+
+
+FIELDS: dict[str, tuple[str, Callable[[CaseRecord], object], object]] = {
+    "name": ("Bo Ek", lambda record: record.patient.name, "Bo Ek"),
+    "notes": ("sore", lambda record: record.patient.notes, "sore"),
+    "visit": ("2026-11-20", lambda record: record.patient.visit, "2026-11-20"),
+    "insole.thickness_mm": (
+        "4.5",
+        lambda record: record.of_side(Side.LEFT).design.thickness_mm,
+        4.5,
+    ),
+    "outline.heel_allowance_mm": (
+        "3.5",
+        lambda record: record.of_side(Side.LEFT).design.outline.heel_allowance_mm,
+        3.5,
+    ),
+}
+
+
+@pytest.fixture(params=FIELDS)
+def typed(saved: Application, request: pytest.FixtureRequest) -> Callable[[], bool]:
+    """A field into which something is typed; tells whether the case has it."""
+    text, value_of, value = FIELDS[request.param]
+    is_number = "." in request.param
+    type_into(
+        number(saved, request.param) if is_number else patient_field(saved, request.param), text
+    )
+    assert value_of(saved.case.record) != value
+    return lambda: value_of(saved.case.record) == value
+
+
+def toolbar_button(app: Application, key: str) -> QWidget:
+    action = app.window.actions_by_key[key]
+    bars = app.window.findChildren(QToolBar)
+    return next(b for b in (bar.widgetForAction(action) for bar in bars) if b is not None)
+
+
+def by_shortcut(app: Application) -> None:
+    strike(app.window, KEY.Key_S, CTRL)
+
+
+def by_toolbar(app: Application) -> None:
+    click(toolbar_button(app, "save"))
+
+
+def by_menu(app: Application) -> None:
+    bar = app.window.menuBar()
+    case_menu = bar.actions()[0]
+    place = bar.actionGeometry(case_menu).center()
+    window = app.window.windowHandle()
+    QTest.mouseClick(window, Qt.MouseButton.LeftButton, NONE, bar.mapTo(app.window, place))
+    menu = case_menu.menu()
+    assert isinstance(menu, QMenu)
+    entry = menu.actionGeometry(app.window.actions_by_key["save"]).center()
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, NONE, entry)
+
+
+@pytest.mark.parametrize("save", [by_shortcut, by_toolbar, by_menu])
+def test_saving_saves_what_is_typed(
+    saved: Application, typed: Callable[[], bool], settle: Callable[[], None], save
+) -> None:
+    save(saved)
+    settle()
+    assert typed()
+    assert not saved.window.isWindowModified()
+    assert read_case(saved.case.path).patient == saved.case.record.patient
+    assert read_case(saved.case.path).design == saved.case.record.design
+
+
+def test_closing_the_window_asks_about_what_is_typed(
+    saved: Application, typed: Callable[[], bool], questions
+) -> None:
+    questions.unsaved = Answer.CANCEL
+    saved.window.close()
+    assert questions.asked == ["unsaved"]
+    assert typed()
+    assert saved.window.isVisible()
+
+
+def test_quitting_by_key_saves_what_is_typed(
+    saved: Application, typed: Callable[[], bool], questions, settle: Callable[[], None]
+) -> None:
+    questions.unsaved = Answer.SAVE
+    strike(saved.window, KEY.Key_Q, CTRL)
+    settle()
+    assert questions.asked == ["unsaved"]
+    assert typed()
+    assert read_case(saved.case.path).patient == saved.case.record.patient
+
+
+def test_another_foot_leaves_what_is_typed_with_its_own(
+    saved: Application, typed: Callable[[], bool]
+) -> None:
+    other = saved.case.record.other
+    click(saved.stage.patient.sides.buttons[Side.RIGHT])
+    assert saved.case.side is Side.RIGHT
+    assert typed()
+    assert saved.case.record.current.design == other.design
+
+
+def test_another_variant_leaves_what_is_typed_with_its_own(
+    saved: Application, typed: Callable[[], bool]
+) -> None:
+    buttons = saved.stage.patient.variants.findChildren(QToolButton)
+    click(next(b for b in buttons if b.property("action") == "variant_duplicate"))
+    assert saved.case.record.current.chosen == "B"
+    assert typed()
+    assert all(
+        variant.design.thickness_mm == saved.case.record.design.thickness_mm
+        for variant in saved.case.record.current.variants
+    )
+
+
+def test_a_new_case_asks_about_what_is_typed_and_shows_none_of_it(
+    saved: Application, typed: Callable[[], bool], questions, settle: Callable[[], None]
+) -> None:
+    questions.unsaved = Answer.SAVE
+    strike(saved.window, KEY.Key_N, CTRL)
+    settle()
+    assert questions.asked == ["unsaved"]
+    assert saved.case.record.patient == Patient()
+    assert patient_field(saved, "name").text() == ""
+    (saved_file,) = [Path(n) for n in saved.services.recent.names if n.endswith("anna.insole")]
+    saved.features.case_files.opener.open_path(saved_file)
+    settle()
+    assert typed()
+
+
+def test_the_list_of_corrections_keeps_what_is_typed(
+    saved: Application, typed: Callable[[], bool]
+) -> None:
+    buttons = saved.stage.patient.findChildren(QToolButton)
+    click(next(b for b in buttons if b.toolTip() == "Switch on or off" and b.isVisible()))
+    assert [c.enabled for c in saved.case.record.design.corrections] == [False]
+    assert typed()
+
+
+def test_export_makes_what_is_typed(saved: Application, typed: Callable[[], bool]) -> None:
+    click(toolbar_button(saved, "export"))
+    stage = saved.features.export.stage
+    assert stage is not None
+    assert typed()
+    assert stage.presenter._record is saved.case.record
+
+
+def test_a_foot_that_arrives_leaves_what_is_typed(
+    app: Application, make_foot: Callable[[Side], Foot], settle: Callable[[], None]
+) -> None:
+    """The name is typed while the scan is being read."""
+    type_into(patient_field(app, "name"), "Bo E")
+    app.case.open_foot(make_foot(Side.LEFT), NOWHERE)
+    assert app.case.record.patient.name == "Bo E"
+    strike(app.window, KEY.Key_K)
+    assert patient_field(app, "name").text() == "Bo Ek"
+    assert patient_field(app, "name").hasFocus()
+    settle()
+
+
+def test_a_change_from_elsewhere_keeps_what_is_typed(saved: Application) -> None:
+    type_into(patient_field(saved, "name"), "Bo E")
+    design = saved.case.record.design
+    saved.case.apply(replace(design, thickness_mm=5.0), "Edit the insole")
+    assert patient_field(saved, "name").text() == "Bo E"
+    strike(saved.window, KEY.Key_Tab)
+    assert saved.case.record.patient.name == "Bo E"
+
+
+def test_selection_and_cursor_stay_after_saving(
+    saved: Application, settle: Callable[[], None]
+) -> None:
+    field = patient_field(saved, "name")
+    type_into(field, "Bo Ek")
+    for _ in range(2):
+        strike(field, KEY.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    by_shortcut(saved)
+    settle()
+    assert field.hasFocus()
+    assert field.selectedText() == "Ek"
+
+
+def test_the_order_takes_what_is_typed_with_its_keys(
+    saved: Application, settle: Callable[[], None]
+) -> None:
+    saved.controller.run_action("export", False)
+    stage = saved.features.export.stage
+    draft = stage.view.form.draft
+    type_into(draft, "7.5")
+    assert stage.presenter._choice.draft_deg != 7.5
+    strike(stage, KEY.Key_Return, CTRL)
+    assert stage.presenter._choice.draft_deg == 7.5
+    type_into(stage.view.form.cutter, "12")
+    strike(stage, KEY.Key_W, CTRL)
+    assert saved.features.export.stage is None
+    assert '"cutter_diameter_mm": 12' in _written_rules(saved)
+
+
+def _written_rules(app: Application) -> str:
+    return (app.services.paths.settings_folder / "export.json").read_text(encoding="utf-8")
+
+
+@pytest.fixture
+def events(app: Application) -> Application:
+    """The application, whose events are watched; the stage of a test stands beside its window."""
+    return app
+
+
+CAPTURE_FIELDS = {"notes": ("held", "held"), "frames": ("17", 17), "bursts": ("3", 3)}
+
+
+@pytest.mark.parametrize("name", CAPTURE_FIELDS)
+def test_the_plan_of_a_capture_takes_what_is_typed(
+    events: Application, qtbot: QtBot, name: str
+) -> None:
+    text, value = CAPTURE_FIELDS[name]
+    view = CaptureView(2.0)
+    qtbot.addWidget(view)
+    view.show_options(CaptureOptions())
+    view.show_capture(CaptureRow(button="Capture", can_capture=True))
+    view.show()
+    plans: list[CaptureOptions] = []
+    view.options_edited.connect(plans.append)
+    field = getattr(view, f"_{name}")
+    with qtbot.waitSignal(view.capture_requested):
+        type_into(field, text)
+        assert plans == []
+        strike(view, KEY.Key_F5)
+    assert getattr(plans[-1], name) == value
+
+
+@pytest.fixture
+def calibrating(events: Application, qtbot: QtBot, tmp_path: Path) -> Iterator[CalibrateStage]:
+    store = SensorStore(tmp_path / "sensors")
+    stage = CalibrateStage(
+        store, SensorSource(store), tmp_path, ask_folder=lambda: None, ask=lambda _sentence: False
+    )
+    stage.show()
+    yield stage
+    stage.close()
+    stage.deleteLater()
+
+
+def _calibrate_field(stage: CalibrateStage, name: str) -> QWidget:
+    if name == "serial":
+        return stage.view.serial
+    fields = stage.view.findChildren(QAbstractSpinBox)
+    counts = [f for f in fields if type(f) is QSpinBox]
+    return {"columns": counts[0], "square": next(f for f in fields if isinstance(f, NumberField))}[
+        name
+    ]
+
+
+CALIBRATE_FIELDS: dict[str, tuple[str, Callable[[CalibrateStage], object], object]] = {
+    "serial": ("A00362A", lambda stage: stage.presenter.serial, "A00362A"),
+    "columns": ("11", lambda stage: stage.presenter.board.columns, 11),
+    "square": ("25.5", lambda stage: stage.presenter.board.square_mm, 25.5),
+}
+
+
+@pytest.mark.parametrize("name", CALIBRATE_FIELDS)
+def test_calibration_takes_what_is_typed(calibrating: CalibrateStage, name: str) -> None:
+    text, value_of, value = CALIBRATE_FIELDS[name]
+    type_into(_calibrate_field(calibrating, name), text)
+    assert value_of(calibrating) != value
+    click(calibrating.view.choose)
+    assert value_of(calibrating) == value
+
+
+def test_a_program_that_is_told_to_end_keeps_what_is_typed(
+    qapp: QApplication, paths: UserPaths, make_foot: Callable[[Side], Foot]
+) -> None:
+    app = build_application(qapp, paths)
+    app.window.show()
+    app.case.open_foot(make_foot(Side.LEFT), NOWHERE)
+    type_into(patient_field(app, "name"), "Bo Ek")
+    app.close()
+    (copy,) = paths.autosave_folder.glob("*.insole")
+    assert read_case(copy).patient.name == "Bo Ek"
