@@ -8,50 +8,93 @@ from __future__ import annotations
 import json
 import logging
 import sys
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Literal, get_args, get_origin, get_type_hints
+from typing import Any, Literal, TypeAlias, get_args, get_origin
+
+from insole_core.messages import Message
+from insole_core.regular_file import read_regular
 
 log = logging.getLogger(__name__)
 
+MAX_BYTES = 2**20
+"""No file that the window writes for itself is larger."""
 
-def read_remembered(path: Path) -> dict[str, Any]:
-    """Read the entries of a file that the window wrote; empty where it is missing or damaged."""
-    try:
-        stored = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError, RecursionError) as error:
-        log.warning("%s cannot be read, defaults are used: %s", path, error)
-        return {}
-    if isinstance(stored, dict):
-        return stored
-    log.warning("%s holds no JSON object {…}, defaults are used", path)
-    return {}
+Complain: TypeAlias = Callable[[Message], object]
 
 
-def understood(stored: dict[str, Any], kind: type[Any], path: Path) -> dict[str, Any]:
-    """Keep the entries that match a field of a dataclass; log a warning for each of a wrong type.
+def remembered(
+    path: Path, kinds: Mapping[str, Any], complain: Complain = log.warning
+) -> dict[str, Any]:
+    """Read the entries of a file that have the right type; it may be missing.
+
+    A file that is damaged, or has entries of wrong types, is renamed, so that it is neither
+    overwritten nor read again; what is understood is returned all the same.
 
     Parameters
     ----------
-    stored
-        Entries of a file.
-    kind
-        The dataclass. Its fields may be strings, numbers, booleans, literals, lists of these, or
-        None.
-    path
-        Of the file, for the warning.
+    kinds
+        Type of each entry, such as the type hints of a dataclass: strings, numbers, booleans,
+        literals, lists of these, or None. Other entries are ignored.
+    complain
+        Called with a sentence for the user if something is not understood.
 
     Returns
     -------
     dict
-        Keyword arguments for `kind`; fields without a valid entry are absent.
+        The valid entries.
     """
-    hints = get_type_hints(kind)
-    known = {key: value for key, value in stored.items() if key in hints}
-    for key in [key for key, value in known.items() if not _fits(value, hints[key])]:
-        log.warning("%s: %s is not understood: %r", path, key, known.pop(key))
-    return known
+    try:
+        stored = _read(path)
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, RecursionError) as error:
+        log.warning("%s cannot be read, defaults are used: %s", path, error)
+        complain(
+            Message(
+                "{path} is damaged or cannot be read, so the defaults are used; the file is kept "
+                "as {kept}.",
+                path=path,
+                kept=set_aside(path),
+            )
+        )
+        return {}
+    known = {key: value for key, value in stored.items() if key in kinds}
+    wrong = sorted(key for key, value in known.items() if not _fits(value, kinds[key]))
+    if wrong:
+        log.warning("%s: not understood: %s", path, {key: stored[key] for key in wrong})
+        complain(
+            Message(
+                "{path}: {entries} cannot be understood, so the defaults are used for them; the "
+                "file is kept as {kept}.",
+                path=path,
+                entries=", ".join(wrong),
+                kept=set_aside(path),
+            )
+        )
+    return {key: value for key, value in known.items() if key not in wrong}
+
+
+def set_aside(path: Path) -> Path:
+    """Rename a file that cannot be used, and return its new path; the old where that fails."""
+    for number in range(1, 1000):
+        kept = path.with_name(f"{path.name}.broken-{number}")
+        if kept.exists():
+            continue
+        try:
+            path.rename(kept)
+        except OSError as error:
+            log.warning("%s cannot be renamed: %s", path, error)
+            return path
+        return kept
+    return path
+
+
+def _read(path: Path) -> dict[str, Any]:
+    stored = json.loads(read_regular(path, MAX_BYTES))
+    if isinstance(stored, dict):
+        return stored
+    raise ValueError("no JSON object {…}")
 
 
 def _fits(value: Any, kind: Any) -> bool:
@@ -64,4 +107,15 @@ def _fits(value: Any, kind: Any) -> bool:
         return any(_fits(value, one) for one in of)
     if kind is float:
         return type(value) in (int, float) and abs(value) <= sys.float_info.max
+    if kind is str:
+        return isinstance(value, str) and _is_text(value)
     return type(value) is kind  # isinstance would accept true as an integer
+
+
+def _is_text(value: str) -> bool:
+    """Return whether a text can be written and shown; JSON can hold halves of characters."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        return False
+    return "\0" not in value

@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 
 from insole_core.errors import InputError
 from insole_core.messages import Message, Value
+from insole_core.regular_file import read_regular
 
 _Word = TypeVar("_Word", bound=str)
 
@@ -50,7 +51,7 @@ class JsonObject:
             When the file cannot be read, or holds no JSON object.
         """
         try:
-            text = path.read_bytes()
+            text = read_regular(path)
         except OSError as error:
             raise InputError(
                 "{path} cannot be read: {reason}; check the name of the file.",

@@ -6,10 +6,11 @@ import json
 import logging
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_type_hints
 
-from insole_core.export.atomic import replacing_file
-from insole_core.forgiving_json import read_remembered, understood
+from insole_core.errors import OutputError
+from insole_core.export.atomic import describe, make_private_folder, replacing_file
+from insole_core.forgiving_json import Complain, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 
 log = logging.getLogger(__name__)
@@ -25,7 +26,8 @@ class Settings:
     """All settings of the window, with their defaults.
 
     `window_geometry` and `window_docks` are Qt's own packed states in base64; `capture_views` says
-    which sensor gives which view (``left=SERIAL``). A view is refused if its pose exceeds the
+    which sensor gives which view (``left=SERIAL``); `author`, `clinic`, `maker` and
+    `maker_address` stand on the prescription. A view is refused if its pose exceeds the
     largest residuals or displacement.
     """
 
@@ -35,6 +37,9 @@ class Settings:
     touch: bool = False
     tour_seen: bool = False
     author: str = ""
+    clinic: str = ""
+    maker: str = ""
+    maker_address: str = ""
     recent: list[str] = field(default_factory=list)
     window_geometry: str = ""
     window_docks: str = ""
@@ -44,14 +49,26 @@ class Settings:
     largest_displacement_mm: float = DEFAULT_LIMITS.displacement_mm
 
     def remember(self, path: Path) -> None:
-        """Put `path` at the head of the recent files."""
+        """Put `path` at the head of the recent files, unless its name is no text."""
+        try:
+            str(path).encode()
+        except UnicodeEncodeError:
+            return
         others = [name for name in self.recent if name != str(path)]
         self.recent = [str(path), *others][:RECENT_COUNT]
 
 
-def load_settings(path: Path) -> Settings:
-    """Read the settings; absent or invalid entries get their defaults."""
-    return Settings(**understood(read_remembered(path), Settings, path))
+def load_settings(path: Path, complain: Complain = log.warning) -> Settings:
+    """Read the settings; absent or invalid entries get their defaults.
+
+    Parameters
+    ----------
+    complain
+        Called with a sentence for the user if something is not understood; the file is kept then.
+    """
+    settings = Settings(**remembered(path, get_type_hints(Settings), complain))
+    settings.recent = settings.recent[:RECENT_COUNT]
+    return settings
 
 
 def save_settings(settings: Settings, path: Path) -> None:
@@ -62,6 +79,9 @@ def save_settings(settings: Settings, path: Path) -> None:
     OutputError
         When the file cannot be written.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        make_private_folder(path.parent)
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
     with replacing_file(path) as beside:
         beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")

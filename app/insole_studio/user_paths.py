@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 from pathlib import Path
 
 import platformdirs
+
+from insole_core.export.atomic import PRIVATE_FOLDER
+
+log = logging.getLogger(__name__)
 
 APPLICATION = "insole-studio"
 
@@ -36,6 +41,20 @@ class UserPaths:
     def calibrations_folder(self) -> Path:
         """The folder of the pictures that sensors are calibrated from."""
         return self.data_folder / "calibrations"
+
+    @property
+    def locks_folder(self) -> Path:
+        """The folder of the locks of cases whose own folder takes none."""
+        return self.data_folder / "locks"
+
+    def make_private(self) -> None:
+        """Close the folders to other users; an earlier version left them open."""
+        for folder in (self.settings_folder, self.data_folder):
+            try:
+                if folder.is_dir():
+                    folder.chmod(PRIVATE_FOLDER)
+            except OSError as error:
+                log.warning("%s stays as open as it is: %s", folder, error)
 
     @classmethod
     def of_user(cls) -> UserPaths:

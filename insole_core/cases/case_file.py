@@ -5,11 +5,13 @@ Patient files are read strictly: what is not understood is refused, never guesse
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
 import zipfile
 import zlib
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -22,27 +24,37 @@ from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
+from insole_core.regular_file import blocks_of, open_regular
 
 CASE_NAME = "case.json"
 FOOT_NAMES = {side: f"{side}.npz" for side in Side}
 MAX_PART_BYTES = 512 * 2**20
+MAX_CASE_BYTES = 3 * MAX_PART_BYTES
 _PARTS = (CASE_NAME, FOOT_NAME_1, *FOOT_NAMES.values())
 _WHEN = (1980, 1, 1, 0, 0, 0)
 
 
-def write_case(record: CaseRecord, path: Path) -> None:
+def write_case(record: CaseRecord, path: Path) -> str:
     """Write a case atomically; equal cases give equal files.
+
+    Returns
+    -------
+    str
+        SHA-256 of the file.
 
     Raises
     ------
     OutputError
         When the place cannot be written; a file that was there before is untouched.
     """
-    with replacing_file(path) as beside, zipfile.ZipFile(beside, "w") as archive:
-        text = json.dumps(case_to_json(record), indent=1, ensure_ascii=False)
-        _add(archive, CASE_NAME, text.encode("utf-8"))
-        for foot in record.feet:
-            _add(archive, FOOT_NAMES[foot.side], _pack_mesh(foot.foot.mesh))
+    with replacing_file(path) as beside:
+        with zipfile.ZipFile(beside, "w") as archive:
+            text = json.dumps(case_to_json(record), indent=1, ensure_ascii=False)
+            _add(archive, CASE_NAME, text.encode("utf-8"))
+            for foot in record.feet:
+                _add(archive, FOOT_NAMES[foot.side], _pack_mesh(foot.foot.mesh))
+        with open_regular(beside) as file:
+            return _digest(file)
 
 
 def read_case(path: Path) -> CaseRecord:
@@ -53,7 +65,50 @@ def read_case(path: Path) -> CaseRecord:
     InputError
         When the file is not a case, is damaged, or comes from a newer version.
     """
-    parts = _read_parts(path)
+    return read_case_and_digest(path)[0]
+
+
+def read_case_and_digest(path: Path) -> tuple[CaseRecord, str]:
+    """Read a case and the SHA-256 of its file, of the same moment.
+
+    Raises
+    ------
+    InputError
+        As for `read_case`.
+    """
+    parts, digest = _read_parts(path)
+    return _case_of(parts, path), digest
+
+
+def digest_of_case(path: Path) -> str:
+    """Return the SHA-256 of a case file, to notice that it has changed; "" where there is none.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read.
+    """
+    try:
+        with open_regular(path) as file:
+            return _digest(file)
+    except FileNotFoundError:
+        return ""
+    except OSError as error:
+        raise InputError(
+            "{path} cannot be read: {reason}; check the name of the file.",
+            path=path,
+            reason=str(error.strerror),
+        ) from error
+
+
+def _digest(file: BinaryIO) -> str:
+    digest = hashlib.sha256()
+    for block in blocks_of(file, MAX_CASE_BYTES):
+        digest.update(block)
+    return digest.hexdigest()
+
+
+def _case_of(parts: dict[str, bytes], path: Path) -> CaseRecord:
     if CASE_NAME not in parts:
         raise InputError(
             "{path} holds no {file}, so it is no case; choose an .insole file.",
@@ -124,11 +179,13 @@ def _are_sound(touches: ContourConstraints) -> bool:
     return bool(kinds and shapes and np.isfinite(points).all() and np.isfinite(normals).all())
 
 
-def _read_parts(path: Path) -> dict[str, bytes]:
+def _read_parts(path: Path) -> tuple[dict[str, bytes], str]:
     try:
-        with zipfile.ZipFile(path) as archive:
-            known = [name for name in _PARTS if name in archive.namelist()]
-            return {name: _read_part(archive, name, path) for name in known}
+        with open_regular(path) as file:
+            digest = _digest(file)
+            with zipfile.ZipFile(file) as archive:
+                known = [name for name in _PARTS if name in archive.namelist()]
+                return {name: _read_part(archive, name, path) for name in known}, digest
     except FileNotFoundError as error:
         raise InputError("{path} does not exist; check the name.", path=path) from error
     except PermissionError as error:

@@ -173,7 +173,8 @@ def _of_side(place: JsonObject, design: InsoleDesign, side: Side) -> InsoleDesig
 
 
 def _patient(patient: JsonObject) -> Patient:
-    keys = ("name", "born", "visit", "notes")
+    keys = ["name", "born", "visit", "notes"]
+    keys += ["pseudonym"] * patient.has("pseudonym")
     return Patient(**{key: patient.text(key, empty=True) for key in keys})
 
 

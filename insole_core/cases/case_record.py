@@ -6,6 +6,7 @@ All positions are in the insole frame: mm, +y from heel to toes, +z dorsal.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,12 +26,21 @@ FIRST_NAME = "A"
 
 @dataclass(frozen=True)
 class Patient:
-    """The fields of the patient panel, as entered."""
+    """The fields of the patient panel, and what the workshop knows the patient by.
+
+    Parameters
+    ----------
+    born, visit
+        ISO 8601, from cases written before dates were checked any text: see `doubtful_days`.
+    pseudonym
+        Or order number; in place of the name in all that goes to the workshop.
+    """
 
     name: str = ""
     born: str = ""
     visit: str = ""
     notes: str = ""
+    pseudonym: str = ""
 
 
 @dataclass(frozen=True)
@@ -286,6 +296,11 @@ class CaseRecord:
     def foot(self) -> Foot | None:
         """Surface of the current foot."""
         return None if self.current is None else self.current.foot
+
+    @property
+    def source_paths(self) -> tuple[Path, ...]:
+        """Return where the scans of all feet were read from."""
+        return tuple(Path(foot.source.path) for foot in self.feet)
 
     @property
     def source(self) -> ScanSource | None:

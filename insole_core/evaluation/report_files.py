@@ -9,7 +9,7 @@ from pathlib import Path
 from insole_core.evaluation.report import Report, report_json
 from insole_core.evaluation.report_html import write_html
 from insole_core.evaluation.report_pdf import write_pdf
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 
 __all__ = ["WRITERS", "write_html", "write_json", "write_pdf"]
 
@@ -22,9 +22,7 @@ def write_json(report: Report, path: Path) -> None:
     OutputError
         If the path cannot be written.
     """
-    with replacing_file(path) as beside:
-        text = json.dumps(report_json(report), indent=1, ensure_ascii=False)
-        beside.write_text(text + "\n", encoding="utf-8")
+    write_text(json.dumps(report_json(report), indent=1, ensure_ascii=False) + "\n", path)
 
 
 WRITERS: dict[str, Callable[[Report, Path], None]] = {

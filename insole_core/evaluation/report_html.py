@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table, head_line
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.recording.images import encode_png
 
 _PLOT_IN = (7.2, 4.4)
@@ -39,8 +39,7 @@ def write_html(report: Report, path: Path) -> None:
     OutputError
         If the path cannot be written.
     """
-    with replacing_file(path) as beside:
-        beside.write_text(_page(report), encoding="utf-8")
+    write_text(_page(report), path)
 
 
 def _page(report: Report) -> str:

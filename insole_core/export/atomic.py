@@ -1,21 +1,42 @@
-"""Atomic output: write beside the destination, then rename."""
+"""Atomic output: write beside the destination, then rename.
+
+What is written concerns a patient: only its owner may read it, from the first byte on. Whoever
+shares a file or a folder with others sets its mode once; replacing it keeps the mode.
+"""
 
 from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import OutputError
-from insole_core.messages import Message
+from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.export.temporary import is_temporary, is_unfinished, make_folder, release, remove
+from insole_core.export.transaction import FindForeign, Transaction, any_file
+from insole_core.export.write_errors import describe
+
+__all__ = [
+    "PRIVATE_FILE",
+    "PRIVATE_FOLDER",
+    "copy_into",
+    "describe",
+    "make_private_folder",
+    "replacing_file",
+    "replacing_folder",
+    "scratch_folder",
+    "write_private",
+    "write_text",
+]
 
 
 @contextmanager
 def replacing_file(path: Path) -> Iterator[Path]:
     """Yield a path beside `path` to write to; on success it replaces `path`.
+
+    A file that a `Transaction` has opened, or that lies in a folder of one, is written directly.
 
     Raises
     ------
@@ -23,100 +44,111 @@ def replacing_file(path: Path) -> Iterator[Path]:
         When the place cannot be written (no such folder, no permission, no space). Whatever was
         there before is untouched, and no temporary file remains.
     """
-    beside: Path | None = None
-    try:
-        if path.is_dir():
-            raise IsADirectoryError
-        handle, name = tempfile.mkstemp(
-            dir=path.parent, prefix=f".{path.name}.", suffix=path.suffix
-        )
-        os.close(handle)
-        beside = Path(name)
-        yield beside
-        beside.chmod(0o666 & ~_umask())
-        beside.replace(path)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
-    finally:
-        if beside is not None:
-            beside.unlink(missing_ok=True)
+    if is_unfinished(path):
+        with _blamed_on(path):
+            yield path
+        return
+    with Transaction() as transaction:
+        beside = transaction.file(path)
+        with _blamed_on(path):
+            yield beside
 
 
 @contextmanager
-def replacing_folder(path: Path) -> Iterator[Path]:
-    """Do the same as `replacing_file` for a folder with everything in it."""
-    beside: Path | None = None
-    try:
-        if path.exists() and not path.is_dir():
-            raise NotADirectoryError
-        beside = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
-        yield beside
-        beside.chmod(0o777 & ~_umask())
-        _swap(beside, path)
-    except OSError as error:
-        raise OutputError(describe(path, error)) from error
-    finally:
-        if beside is not None and beside.exists():
-            shutil.rmtree(beside)
-
-
-def _swap(beside: Path, path: Path) -> None:
-    """Put `beside` in the place of `path`; delete the old folder only afterwards."""
-    if not path.exists():
-        beside.rename(path)
-        return
-    old = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
-    path.rename(old / "old")
-    try:
-        beside.rename(path)
-    except OSError:
-        (old / "old").rename(path)
-        raise
-    finally:
-        shutil.rmtree(old)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-def _not_allowed(path: Path) -> str:
-    if path.is_file() and os.access(path.parent, os.W_OK):  # as on Windows while it is open
-        return "another program has it open; close it there, or choose another name"
-    return "you may not write there; choose another place or ask for permission"
-
-
-def describe(path: Path, error: OSError) -> str:
-    """Return one sentence on why a place cannot be written.
+def replacing_folder(path: Path, find_foreign: FindForeign = any_file) -> Iterator[Path]:
+    """Do the same as `replacing_file` for a folder with everything in it.
 
     Parameters
     ----------
-    path
-        Where the result was to be written.
-    error
-        Raised by the attempt.
+    find_foreign
+        Tells an earlier output of the same kind, which may be replaced, from any other folder.
     """
-    reasons: list[tuple[type[OSError], str]] = [
-        (FileNotFoundError, "its folder does not exist; create the folder or choose another place"),
-        (PermissionError, _not_allowed(path)),
-        (IsADirectoryError, "a folder of that name is there; choose another name"),
-        (NotADirectoryError, "a file is there where a folder is needed; choose another name"),
-    ]
-    if isinstance(error, FileNotFoundError) and path.parent.is_dir():
-        return Message(
-            "{path} cannot be written: this place takes no files; choose another place.", path=path
-        )
-    for kind, reason in reasons:
-        if isinstance(error, kind):
-            return Message("{path} cannot be written: {reason}.", path=path, reason=reason)
-    if error.errno in (28, 122):
-        return Message(
-            "{path} cannot be written: the disk is full; free some space and try again.", path=path
-        )
-    return Message(
-        "{path} cannot be written: {reason}; choose another place.",
-        path=path,
-        reason=error.strerror or str(error),
-    )
+    with Transaction() as transaction:
+        beside = transaction.folder(path, find_foreign)
+        with _blamed_on(path):
+            yield beside
+
+
+def copy_into(folder: Path, source: Path) -> None:
+    """Copy all that a folder holds into an unfinished one, but for what a killed program left.
+
+    Raises
+    ------
+    OSError
+        The first one; `shutil.copytree` would go on and forget which it was.
+    """
+    for place, folders, files in os.walk(source):
+        folders[:] = [name for name in folders if not is_temporary(name)]
+        within = folder / Path(place).relative_to(source)
+        for name in folders:
+            (within / name).mkdir(exist_ok=True)
+        for name in files:
+            if not is_temporary(name):
+                shutil.copyfile(Path(place, name), within / name)
+
+
+@contextmanager
+def scratch_folder(path: Path) -> Iterator[Path]:
+    """Yield an empty folder beside the file `path` for its parts; it is removed at the end."""
+    try:
+        folder = make_folder(path.parent, path)
+    except OSError as error:
+        raise OutputError(describe(path, error)) from error
+    try:
+        with _blamed_on(path):
+            yield folder
+    finally:
+        remove(folder)
+        release(folder)
+
+
+def write_text(text: str, path: Path) -> None:
+    """Write a text as UTF-8, atomically.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    with replacing_file(path) as beside:
+        beside.write_text(text, encoding="utf-8")
+
+
+def make_private_folder(path: Path) -> None:
+    """Make a folder, and those above it that are missing, for its owner only.
+
+    Raises
+    ------
+    OSError
+        When it cannot be made. A folder that is there stays as it is.
+    """
+    if not path.is_dir():
+        make_private_folder(path.parent)
+        path.mkdir(mode=PRIVATE_FOLDER, exist_ok=True)
+
+
+def write_private(path: Path, content: bytes) -> None:
+    """Write a file into an unfinished folder, for its owner only.
+
+    Raises
+    ------
+    OSError
+        When it cannot be written.
+    """
+    with open(path, "wb", opener=_private) as file:
+        file.write(content)
+
+
+def _private(path: str, flags: int) -> int:
+    return os.open(path, flags, PRIVATE_FILE)
+
+
+@contextmanager
+def _blamed_on(path: Path) -> Iterator[None]:
+    """Take errors without a file name for those of writing `path`."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is not None or error.errno is None:
+            raise
+        raise OutputError(describe(path, error)) from error

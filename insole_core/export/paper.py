@@ -17,8 +17,10 @@ from typing import Any
 from xml.sax.saxutils import escape
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle
@@ -40,18 +42,23 @@ from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.lettering import as_written, font_path, with_known_letters
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.height_map import HeightMap
 from insole_core.resources import resource_path
 
 Facts = Mapping[str, str]
+Place = tuple[float, float, float]
 _FONT = "DejaVuSans"
 BOLD = "DejaVuSans-Bold"
 _MARGIN = 16 * mm
 _PADDING = 6
 """Padding of a reportlab frame inside the margin, pt."""
 BODY = ParagraphStyle("body", fontName=_FONT, fontSize=9, leading=12)
-HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=16, spaceBefore=8, keepWithNext=1)
+HEAD = ParagraphStyle("head", parent=BODY, fontSize=11, leading=15, spaceBefore=5, keepWithNext=1)
+NOTE = ParagraphStyle("note", parent=BODY, fontSize=8, leading=10, spaceBefore=4)
 TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
 QUIET = colors.HexColor("#595959")
+_OF_THE_WHOLE_ORDER = ("pseudonym", "kind", "date")
+_FAILED = "#b3261e"
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +97,12 @@ class JobSheet:
         The exported file, whose hash is printed; it may still have a temporary name.
     file_name
         Its final name.
-    height_map_mm : (ny, nx) float64, optional
+    height_map
+        Of the solid, in the frame of the file.
+    failed_mm
+        Places of failed checks, in the frame of the file.
+    is_nested
+        Whether the frame of the file is that of a block.
     """
 
     identification: Facts
@@ -100,11 +112,55 @@ class JobSheet:
     checks: tuple[str, ...]
     file: Path
     file_name: str
-    height_map_mm: FloatArray | None = None
+    height_map: HeightMap | None = None
+    failed_mm: tuple[Place, ...] = ()
+    is_nested: bool = False
 
 
-def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
+@dataclass(frozen=True, eq=False)
+class NestedPart:
+    """A part where it lies in a block.
+
+    Parameters
+    ----------
+    heights : mm, frame of the block
+    bounds_mm : (2, 3) float64
+        Least and greatest corner in the block.
+    is_turned
+        Whether its toes point to y = 0.
+    failed_mm
+        Places of failed checks in the block.
+    """
+
+    name: str
+    heights: HeightMap
+    bounds_mm: FloatArray
+    is_turned: bool
+    failed_mm: tuple[Place, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Nesting:
+    """A block with what is milled from it; its corner is the origin.
+
+    Parameters
+    ----------
+    block_mm
+        Width (x), length (y), height (z).
+    """
+
+    block_name: str
+    block_mm: Place
+    parts: tuple[NestedPart, ...]
+
+
+def write_job_sheet(sheets: Sequence[JobSheet], path: Path, nesting: Nesting | None = None) -> None:
     """Write the job sheets of the parts, each on a page of its own.
+
+    Parameters
+    ----------
+    nesting
+        Drawn on a page before them.
 
     Raises
     ------
@@ -114,9 +170,10 @@ def write_job_sheet(sheets: Sequence[JobSheet], path: Path) -> None:
         When an exported file or the texts cannot be read.
     """
     texts = _texts("job_sheet")
-    story: list[Flowable] = []
-    for number, sheet in enumerate(sheets):
-        story += [PageBreak()] * bool(number) + _sheet(sheet, texts)
+    pages = [_sheet(sheet, texts) for sheet in sheets]
+    if nesting is not None:
+        pages.insert(0, _nesting_page(nesting, sheets[0], texts))
+    story = [flowable for page in pages for flowable in (PageBreak(), *page)][1:]
     write_pages(story, path, texts["title"])
 
 
@@ -125,13 +182,41 @@ def _sheet(sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
     for key in ("identification", "measures", "make"):
         story += _facts(texts[key], getattr(sheet, key))
     story += _facts(texts["file"], {"name": sheet.file_name, "SHA-256": sha256_of(sheet.file)})
-    story += _list(texts["checks"], sheet.checks)
-    story += [paragraph(texts["sections"], HEAD), _pictures(sheet)]
-    return [*story, Spacer(1, 4 * mm), paragraph(texts["footer"])]
+    frame = texts["frame on page 1" if sheet.is_nested else "frame"]
+    story += [*_list(texts["checks"], sheet.checks), paragraph(f"{frame} {texts['footer']}", NOTE)]
+    return [*story, paragraph(texts["sections"], HEAD), _pictures(sheet)]
+
+
+def _nesting_page(nesting: Nesting, sheet: JobSheet, texts: dict[str, str]) -> list[Flowable]:
+    """Draw the block from above, and say where each part lies in it."""
+    common = {
+        key: value for key, value in sheet.identification.items() if key in _OF_THE_WHOLE_ORDER
+    }
+    width, length, height = nesting.block_mm
+    size = f"{nesting.block_name}, {length:g} × {width:g} × {height:g} mm"
+    return [
+        paragraph(texts["title"], TITLE),
+        *_facts(texts["identification"], {**common, "file": sheet.file_name, "stock": size}),
+        paragraph(texts["nesting"], HEAD),
+        _nesting_picture(nesting),
+        *_facts(texts["places"], {part.name: _position(part, texts) for part in nesting.parts}),
+        paragraph(texts["frame in the block"], NOTE),
+    ]
+
+
+def _position(part: NestedPart, texts: dict[str, str]) -> str:
+    (x, y, _), (x_end, y_end, z_end) = part.bounds_mm
+    text = texts["turned" if part.is_turned else "not turned"]
+    return f"x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {text}"
 
 
 def write_prescription(
-    identification: Facts, corrections: Sequence[str], make: Facts, path: Path
+    identification: Facts,
+    corrections: Sequence[str],
+    make: Facts,
+    path: Path,
+    *,
+    responsible: Facts,
 ) -> None:
     """Write the prescription for the patient and the record, with the statement of Annex XIII.
 
@@ -143,6 +228,9 @@ def write_prescription(
         One line each.
     make
         Material and other facts of manufacture.
+    responsible
+        Prescriber, clinic, maker and the maker's address. The text of the statement may name
+        them, and every other fact here, in braces: ``{maker}``.
 
     Raises
     ------
@@ -154,9 +242,12 @@ def write_prescription(
     texts = _texts("prescription")
     story = [paragraph(texts["title"], TITLE)]
     story += _facts(texts["identification"], identification)
+    given = {key: value for key, value in responsible.items() if value}
+    story += _facts(texts["responsible"], given)
     story += _list(texts["corrections"], corrections or ("–",))
     story += _facts(texts["make"], make)
-    story += _list(texts["statement_title"], (texts["statement"],))
+    statement = _filled(texts["statement"], {**identification, **responsible})
+    story += _list(texts["statement_title"], (statement,))
     story += [Spacer(1, 20 * mm), paragraph("_" * 40)]
     story += [paragraph(texts["signature"])]
     write_pages(story, path, texts["title"])
@@ -214,9 +305,9 @@ def write_pages(story: list[Flowable], path: Path, title: str, foot: str = "") -
         line = as_written(foot.replace("#", str(page.getPageNumber())))
         page.drawString(_MARGIN + _PADDING, _MARGIN / 2, line)
 
-    with replacing_file(path) as beside:
+    with replacing_file(path) as beside, beside.open("wb") as file:
         document = SimpleDocTemplate(
-            str(beside), pagesize=A4, title=title, author="Insole Studio",
+            file, pagesize=A4, title=title, author="Insole Studio",
             leftMargin=_MARGIN, rightMargin=_MARGIN, topMargin=_MARGIN, bottomMargin=_MARGIN,
         )  # fmt: skip
         document.build(story, onFirstPage=draw_foot, onLaterPages=draw_foot)
@@ -239,6 +330,13 @@ def sha256_of(path: Path) -> str:
             path=path,
             reason=str(error.strerror),
         ) from error
+
+
+def _filled(text: str, facts: Facts) -> str:
+    """Replace the names of facts in braces; a clinic's other braces stay as they are."""
+    for key, value in facts.items():
+        text = text.replace(f"{{{key}}}", value)
+    return text
 
 
 @cache
@@ -265,7 +363,14 @@ def _facts(title: str, facts: Facts) -> list[Flowable]:
     words = _texts("words")
     rows = [[paragraph(words.get(text, text)) for text in fact] for fact in facts.items()]
     table = Table(rows, colWidths=[50 * mm, 120 * mm], hAlign="LEFT")
-    table.setStyle([("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey)])
+    table.setStyle(
+        [
+            ("LINEBELOW", (0, 0), (-1, -1), 0.3, colors.lightgrey),
+            ("VALIGN", (0, 0), (-1, -1), "TOP"),
+            ("TOPPADDING", (0, 0), (-1, -1), 1),
+            ("BOTTOMPADDING", (0, 0), (-1, -1), 2),
+        ]
+    )
     return [paragraph(title, HEAD), table]
 
 
@@ -275,14 +380,13 @@ def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
 
 def _pictures(sheet: JobSheet) -> Image:
     """Draw the height map, if there is one, and the sections, to equal scales."""
-    figure = Figure(figsize=(7, 4.2), layout="constrained")
+    figure = Figure(figsize=(7, 2.9), layout="constrained")
     FigureCanvasAgg(figure)
-    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 2]), dtype=object)
-    if sheet.height_map_mm is not None:
+    left, right = np.array(figure.subfigures(1, 2, width_ratios=[1, 1.7]), dtype=object)
+    if sheet.height_map is not None:
         axes = left.subplots()
-        image = axes.imshow(sheet.height_map_mm, origin="lower", cmap="viridis")
-        axes.set_axis_off()
-        left.colorbar(image, ax=axes, label="mm", shrink=0.8)
+        _draw_map(axes, sheet.height_map, sheet.failed_mm)
+        left.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.8)
     count = max(1, len(sheet.sections))
     rows = right.subplots(count, 1, squeeze=False, sharex=True, sharey=True)[:, 0]
     for axes, section in zip(rows, sheet.sections, strict=False):
@@ -293,7 +397,51 @@ def _pictures(sheet: JobSheet) -> Image:
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=150)
     picture.seek(0)
-    return Image(picture, width=170 * mm, height=102 * mm)
+    return Image(picture, width=162 * mm, height=162 * 2.9 / 7 * mm)
+
+
+def _draw_map(
+    axes: Axes, heights: HeightMap, failed_mm: Sequence[Place], most_mm: float | None = None
+) -> None:
+    """Draw heights at their places, x and y on the axes in mm, with failed checks crossed."""
+    axes.imshow(
+        heights.top_mm, origin="lower", cmap="viridis", extent=heights.extent_mm, vmin=0,
+        vmax=most_mm,
+    )  # fmt: skip
+    for x, y, _ in failed_mm:
+        axes.plot(x, y, "x", color="white", markersize=8, markeredgewidth=4)
+        axes.plot(x, y, "x", color=_FAILED, markersize=7, markeredgewidth=2)
+    axes.tick_params(labelsize=6)
+    axes.set_xlabel("x, mm", fontsize=7)
+    axes.set_ylabel("y, mm", fontsize=7)
+
+
+def _nesting_picture(nesting: Nesting) -> Image:
+    """Draw the block from above with its parts, heel and toes of each named."""
+    width, length, height = nesting.block_mm
+    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    words = _texts("words")
+    for part in nesting.parts:
+        _draw_map(axes, part.heights, part.failed_mm, height)
+        (left, low, _), (right, high, _) = part.bounds_mm
+        heel, toes = (high, low) if part.is_turned else (low, high)
+        for place, word in ((heel, "heel"), ((low + high) / 2, part.name), (toes, "toes")):
+            inwards = place + np.sign((low + high) / 2 - place) * 12
+            axes.text(
+                (left + right) / 2, inwards, with_known_letters(words.get(word, word)),
+                ha="center", va="center", fontsize=9,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
+            )  # fmt: skip
+    figure.colorbar(axes.images[0], ax=axes, label="mm", shrink=0.6)
+    axes.add_patch(Rectangle((0, 0), width, length, fill=False, linewidth=1.5))
+    axes.set_xlim(-6, width + 6)
+    axes.set_ylim(-6, length + 6)
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=150)
+    picture.seek(0)
+    return Image(picture, width=140 * mm, height=140 * mm)
 
 
 def section_along(

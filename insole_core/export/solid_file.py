@@ -41,7 +41,9 @@ def check_suffix(path: Path, what: str = "the insole") -> None:
         )
 
 
-def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False) -> None:
+def write_solids(
+    parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = False, label: str = ""
+) -> None:
     """Write parts in the format that the suffix of `path` selects.
 
     3MF keeps the parts separate; in the other formats they are shells of one mesh. PLY has colours.
@@ -54,6 +56,8 @@ def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = 
         With one of `SUFFIXES`.
     ascii_stl
         Whether STL is written as ASCII.
+    label
+        Identifies the order, in the header of a binary STL and the title of a 3MF.
 
     Raises
     ------
@@ -65,11 +69,14 @@ def write_solids(parts: Sequence[ThreeMfPart], path: Path, *, ascii_stl: bool = 
     check_suffix(path)
     kind = path.suffix.lower()
     if kind == ".3mf":
-        write_3mf(parts, path)
+        write_3mf(parts, path, " ".join(filter(None, ("Insole", label))))
         return
     mesh = merged([part.mesh for part in parts])
     if kind == ".stl":
-        (write_ascii_stl if ascii_stl else write_stl)(mesh, path)
+        if ascii_stl:
+            write_ascii_stl(mesh, path)
+        else:
+            write_stl(mesh, path, label)
     elif kind == ".obj":
         write_obj(mesh, path)
     else:

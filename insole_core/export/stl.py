@@ -11,7 +11,8 @@ from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import Float32Array
 from insole_core.geometry.mesh import TriangleMesh
 
-_HEADER = b"Insole Studio, unit mm"  # must not begin with "solid", which would mark ASCII
+_HEADER = "Insole Studio, unit mm"  # must not begin with "solid", which would mark ASCII
+_HEADER_BYTES = 80
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _ASCII_FACET = (
     " facet normal %.6g %.6g %.6g\n  outer loop\n"
@@ -22,12 +23,14 @@ _ASCII_FACET = (
 _Columns: TypeAlias = list[Float32Array]
 
 
-def write_stl(mesh: TriangleMesh, path: Path) -> None:
+def write_stl(mesh: TriangleMesh, path: Path, label: str = "") -> None:
     """Write a mesh as binary STL, atomically.
 
     Parameters
     ----------
     mesh : mm
+    label
+        Identifies the order in the header; shortened to what the header holds.
 
     Raises
     ------
@@ -35,8 +38,9 @@ def write_stl(mesh: TriangleMesh, path: Path) -> None:
         When the place cannot be written; a file that was there before is untouched.
     """
     facets = _facets(mesh)
+    header = ", ".join(filter(None, (_HEADER, label))).encode("ascii", "replace")
     with replacing_file(path) as beside, beside.open("wb") as file:
-        file.write(_HEADER.ljust(80))
+        file.write(header[:_HEADER_BYTES].ljust(_HEADER_BYTES))
         file.write(np.uint32(len(facets)).astype("<u4").tobytes())
         file.write(facets.data)
 

@@ -15,12 +15,14 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
+from insole_core.insole.prescription.design_totals import check_totals
 from insole_core.insole.surface.contact import ContactBase, contact_base
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
 from insole_core.progress import SILENT, Progress
 
 __all__ = [
+    "GREATEST_HEIGHT_MM",
     "LEAST_MATERIAL_MM",
     "BaseStep",
     "Insole",
@@ -33,6 +35,8 @@ __all__ = [
 
 LEAST_MATERIAL_MM = 0.3
 """Least height of the contact surface over the bottom plane that can be manufactured."""
+GREATEST_HEIGHT_MM = 200.0
+"""Greatest one: every single correction stays below it, only very many together do not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +107,7 @@ def check_design_for(foot: Foot, design: InsoleDesign) -> None:
     Raises
     ------
     DesignError
-        If the sides differ, or naming the value that is out of range.
+        If the sides differ, or naming the value or the total that is out of range.
     """
     if design.side is not foot.side:
         raise DesignError(
@@ -113,15 +117,24 @@ def check_design_for(foot: Foot, design: InsoleDesign) -> None:
             foot_side=foot.side,
         )
     check_design(design)
+    check_totals(design)
 
 
 def material_problem(contact: HeightField) -> DesignError | None:
-    """Return an error saying where the insole is too thin to be made, or None if it is nowhere.
+    """Return an error saying where the insole is too thin or too high to be made, or None.
 
     It is fast enough to be called at every step of a drag.
     """
+    highest = float(contact.heights_mm.max())
+    if highest > GREATEST_HEIGHT_MM:
+        return DesignError(
+            "The insole would be {height_mm:.0f} mm high, and {most_mm:g} mm can be made; lower "
+            "the corrections that lie on each other.",
+            height_mm=highest,
+            most_mm=GREATEST_HEIGHT_MM,
+        )
     row, column = np.unravel_index(contact.heights_mm.argmin(), contact.heights_mm.shape)
-    lowest = contact.heights_mm[row, column]
+    lowest = round(float(contact.heights_mm[row, column]), 1)  # as it is printed
     if lowest >= LEAST_MATERIAL_MM:
         return None
     return DesignError(

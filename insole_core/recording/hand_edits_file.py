@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import describe, replacing_file
+from insole_core.export.atomic import write_text
+from insole_core.export.write_errors import describe
 from insole_core.json_object import JsonObject
 from insole_core.recording.hand_edits import (
     NO_EDITS,
@@ -55,8 +56,7 @@ def write_edits(edits: HandEdits, session: Path) -> None:
         except OSError as error:
             raise OutputError(describe(path, error)) from error
         return
-    with replacing_file(path) as beside:
-        beside.write_text(json.dumps(edits_json(edits), indent=1) + "\n", encoding="utf-8")
+    write_text(json.dumps(edits_json(edits), indent=1) + "\n", path)
 
 
 def edits_json(edits: HandEdits) -> dict[str, Any]:

@@ -6,8 +6,10 @@ import json
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.export.atomic import write_private
 from insole_core.json_object import JsonObject
 from insole_core.recording.sensor_json import correction_name, parse_sensor, sensor_json
+from insole_core.regular_file import read_regular
 from insole_core.sensing.correction import load_correction
 from insole_core.sensing.sensor import Sensor
 
@@ -25,7 +27,7 @@ def read_sensor(folder: Path) -> Sensor:
     """
     path = folder / SENSOR_FILE
     try:
-        content = path.read_bytes()
+        content = read_regular(path)
     except OSError as error:
         raise InputError(
             "{path} cannot be read ({reason}); name a folder that holds a sensor.json.",
@@ -52,4 +54,4 @@ def write_sensor(sensor: Sensor, folder: Path) -> None:
         name = CORRECTION_FILE
         sensor.correction.save(folder / name)
     text = json.dumps(sensor_json(sensor, name), indent=1, ensure_ascii=False)
-    (folder / SENSOR_FILE).write_text(text + "\n", encoding="utf-8")
+    write_private(folder / SENSOR_FILE, f"{text}\n".encode())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import zipfile
 import zlib
 from pathlib import Path, PurePosixPath
@@ -9,6 +10,7 @@ from typing import Protocol
 
 from insole_core.errors import InputError
 from insole_core.messages import Message
+from insole_core.regular_file import open_regular, read_regular
 
 MAX_FILE_BYTES = 64 * 2**20
 """No file of a session is larger: a 1280×1024 colour image has 4 MB before compression."""
@@ -56,10 +58,10 @@ class FolderStore:
         """
         path = self._root / name
         try:
-            if path.stat().st_size > MAX_FILE_BYTES:
-                raise InputError(_too_large(name))
-            return path.read_bytes()
+            return read_regular(path, MAX_FILE_BYTES)
         except OSError as error:
+            if error.errno == errno.EFBIG:
+                raise InputError(_too_large(name)) from error
             raise InputError(
                 "{name} cannot be read ({reason}); check the disk and the permissions.",
                 name=name,
@@ -79,7 +81,7 @@ class ZipStore:
     def __init__(self, archive: Path) -> None:
         self._archive = archive
         try:
-            with zipfile.ZipFile(archive) as opened:
+            with open_regular(archive) as file, zipfile.ZipFile(file) as opened:
                 entries = [entry for entry in opened.infolist() if not entry.is_dir()]
         except (zipfile.BadZipFile, OSError, NotImplementedError) as error:
             raise InputError(
@@ -108,7 +110,11 @@ class ZipStore:
         """
         try:
             # The sizes that the archive states are not trusted: never inflate past the limit.
-            with zipfile.ZipFile(self._archive) as opened, opened.open(self._prefix + name) as file:
+            with (
+                open_regular(self._archive) as packed,
+                zipfile.ZipFile(packed) as opened,
+                opened.open(self._prefix + name) as file,
+            ):
                 content = file.read(MAX_FILE_BYTES + 1)
         except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, zlib.error) as error:
             raise InputError(

@@ -5,10 +5,9 @@ from __future__ import annotations
 import json
 import zipfile
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
-from insole_core.export.atomic import replacing_file, replacing_folder
+from insole_core.export.atomic import replacing_file, replacing_folder, scratch_folder
 from insole_core.export.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,6 +19,7 @@ from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import Session, View
+from insole_core.recording.session_layout import foreign_in_session
 
 
 def write_session(
@@ -41,15 +41,16 @@ def write_session(
     Raises
     ------
     OutputError
-        When the place cannot be written; what was there before is untouched.
+        When the place cannot be written, or is a folder that holds anything but a session; what
+        was there before is untouched.
     Cancelled
     """
     if path.suffix.lower() == ".zip":
-        with replacing_file(path) as beside, TemporaryDirectory(dir=path.parent) as parts:
-            _write_parts(session, Path(parts), truth, sensor2reference, progress)
-            _zip(Path(parts), beside)
+        with replacing_file(path) as beside, scratch_folder(path) as parts:
+            _write_parts(session, parts, truth, sensor2reference, progress)
+            _zip(parts, beside)
     else:
-        with replacing_folder(path) as folder:
+        with replacing_folder(path, foreign_in_session) as folder:
             _write_parts(session, folder, truth, sensor2reference, progress)
 
 

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.export.atomic import replacing_file
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
+from insole_core.regular_file import read_regular
 from insole_core.sensing.disparity import DisparityModel
 
 VERSION = 2
@@ -174,7 +175,7 @@ def load_correction(path: Path) -> DisparityCorrection:
         When it is missing, damaged, or of a newer version.
     """
     try:
-        content = path.read_bytes()
+        content = read_regular(path)
     except OSError as error:
         raise InputError(
             "The correction {path} cannot be read ({reason}); calibrate the sensor again.",

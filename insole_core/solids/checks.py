@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,18 +12,26 @@ from scipy.ndimage import binary_erosion
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
+from insole_core.geometry.transforms import transform
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.ball_offset import left_by_cutter
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
+
+DECIMALS: dict[CheckName, int] = {
+    "thickness": 1, "cutter": 2, "undercut": 0, "step": 1, "block": 1, "shoe_height": 1, "grid": 2,
+}  # fmt: skip
+"""To which a value is rounded before it is compared with its limit, recorded and printed."""
 
 _PITCH_MM = 1.0
 _OFF_LATTICE = 0.3137  # rays avoid round coordinates, where lattices have their vertices
 _RIM_PIXELS = 3  # the rim tapers to an edge, which has no thickness
 _SKIN_MM = 0.01
 _DOWNWARD = -0.02
+_UNDERSIDE = -0.3  # z of a normal: faces down by more than a wall of the greatest inward draft
 
 Place = tuple[float, float, float]
 
@@ -35,7 +43,7 @@ class Finding:
     Parameters
     ----------
     value, limit, unit
-        Measured value, and the permitted one.
+        Measured value, rounded to `DECIMALS`, and the permitted one.
     place_mm
         Position of the worst value, in the frame of the solid; None if there is no single one.
     spots_mm : (n, 3) float64
@@ -57,6 +65,29 @@ class Finding:
         """Whether the export is refused unless someone overrides the rule."""
         return self.policy == "blocking" and not self.passed
 
+    @property
+    def margin(self) -> float:
+        """How far the value is from its limit; negative where it breaks the limit."""
+        more_is_better = self.name in ("thickness", "watertight")
+        return self.value - self.limit if more_is_better else self.limit - self.value
+
+    def moved(self, a2b: FloatArray) -> Finding:
+        """Return the finding with its places, and the sentence about them, in another frame.
+
+        Parameters
+        ----------
+        a2b : (4, 4) float64, mm
+            From the frame of the solid to the other one.
+        """
+        if self.place_mm is None:
+            return replace(self, spots_mm=transform(a2b, self.spots_mm))
+        place = _rounded(transform(a2b, np.array([self.place_mm]))[0])
+        sentence = self.sentence
+        if isinstance(sentence, Message) and "place" in sentence.values:
+            sentence = Message(sentence.template, **{**sentence.values, "place": _at(place)})
+        spots = transform(a2b, self.spots_mm)
+        return replace(self, place_mm=place, spots_mm=spots, sentence=sentence)
+
     def as_json(self) -> dict[str, Any]:
         """Return what is recorded, for `json.dump`."""
         return {key: value for key, value in vars(self).items() if key != "spots_mm"}
@@ -77,6 +108,7 @@ def check_solid(
     progress: Progress = SILENT,
     *,
     unmarked: TriangleMesh | None = None,
+    grid_mm: float = 0.0,
 ) -> tuple[Finding, ...]:
     """Run every check that is not switched off.
 
@@ -86,22 +118,26 @@ def check_solid(
         Standing on z = 0, the side to be milled upwards.
     unmarked : mm, optional
         The solid before letters were put on its bottom, which no cutter from above need reach.
+    grid_mm
+        Of the surface that the solid was made of; 0 for one that was made without a grid.
 
     Returns
     -------
     tuple of Finding
         One for each check, passed or not.
     """
-    survey = _Survey(solid, unmarked)
+    survey = _Survey(solid, unmarked, grid_mm)
+    policies = dict(rules.policies)
+    if rules.block_mm is None:
+        policies.pop("block", None)
     checks = {
         "watertight": _watertight, "thickness": _thickness, "cutter": _cutter,
         "undercut": _undercut, "step": _step, "block": _block, "shoe_height": _shoe_height,
+        "grid": _grid,
     }  # fmt: skip
     findings = []
-    for number, (name, policy) in enumerate(rules.policies.items()):
-        progress.step(
-            number / len(rules.policies), "Checking: {check}", check=name.replace("_", " ")
-        )
+    for number, (name, policy) in enumerate(policies.items()):
+        progress.step(number / len(policies), "Checking: {check}", check=name.replace("_", " "))
         if policy != "off":
             findings.append(checks[name](survey, rules, policy))
     return tuple(findings)
@@ -137,18 +173,40 @@ def require_export(findings: Sequence[Finding], override: Override | None = None
     }
 
 
-def survey_heights(solid: TriangleMesh) -> tuple[FloatArray, FloatArray]:
-    """Return the heights (ny, nx) of the upper and lower side on pixels of 1 mm; NaN beside it."""
+def worst_findings(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return the worst finding of each check, such as those of the two parts of a pair.
+
+    It has the spots of all, so they must be in one frame.
+    """
+    of_check: dict[CheckName, list[Finding]] = {}
+    for finding in findings:
+        of_check.setdefault(finding.name, []).append(finding)
+    return tuple(map(_worst_of, of_check.values()))
+
+
+def _worst_of(findings: Sequence[Finding]) -> Finding:
+    worst = min(findings, key=lambda finding: (finding.passed, finding.margin))
+    failed = [finding.spots_mm for finding in findings if not finding.passed]
+    return replace(worst, spots_mm=np.concatenate(failed)) if failed else worst
+
+
+def survey_heights(solid: TriangleMesh) -> HeightMap:
+    """Return the heights of a solid, mm, in its own frame."""
     below = TriangleMesh(solid.vertices * [1, 1, -1], solid.triangles)
-    return _Survey(solid).seen[0], -_Survey(below).seen[0]
+    above = _Survey(solid)
+    first = above.places[0, 0]
+    return HeightMap(above.seen[0], -_Survey(below).seen[0], (float(first[0]), float(first[1])))
 
 
 class _Survey:
     """The solid as seen from above, on a grid."""
 
-    def __init__(self, solid: TriangleMesh, unmarked: TriangleMesh | None = None) -> None:
+    def __init__(
+        self, solid: TriangleMesh, unmarked: TriangleMesh | None = None, grid_mm: float = 0.0
+    ) -> None:
         self.solid = solid
         self.unmarked = unmarked or solid
+        self.grid_mm = grid_mm
         self.caster = RayCaster(solid)
         low, high = solid.bounds_mm[:, :2]
         first = np.floor(low) - 2 + _OFF_LATTICE
@@ -176,12 +234,17 @@ class _Survey:
         return np.asarray(binary_erosion(np.isfinite(self.seen[0]), iterations=_RIM_PIXELS))
 
     def place(self, index: tuple[int, ...]) -> Place:
-        x, y = self.places[index]
-        return float(round(x, 2)), float(round(y, 2)), float(round(self.seen[0][index], 2))
+        return _rounded(np.array([*self.places[index], self.seen[0][index]]))
+
+
+def _rounded(place: FloatArray) -> Place:
+    x, y, z = (round(float(value), 2) + 0.0 for value in place)
+    return x, y, z
 
 
 def _at(place: Place) -> Message:
-    return Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=place[0], y_mm=place[1])
+    x, y = (round(value) + 0.0 for value in place[:2])  # + 0.0: never "-0"
+    return Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=x, y_mm=y)
 
 
 def _worst(values: FloatArray) -> tuple[int, ...]:
@@ -196,7 +259,11 @@ def _watertight(survey: _Survey, _rules: ExportRules, policy: Policy) -> Finding
 
 
 def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
-    """Measure from each point of the upper side along the inward normal to the opposite side."""
+    """Measure from each point of the upper side along the inward normal to the underside.
+
+    Where the normal leaves through a wall instead, it measures how broad the rim is there, which
+    is no thickness: the rim tapers to an edge.
+    """
     heights, normals = survey.seen
     limit = rules.limits["thickness"]
     thickness = np.full(heights.shape, np.nan)
@@ -204,10 +271,10 @@ def _thickness(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     into = -normals.reshape(-1, 3)[inner]
     points = np.dstack([survey.places, heights]).reshape(-1, 3)[inner]
     hits = survey.caster.cast(points + _SKIN_MM * into, into)
-    ends = np.einsum(
-        "nk,nkc->nc", hits.weights, survey.solid.vertices[survey.solid.triangles[hits.triangle]]
-    )
-    thickness.flat[inner[hits.ray]] = np.linalg.norm(ends - points[hits.ray], axis=1)
+    below = survey.solid.triangle_normals[hits.triangle, 2] < _UNDERSIDE
+    ray, triangle, weights = hits.ray[below], hits.triangle[below], hits.weights[below]
+    ends = np.einsum("nk,nkc->nc", weights, survey.solid.vertices[survey.solid.triangles[triangle]])
+    thickness.flat[inner[ray]] = np.linalg.norm(ends - points[ray], axis=1)
     return _graded(survey, "thickness", policy, -thickness, limit, unit="mm thick", least=True)
 
 
@@ -252,21 +319,21 @@ def _graded(
             "Too little of the solid is seen from above to check its {what}.", what=name
         )
         return Finding(name, policy, False, 0.0, limit, unit, sentence)
-    worst = _worst(badness)
+    worst, badness = _worst(badness), badness.round(DECIMALS[name])
     value = float(-badness[worst] if least else badness[worst])
     passed = value >= limit if least else value <= limit
     place = survey.place(worst)
     bad = badness > (-limit if least else limit)
     spots = np.dstack([survey.places, survey.seen[0]])[bad]
     sentence = Message(
-        "{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.",
+        "{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.",
         value=value,
         unit=unit,
         place=_at(place),
         limit=limit,
         bound="least" if least else "most",
     )
-    return Finding(name, policy, passed, round(value, 3), limit, unit, sentence, place, spots)
+    return Finding(name, policy, passed, value, limit, unit, sentence, place, spots)
 
 
 def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
@@ -277,11 +344,10 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     hidden = lifted & (solid.triangle_normals[:, 2] < _DOWNWARD)
     sides = corners[hidden, 1] - corners[hidden, 0], corners[hidden, 2] - corners[hidden, 0]
     areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
-    area = float(areas.sum())
+    area = round(float(areas.sum()), DECIMALS["undercut"])
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
-        x, y, z = corners[hidden][areas.argmax()].mean(axis=0)
-        place = (float(round(x, 2)), float(round(y, 2)), float(round(z, 2)))
+        place = _rounded(corners[hidden][areas.argmax()].mean(axis=0))
     sentence = Message(
         "{area_mm2:.0f} mm² cannot be reached from above; {limit:g} are allowed.",
         area_mm2=area,
@@ -294,19 +360,30 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
             place=_at(place),
             limit=limit,
         )
-    return Finding(
-        "undercut", policy, area <= limit, round(area, 1), limit, "mm²", sentence, place, spots
-    )
+    return Finding("undercut", policy, area <= limit, area, limit, "mm²", sentence, place, spots)
 
 
 def _block(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
+    assert rules.block_mm is not None
     extent = np.ptp(survey.solid.vertices, axis=0)
     size = np.concatenate([np.sort(extent[:2])[::-1], extent[2:]])
     stock = np.concatenate([np.sort(rules.block_mm[:2])[::-1], rules.block_mm[2:]])
-    over = float((size - stock).max())
-    needed = " × ".join(f"{value:.0f}" for value in size)
+    size = size.round(DECIMALS["block"])
+    over = round(float((size - stock).max()), DECIMALS["block"])
+    needed = " × ".join(f"{value:g}" for value in size)
     there = " × ".join(f"{value:g}" for value in stock)
     sentence = Message(
         "The solid needs {needed} mm, and the block has {there} mm.", needed=needed, there=there
     )
-    return Finding("block", policy, over <= 0, round(over, 2), 0.0, "mm too large", sentence)
+    return Finding("block", policy, over <= 0, over, 0.0, "mm too large", sentence)
+
+
+def _grid(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
+    """Judge the grid itself: a coarse one makes facets that no other check sees."""
+    grid_mm, limit = round(survey.grid_mm, DECIMALS["grid"]), rules.limits["grid"]
+    sentence = Message(
+        "The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.",
+        grid_mm=grid_mm,
+        limit=limit,
+    )
+    return Finding("grid", policy, grid_mm <= limit, grid_mm, limit, "mm", sentence)

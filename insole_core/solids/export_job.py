@@ -4,25 +4,37 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, field
-from datetime import UTC, datetime
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from insole_core.errors import UsageError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.export.solid_file import check_suffix, write_solids
 from insole_core.export.three_mf import ThreeMfPart
-from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
+from insole_core.export.transaction import Transaction
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.height_map import HeightMap
+from insole_core.insole.prescription.prescription_lines import make_facts, plain_number
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.checks import Override, require_export, survey_heights
+from insole_core.solids.checks import (
+    Finding,
+    Override,
+    Place,
+    require_export,
+    survey_heights,
+)
 from insole_core.solids.order import Part, nest_parts
+from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
 from insole_core.solids.shop import Block, Shop
 
 # `paper` is imported by the functions that write one: it brings reportlab and matplotlib.
 if TYPE_CHECKING:
-    from insole_core.export.paper import JobSheet
+    from insole_core.export.paper import JobSheet, Nesting
 
 _SECTIONS = ((0.5, False), (0.12, True), (0.5, True), (0.72, True))
 """Share of the length or width, and whether the cut goes across."""
@@ -55,9 +67,11 @@ class ExportJob:
     pieces
         One, or a left and a right one.
     identification
-        What the workshop may know: a pseudonym; never the patient's name.
+        What the workshop may know: a pseudonym or an order number; never the patient's name.
     patient
         For the prescription, which stays with the patient and in the record.
+    responsible
+        Who prescribes and who makes, for the prescription.
     block
         In which a pair is nested; None for parts that lie as they were designed.
     override
@@ -70,42 +84,87 @@ class ExportJob:
     shop: Shop
     identification: Mapping[str, str] = field(default_factory=dict)
     patient: Mapping[str, str] = field(default_factory=dict)
+    responsible: Responsible = NOBODY
     material: str = ""
     block: Block | None = None
     override: Override | None = None
     ascii_stl: bool = False
 
-    def parts(self) -> tuple[ThreeMfPart, ...]:
-        """Return the objects of the file.
+    @property
+    def is_nested(self) -> bool:
+        """Whether a left and a right part lie in one block."""
+        return self.block is not None and len(self.pieces) == 2
+
+    def placed(self) -> tuple[PlacedPart, ...]:
+        """Return the parts where they lie in the file.
 
         Raises
         ------
         DesignError
             If a pair does not fit the block.
         """
-        if self.block is not None and len(self.pieces) == 2:
-            return nest_parts(*self.pieces, self.block.size_mm, self.shop)
-        return tuple(part for piece in self.pieces for part in piece.parts(self.shop))
+        if self.block is None or len(self.pieces) != 2:
+            return tuple(PlacedPart(piece, np.eye(4)) for piece in self.pieces)
+        nest = nest_parts(*self.pieces, self.block.size_mm)
+        return tuple(map(PlacedPart, self.pieces, nest.insole2block))
 
 
-@contextmanager
-def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
-    """Open temporary files for every path before the work begins; none remains if it fails.
+@dataclass(frozen=True, eq=False)
+class PlacedPart:
+    """A part at its position in the exported file.
+
+    Parameters
+    ----------
+    insole2file : (4, 4) float64, mm
+        The identity for a part that lies as it was designed.
+    """
+
+    part: Part
+    insole2file: FloatArray
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings, with places in the frame of the file."""
+        return tuple(finding.moved(self.insole2file) for finding in self.part.findings)
+
+    @property
+    def failed_mm(self) -> tuple[Place, ...]:
+        """Where checks have failed, in the frame of the file."""
+        return tuple(
+            finding.place_mm
+            for finding in self.findings
+            if finding.place_mm is not None and not finding.passed
+        )
+
+    def objects(self, shop: Shop) -> tuple[ThreeMfPart, ...]:
+        """Return the objects of the file."""
+        return tuple(
+            replace(part, mesh=part.mesh.transformed(self.insole2file))
+            for part in self.part.parts(shop)
+        )
+
+    def heights(self) -> HeightMap:
+        """Return the solid seen from above, in the frame of the file."""
+        return survey_heights(self.part.solid.transformed(self.insole2file))
+
+
+def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
+    """Open temporary files for every path before the work begins.
 
     Parameters
     ----------
     places
-        The final paths, which the files take when the context ends without error.
+        The final paths, which the files take when the transaction ends without error.
 
-    Yields
-    ------
+    Returns
+    -------
     ExportPaths
         The temporary files to write.
 
     Raises
     ------
     UsageError
-        If a name has a suffix that is not supported.
+        If a name has a suffix that is not supported, or two results have the same name.
     OutputError
         If a path cannot be written.
     """
@@ -115,11 +174,14 @@ def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
             )
-    with ExitStack() as stack:
-        opened = (
-            path and stack.enter_context(replacing_file(path)) for path in vars(places).values()
-        )
-        yield ExportPaths(*opened)
+    return ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
+
+
+@contextmanager
+def outputs(places: ExportPaths) -> Iterator[ExportPaths]:
+    """Open temporary files for every path, as `opened`; none remains if the work fails."""
+    with Transaction() as transaction:
+        yield opened(places, transaction)
 
 
 def run_export_job(
@@ -138,22 +200,35 @@ def run_export_job(
     ------
     DesignError
         If a blocking check failed and is not overridden, or a pair does not fit its block.
+    InputError
+        If a paper lacks what it states.
     """
-    records = [require_export(piece.findings, job.override) for piece in job.pieces]
+    placed = job.placed()
+    records = [require_export(piece.findings, job.override) for piece in placed]
     progress.step(0.1, "Writing the file")
-    write_solids(job.parts(), beside.solid, ascii_stl=job.ascii_stl)
+    objects = [part for piece in placed for part in piece.objects(job.shop)]
+    label = job.identification.get("pseudonym", "")
+    write_solids(objects, beside.solid, ascii_stl=job.ascii_stl, label=label)
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
-        beside.checks.write_text(text + "\n", encoding="utf-8")
+        write_text(text + "\n", beside.checks)
     if beside.job_sheet is not None:
         from insole_core.export.paper import write_job_sheet
 
         progress.step(0.4, "Writing the job sheet")
-        sheets = [_job_sheet(job, piece, places, beside) for piece in job.pieces]
-        write_job_sheet(sheets, beside.job_sheet)
+        sheets = [_job_sheet(job, piece, places, beside) for piece in placed]
+        nesting = _nesting(job.block, placed) if job.block and job.is_nested else None
+        write_job_sheet(sheets, beside.job_sheet, nesting)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
-        _write_prescription(job, beside.prescription)
+        write_prescription_paper(
+            [piece.insole.design for piece in job.pieces],
+            beside.prescription,
+            responsible=job.responsible,
+            identification={**job.patient, **job.identification},
+            material=job.material,
+            day=date.today(),
+        )
 
 
 def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
@@ -166,30 +241,55 @@ def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
     return {str(piece.side): r for piece, r in zip(job.pieces, records, strict=True)}
 
 
-def _job_sheet(job: ExportJob, piece: Part, places: ExportPaths, beside: ExportPaths) -> JobSheet:
+def _job_sheet(
+    job: ExportJob, placed: PlacedPart, places: ExportPaths, beside: ExportPaths
+) -> JobSheet:
     from insole_core.export.paper import JobSheet, section_along
 
-    top, bottom = survey_heights(piece.solid)
+    piece = placed.part
+    heights = survey_heights(piece.solid)
     return JobSheet(
         identification={
             **job.identification,
             "side": str(piece.side),
             "kind": piece.order.kind,
             "mark": ", ".join(piece.order.mark) or "–",
-            "date": datetime.now(UTC).date().isoformat(),
+            "date": date.today().isoformat(),
         },
         measures=_measures(piece),
         make=_make(job, piece),
         sections=tuple(
-            section_along(top, bottom, 1.0, share=share, across=across)
+            section_along(heights.top_mm, heights.bottom_mm, 1.0, share=share, across=across)
             for share, across in _SECTIONS
         ),
-        checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in piece.findings)
+        checks=tuple(f"{'✓' if f.passed else '✗'} {f.sentence}" for f in placed.findings)
         + piece.notes
         + _released(job, piece),
         file=beside.solid,
         file_name=places.solid.name,
-        height_map_mm=top,
+        height_map=placed.heights() if job.is_nested else heights,
+        failed_mm=placed.failed_mm,
+        is_nested=job.is_nested,
+    )
+
+
+def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
+    from insole_core.export.paper import NestedPart, Nesting
+
+    length, width = sorted(block.size_mm[:2], reverse=True)
+    return Nesting(
+        block_name=block.name,
+        block_mm=(width, length, block.size_mm[2]),
+        parts=tuple(
+            NestedPart(
+                name=str(piece.part.side),
+                heights=piece.heights(),
+                bounds_mm=piece.part.solid.transformed(piece.insole2file).bounds_mm,
+                is_turned=bool(piece.insole2file[1, 1] < 0),
+                failed_mm=piece.failed_mm,
+            )
+            for piece in placed
+        ),
     )
 
 
@@ -201,6 +301,9 @@ def _measures(piece: Part) -> dict[str, str]:
         "volume": f"{solid.volume_mm3 / 1000:.1f} cm³",
         "triangles": str(len(solid.triangles)),
     }
+    for finding in piece.findings:
+        if finding.name == "thickness":
+            facts["least thickness, without the rim"] = f"{finding.value:g} mm"
     if piece.deviation_mm > 0:
         facts["deviation of the triangles"] = f"{piece.deviation_mm:.3f} mm at most"
     return facts
@@ -209,13 +312,13 @@ def _measures(piece: Part) -> dict[str, str]:
 def _make(job: ExportJob, piece: Part) -> dict[str, str]:
     facts = {
         "material": job.material or "–",
-        "tolerance": f"± {job.shop.tolerance_mm:g} mm",
+        "tolerance": f"± {plain_number(job.shop.tolerance_mm, 2)} mm",
         **make_facts(piece.insole.design),
-        "draft of the walls": f"{piece.order.options.draft_deg:g}°",
+        "draft of the walls": f"{plain_number(piece.order.options.draft_deg)}°",
     }
     if job.block is not None:
-        size = " × ".join(f"{length:g}" for length in job.block.size_mm)
-        facts["block"] = f"{job.block.name}, {size} mm"
+        size = " × ".join(map(plain_number, job.block.size_mm))
+        facts["stock"] = f"{job.block.name}, {size} mm"
     return facts
 
 
@@ -224,20 +327,3 @@ def _released(job: ExportJob, piece: Part) -> tuple[str, ...]:
     if by is None or not any(finding.blocks for finding in piece.findings):
         return ()
     return (f"Released against a blocking rule by {by.author}, {by.at}: {by.reason}",)
-
-
-def _write_prescription(job: ExportJob, path: Path) -> None:
-    from insole_core.export.paper import write_prescription
-
-    lines, make = [], {}
-    for piece in job.pieces:
-        lines += [
-            f"{str(piece.side).capitalize()}. {line}"
-            for line in correction_lines(piece.insole.design)
-        ]
-        for key, value in make_facts(piece.insole.design).items():
-            make[f"{piece.side}, {key}"] = value
-    sides = " and ".join(str(piece.side) for piece in job.pieces)
-    today = datetime.now(UTC).date().isoformat()
-    identification = {**job.patient, **job.identification, "side": sides, "date": today}
-    write_prescription(identification, lines, {"material": job.material or "–", **make}, path)

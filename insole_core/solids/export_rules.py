@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path
@@ -17,7 +17,7 @@ from insole_core.resources import resource_path
 FORMAT, VERSION = "insole-export-rules", 1
 Policy: TypeAlias = Literal["blocking", "warning", "off"]
 CheckName: TypeAlias = Literal[
-    "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"
+    "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height", "grid"
 ]
 _LEAST_CUTTER_MM, _GREATEST_CUTTER_MM = 1.0, 40.0
 _GREATEST = 1000
@@ -35,17 +35,18 @@ class ExportRules:
         Checks that are not named are off.
     limits
         Thickness: least, mm. Cutter: most material left in hollows, mm. Undercut: most area, mm².
-        Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm.
+        Step: most rise over 1 mm, mm. Shoe height: greatest height of the insole, mm. Grid:
+        greatest distance of the points that the surface is computed at, mm.
     cutter_diameter_mm
         Of the ball-nose cutter.
     block_mm
-        Length, width, height of the stock.
+        Length, width, height of the stock; None where no block is chosen, so that none is checked.
     """
 
     policies: dict[CheckName, Policy] = field(default_factory=dict)
     limits: dict[CheckName, float] = field(default_factory=dict)
     cutter_diameter_mm: float = 10.0
-    block_mm: tuple[float, float, float] = (340.0, 130.0, 40.0)
+    block_mm: tuple[float, float, float] | None = (340.0, 130.0, 40.0)
 
     def with_rule(self, name: CheckName, policy: Policy, limit: float | None = None) -> ExportRules:
         """Return the rules with another policy, and if given another limit, for one check.
@@ -127,7 +128,7 @@ def write_rules(rules: ExportRules, path: Path) -> None:
         content.setdefault(name, {"policy": "off"})["limit"] = limit
     content.setdefault("cutter", {"policy": "off", "limit": 0.0})
     content["cutter"]["cutter_diameter_mm"] = rules.cutter_diameter_mm
-    content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
+    if rules.block_mm is not None:
+        content.setdefault("block", {"policy": "off"})["size_mm"] = list(rules.block_mm)
     text = json.dumps({"format": FORMAT, "version": VERSION, "rules": content}, indent=1)
-    with replacing_file(path) as beside:
-        beside.write_text(text + "\n", encoding="utf-8")
+    write_text(text + "\n", path)

@@ -10,8 +10,10 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.messages import Message
 
 _PITCH_MM = 1.0
+_ROUNDING_MM = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +33,28 @@ class Nest:
     insole2block: tuple[FloatArray, ...]
     size_mm: tuple[float, float, float]
 
+    def excess_mm(self, block_mm: tuple[float, float, float]) -> float:
+        """Return by how much a block (length, width, height) is too small; negative if it fits."""
+        length, width = sorted(block_mm[:2], reverse=True)
+        x, y, z = self.size_mm
+        return max(x - width, y - length, z - block_mm[2])
+
+    def sentence(self, block_mm: tuple[float, float, float]) -> Message:
+        """Say what the pair needs of a block (length, width, height), and what there is."""
+        length, width = sorted(block_mm[:2], reverse=True)
+        x, y, z = (np.ceil(size - _ROUNDING_MM) for size in self.size_mm)
+        need, there = f"{y:.0f} × {x:.0f} × {z:.0f}", f"{length:g} × {width:g} × {block_mm[2]:g}"
+        if self.excess_mm(block_mm) <= 0:
+            return Message(
+                "The pair needs {need} mm, and the block has {there} mm.", need=need, there=there
+            )
+        return Message(
+            "The pair needs a block of {need} mm, and this one has {there} mm; take a larger "
+            "block, or one for each side.",
+            need=need,
+            there=there,
+        )
+
 
 def nest_pair(
     left: TriangleMesh,
@@ -40,7 +64,7 @@ def nest_pair(
     gap_mm: float = 12.0,
     margin_mm: float = 4.0,
 ) -> Nest:
-    """Place two solids side by side in a block.
+    """Place two solids side by side in a block that is large enough.
 
     Parameters
     ----------
@@ -62,23 +86,30 @@ def nest_pair(
     DesignError
         If the block is too small.
     """
+    nest = closest_nest(left, right, gap_mm=gap_mm, margin_mm=margin_mm)
+    if nest.excess_mm(block_mm) > 0:
+        raise DesignError(nest.sentence(block_mm))
+    return nest
+
+
+def closest_nest(
+    left: TriangleMesh, right: TriangleMesh, *, gap_mm: float = 12.0, margin_mm: float = 4.0
+) -> Nest:
+    """Place two solids side by side, whatever the size of the block that takes them.
+
+    Parameters
+    ----------
+    left, right : mm, each in its own frame
+    gap_mm, margin_mm
+        As for `nest_pair`.
+
+    Returns
+    -------
+    Nest
+        The narrower of both directions of the right solid.
+    """
     nests = [_side_by_side(left, right, turn_deg, gap_mm, margin_mm) for turn_deg in (0, 180)]
-    smallest = min(nests, key=lambda nest: nest.size_mm[0])
-    length, width = sorted(block_mm[:2], reverse=True)
-    need_x, need_y, need_z = smallest.size_mm
-    if need_y > length or need_x > width or need_z > block_mm[2]:
-        raise DesignError(
-            "The pair needs a block of {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, and "
-            "this one has {length_mm:g} × {width_mm:g} × {height_mm:g} mm; take a larger block, "
-            "or one for each side.",
-            need_x_mm=need_y,
-            need_y_mm=need_x,
-            need_z_mm=need_z,
-            length_mm=length,
-            width_mm=width,
-            height_mm=block_mm[2],
-        )
-    return smallest
+    return min(nests, key=lambda nest: nest.size_mm[0])
 
 
 def _side_by_side(

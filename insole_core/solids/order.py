@@ -13,18 +13,18 @@ from insole_core.insole.build import Insole
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid
-from insole_core.solids.export_rules import CheckName, ExportRules
+from insole_core.solids.export_rules import CHECK_NAMES, CheckName, ExportRules, Policy
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
-from insole_core.solids.nesting import nest_pair
+from insole_core.solids.nesting import Nest, closest_nest, nest_pair
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
 
 CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
-    "insole": ("watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height"),
-    "block": ("watertight", "thickness", "cutter", "step", "block"),
-    "positive": ("watertight", "undercut"),
+    "insole": CHECK_NAMES,
+    "block": ("watertight", "thickness", "cutter", "step", "block", "grid"),
+    "positive": ("watertight", "undercut", "grid"),
 }
 _MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
 """Under the heel, where every insole's bottom is wide and complete: shares of the length, mm."""
@@ -123,14 +123,16 @@ def make_part(
     progress.step(0.4, "Reducing the triangles")
     simple = _reduced(marked, order)
     findings = check_solid(
-        simple.mesh, rules.only(CHECKS_OF[order.kind]), progress.part(0.7, 1.0), unmarked=plain
+        simple.mesh,
+        rules.only(CHECKS_OF[order.kind]),
+        progress.part(0.7, 1.0),
+        unmarked=plain,
+        grid_mm=insole.design.grid_mm,
     )
     return Part(insole, order, simple.mesh, simple.deviation_mm, findings, _notes(order))
 
 
-def nest_parts(
-    left: Part, right: Part, block_mm: tuple[float, float, float], shop: Shop
-) -> tuple[ThreeMfPart, ...]:
+def nest_parts(left: Part, right: Part, block_mm: tuple[float, float, float]) -> Nest:
     """Place a left and a right part in one block.
 
     Parameters
@@ -138,22 +140,46 @@ def nest_parts(
     block_mm
         Length, width, height.
 
-    Returns
-    -------
-    tuple of ThreeMfPart
-        The objects of both, at their positions in the block, mm.
-
     Raises
     ------
     DesignError
         If the block is too small.
     """
-    nest = nest_pair(left.solid, right.solid, block_mm)
-    return tuple(
-        replace(part, mesh=part.mesh.transformed(insole2block))
-        for piece, insole2block in zip((left, right), nest.insole2block, strict=True)
-        for part in piece.parts(shop)
+    return nest_pair(left.solid, right.solid, block_mm)
+
+
+def checked_together(
+    left: Part, right: Part, block_mm: tuple[float, float, float], policy: Policy
+) -> tuple[Part, Part]:
+    """Check whether both parts fit into one block, in place of each alone.
+
+    Parameters
+    ----------
+    block_mm
+        Length, width, height.
+    policy
+        Of the check while it is passed. A pair that does not fit cannot be nested, so that then
+        the check is blocking.
+
+    Returns
+    -------
+    tuple of Part
+        With the same finding "block".
+    """
+    nest = closest_nest(left.solid, right.solid)
+    over = nest.excess_mm(block_mm)
+    sentence = nest.sentence(block_mm)
+    fits = over <= 0
+    finding = Finding(
+        "block", policy if fits else "blocking", fits, round(over, 2), 0.0, "mm too large", sentence
     )
+    return _with_block(left, finding), _with_block(right, finding)
+
+
+def _with_block(part: Part, finding: Finding) -> Part:
+    others = tuple(f for f in part.findings if f.name != finding.name)
+    kept = () if finding.policy == "off" else (finding,)
+    return replace(part, findings=(*others, *kept))
 
 
 def _marked(solid: TriangleMesh, insole: Insole, order: Order) -> TriangleMesh:

@@ -53,14 +53,21 @@ def read_shop(path: Path | None = None) -> Shop:
     root.check_format(FORMAT, VERSION)
     layers = root.object("layers")
     return Shop(
-        tuple(_block(item) for item in root.objects("blocks")),
+        tuple(read_block(item) for item in root.objects("blocks")),
         tuple(str(name) for name in root.items("materials")),
         root.number("tolerance_mm"),
         {name: _layer(layers.object(name)) for name in LAYER_NAMES},
     )
 
 
-def _block(item: JsonObject) -> Block:
+def read_block(item: JsonObject) -> Block:
+    """Read a block from its JSON form.
+
+    Raises
+    ------
+    InputError
+        Naming the key that is missing or wrong.
+    """
     size_mm = item.triple("size_mm")
     if min(size_mm) <= 0:
         raise item.fail("size_mm", "must be three lengths above 0")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from insole_core.export.atomic import make_private_folder
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 
 
@@ -37,5 +38,5 @@ class ClinicExportRules:
         OutputError
             When the place cannot be written.
         """
-        self._path.parent.mkdir(parents=True, exist_ok=True)
+        make_private_folder(self._path.parent)
         write_rules(rules, self._path)

@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.days import doubtful_days
+from insole_core.errors import InputError
+from insole_core.export.transaction import Transaction
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Override
-from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
+from insole_core.solids.export_job import ExportJob, ExportPaths, opened, run_export_job
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.marking import Relief
-from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.order import Order, Part, checked_together, make_part
+from insole_core.solids.prescription_paper import NOBODY, Responsible, require_statement
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
+from insole_core.workflows.nameless import require_nameless
 
 _SIDE_WORDS = ("left", "right", "pair")
 
@@ -47,7 +51,8 @@ class OrderChoice:
     relief
         How the text is applied; None for no text.
     pseudonym, text
-        Identifies the patient to the shop; text on the solid, by default pseudonym, side and date.
+        Or order number, in place of the patient's name; text on the solid, by default pseudonym,
+        side and date.
     block
         None for parts that stay where they were designed.
     job_sheet, prescription, checks
@@ -104,7 +109,7 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
         return ()
     if choice.text.strip():
         return tuple(choice.text.splitlines())
-    day = datetime.now(UTC).date().isoformat()
+    day = date.today().isoformat()
     return tuple(line for line in (choice.pseudonym.strip(), f"{side} {day}") if line)
 
 
@@ -116,7 +121,8 @@ def make_pieces(
     Parameters
     ----------
     rules
-        Limits of the checks; the block of `choice` replaces theirs.
+        Limits of the checks; the block of `choice` replaces theirs, and without one none is
+        checked. A pair in a block is checked against it together.
 
     Returns
     -------
@@ -130,12 +136,16 @@ def make_pieces(
     Cancelled
     """
     feet = feet_of(record, choice)
-    if choice.block is not None:
-        rules = replace(rules, block_mm=choice.block.size_mm)
-    return tuple(
+    block = choice.block
+    rules = replace(rules, block_mm=None if block is None else block.size_mm)
+    pieces = tuple(
         _piece(foot, choice, rules, part)
         for foot, part in zip(feet, progress.parts(len(feet)), strict=True)
     )
+    if block is None or len(pieces) == 1:
+        return pieces
+    left, right = pieces
+    return checked_together(left, right, block.size_mm, rules.policies.get("block", "off"))
 
 
 def _piece(foot: FootRecord, choice: OrderChoice, rules: ExportRules, progress: Progress) -> Part:
@@ -159,6 +169,7 @@ def write_order(
     *,
     shop: Shop,
     patient: Patient,
+    responsible: Responsible = NOBODY,
     override: Override | None = None,
     progress: Progress = SILENT,
 ) -> tuple[Path, ...]:
@@ -171,7 +182,9 @@ def write_order(
     path
         As the user chose it; the side is inserted into each name once.
     patient
-        For the prescription.
+        For the prescription; the workshop gets nothing of it.
+    responsible
+        Who prescribes and who makes, for the prescription.
     override
         Accepts failed checks. It is recorded in the file of the checks, which is then always
         written.
@@ -185,15 +198,21 @@ def write_order(
     ------
     DesignError
         When a blocking check failed without an override, or a pair does not fit its block.
+    InputError
+        When a text for the workshop holds the patient's name, or the prescription lacks what it
+        states.
     OutputError
         When a place cannot be written.
     """
+    _require_nameless(choice, path, patient, override)
+    if choice.prescription:
+        require_prescription(choice, patient, responsible)
     places = _all_places(pieces, choice, path, override is not None)
     layered = choice.layered and choice.suffix == ".3mf"
     pieces = [replace(piece, order=replace(piece.order, layered=layered)) for piece in pieces]
     groups = _groups(pieces, choice)
-    with ExitStack() as stack:
-        beside = [stack.enter_context(outputs(place)) for place in places]
+    with Transaction() as transaction:
+        beside = [opened(place, transaction) for place in places]
         for group, place, temporary, part in zip(
             groups, places, beside, progress.parts(len(groups)), strict=True
         ):
@@ -202,6 +221,7 @@ def write_order(
                 shop,
                 identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
                 patient=_patient_facts(patient),
+                responsible=responsible,
                 material=choice.material,
                 block=choice.block if len(group) > 1 else None,
                 override=override,
@@ -209,6 +229,36 @@ def write_order(
             )
             run_export_job(job, place, temporary, part)
     return tuple(place.solid for place in places)
+
+
+def require_prescription(choice: OrderChoice, patient: Patient, responsible: Responsible) -> None:
+    """Check that the prescription can state what it has to.
+
+    Raises
+    ------
+    InputError
+        Naming what is missing, or the date that cannot be right.
+    """
+    require_statement(responsible, {"name": patient.name, "pseudonym": choice.pseudonym})
+    doubts = doubtful_days(patient, date.today())
+    if doubts:
+        raise InputError(
+            "The prescription cannot be written: {doubts} Correct it in the patient panel.",
+            doubts=doubts,
+        )
+
+
+def _require_nameless(
+    choice: OrderChoice, path: Path, patient: Patient, override: Override | None
+) -> None:
+    texts = {
+        "file name": path.stem,
+        "pseudonym": choice.pseudonym,
+        "text on the bottom": choice.text,
+        "name of the material": choice.material,
+        "reason for the export": "" if override is None else override.reason,
+    }
+    require_nameless(patient, texts)
 
 
 def files_of(

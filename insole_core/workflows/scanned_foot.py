@@ -9,7 +9,10 @@ from pathlib import Path
 from insole_core.cases.case_record import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.messages import Message
+from insole_core.progress import SILENT, Cancelled, Progress
 from insole_core.recording.session import Session
+from insole_core.recording.store import MAX_ARCHIVE_BYTES
+from insole_core.regular_file import blocks_of, open_regular
 
 MANIFEST = "manifest.json"
 
@@ -33,13 +36,18 @@ def mesh_source(path: Path) -> ScanSource:
     return _source("mesh", path)
 
 
-def change_of_source(source: ScanSource) -> str:
-    """Return a sentence on how a scan changed since it was read; empty when it did not."""
+def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:
+    """Return a sentence on how a scan changed since it was read; empty when it did not.
+
+    Raises
+    ------
+    Cancelled
+    """
     path = Path(source.path)
     if not path.is_absolute():
         return ""  # a case made on another machine, such as the example
     try:
-        if _sha256(_signed_file(path)) == source.sha256:
+        if _sha256(_signed_file(path), progress) == source.sha256:
             return ""
     except OSError:
         return Message(
@@ -63,6 +71,19 @@ def _signed_file(path: Path) -> Path:
     return path / MANIFEST if path.is_dir() else path
 
 
-def _sha256(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+def _sha256(path: Path, progress: Progress = SILENT) -> str:
+    """Return the SHA-256 of a regular file.
+
+    Raises
+    ------
+    OSError
+        When it cannot be read, or is larger than any scan.
+    Cancelled
+    """
+    digest = hashlib.sha256()
+    with open_regular(path) as file:
+        for block in blocks_of(file, MAX_ARCHIVE_BYTES):
+            digest.update(block)
+            if progress.is_cancelled():
+                raise Cancelled
+    return digest.hexdigest()

@@ -24,7 +24,7 @@ from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
 from insole_studio.scene.canvas import ImageCanvas
-from insole_studio.services.questions import Answer, SameSide
+from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.user_paths import UserPaths
 
@@ -60,6 +60,9 @@ class CannedQuestions:
         self.path: Path | None = None
         self.asked: list[str] = []
 
+    def on(self, _window: object) -> CannedQuestions:
+        return self
+
     def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
         self.asked.append(trouble or "side")
         unit = self.units.pop(0) if self.units else None
@@ -81,6 +84,16 @@ class CannedQuestions:
         self.asked.append("same side")
         return self.same_side
 
+    def about_case_in_use(self, sentence: str) -> InUse:
+        self.asked.append(sentence)
+        return InUse.CANCEL
+
+    def about_failed_save(self, sentence: str) -> Unsaved:
+        self.asked.append(sentence)
+        return Unsaved.GO_ON
+
+    about_changed_file = about_failed_save
+
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         return self.typed
 
@@ -99,6 +112,8 @@ class CannedQuestions:
 
     def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
         return self.path
+
+    name_to_write = file_to_write
 
 
 @pytest.fixture(scope="session")

@@ -15,7 +15,15 @@ from typing import Any
 import platformdirs
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import describe, replacing_file, replacing_folder
+from insole_core.export.atomic import (
+    copy_into,
+    make_private_folder,
+    replacing_folder,
+    write_private,
+    write_text,
+)
+from insole_core.export.transaction import nothing_foreign
+from insole_core.export.write_errors import describe
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png
@@ -23,6 +31,7 @@ from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import CaptureCondition, Manifest
+from insole_core.recording.session_layout import foreign_in_session
 from insole_core.recording.writer import write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
@@ -85,7 +94,7 @@ class Draft:
         self._pool = ThreadPoolExecutor(_WRITERS, thread_name_prefix="capture-writer")
         self._writing: dict[str, list[Future[None]]] = {}
         try:
-            (folder / "views").mkdir(parents=True, exist_ok=True)
+            make_private_folder(folder / "views")
         except OSError as error:
             raise OutputError(describe(folder, error)) from error
 
@@ -159,7 +168,7 @@ class Draft:
         """Prepare to take the frames of a view from a sensor."""
         taking = self._taking(view)
         shutil.rmtree(taking, ignore_errors=True)
-        taking.mkdir()
+        make_private_folder(taking)
         self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
@@ -203,7 +212,7 @@ class Draft:
         try:
             for writing in self._writing.pop(view):
                 writing.result()
-            with replacing_folder(target) as beside:
+            with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
         except OSError as error:
@@ -233,12 +242,18 @@ class Draft:
         OutputError
             When the destination cannot be written; the draft stays.
         """
+        if path.resolve().is_relative_to(self.folder.resolve()):
+            raise OutputError(
+                "{path} lies in the folder of the unfinished capture, which is removed; choose "
+                "another place.",
+                path=path,
+            )
         session = read_session(self.folder)
         if path.suffix.lower() == ".zip":
             write_session(session, path, progress=progress)
         else:
-            with replacing_folder(path) as beside:
-                shutil.copytree(self.folder, beside, dirs_exist_ok=True)
+            with replacing_folder(path, foreign_in_session) as beside:
+                copy_into(beside, self.folder)
         self.discard()
 
     def discard(self) -> None:
@@ -272,8 +287,7 @@ class Draft:
         }
         manifest = replace(self._manifest, views=self.views, extra=extra)
         text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
-        with replacing_file(self.folder / "manifest.json") as beside:
-            beside.write_text(text, encoding="utf-8")
+        write_text(text, self.folder / "manifest.json")
 
 
 def is_abandoned(folder: Path) -> bool:
@@ -284,4 +298,4 @@ def is_abandoned(folder: Path) -> bool:
 
 
 def _write(path: Path, image: RawArray | ByteArray) -> None:
-    path.write_bytes(encode_png(image))
+    write_private(path, encode_png(image))

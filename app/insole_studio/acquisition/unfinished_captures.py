@@ -10,7 +10,7 @@ from itertools import chain, count
 from pathlib import Path
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import describe
+from insole_core.export.atomic import describe, make_private_folder
 from insole_core.export.file_lock import FileLock
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
@@ -90,7 +90,7 @@ class Drafts:
             When there is no place for drafts.
         """
         try:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            make_private_folder(self._folder)
         except OSError as error:
             raise OutputError(describe(self._folder, error)) from error
         candidates = chain((name,), (f"{name}-{number}" for number in count(2)))

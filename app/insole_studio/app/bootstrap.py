@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from insole_core.geometry.side import Side
+from insole_core.messages import Message, joined
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.actions import ACTIONS
@@ -40,6 +41,7 @@ from insole_studio.services.notices import Notices
 from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings
+from insole_studio.stop_signals import STOP_SIGNALS, is_switched_off
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.typed_text import commit_typed_text
@@ -57,6 +59,8 @@ class Application:
     main: WindowFeature
     controller: MainController
     autosave: Autosave
+    complaints: list[Message]
+    """What was set aside at the start because it could not be read, to be told to the user."""
     events: ApplicationEvents
 
     @property
@@ -91,6 +95,7 @@ class Application:
         self.features.close_windows()
         self.jobs.close()
         self.autosave.close()
+        self.features.case_files.guard.release()
         self.stage.close()
         self.services.save_settings()
         self.window.close_for_good()
@@ -112,7 +117,8 @@ def build_application(
         Recorded session to play back as live sensors; None uses the real ones.
     """
     share_one_heap()
-    settings = load_settings(paths.settings_file)
+    complaints: list[Message] = []
+    settings = load_settings(paths.settings_file, complaints.append)
     load_language(application, settings.language)
     dark = is_dark(settings.theme)
     apply_theme(application, dark, settings.touch)
@@ -140,9 +146,12 @@ def build_application(
         HelpActions(services, window, stage, key_sections),
     )
     controller = MainController(services, features, main, autosave)
-    _show_settings(main, settings, dark)
+    if not _show_settings(main, settings, dark):
+        complaints.append(
+            Message("The arrangement of the window is damaged, so it has its usual one.")
+        )
     events = ApplicationEvents(application)
-    return Application(services, features, main, controller, autosave, events)
+    return Application(services, features, main, controller, autosave, complaints, events)
 
 
 def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
@@ -153,7 +162,8 @@ def _make_window(stage: DesignStage, jobs: Jobs) -> MainWindow:
     return MainWindow(stage, status, [pad_text(pad) for pad in stage.pads], ACTIONS)
 
 
-def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> None:
+def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> bool:
+    """Show the settings; return whether the arrangement of the window was intact."""
     window = main.window
     window.check_action("contours", True)
     window.check_action("dark", dark)
@@ -162,7 +172,7 @@ def _show_settings(main: WindowFeature, settings: Settings, dark: bool) -> None:
     main.appearance.set_touch(settings.touch)
     window.resize(*DEFAULT_SIZE)
     window.arrange()
-    window.restore_layout(settings.window_geometry, settings.window_docks)
+    return window.restore_layout(settings.window_geometry, settings.window_docks)
 
 
 def run_application(
@@ -191,13 +201,19 @@ def run_application(
     """
     qt = qt_application()
     qt.setQuitOnLastWindowClosed(False)  # the controller decides: saving may take a moment
-    app = build_application(qt, user_paths or UserPaths.of_user(), emulate)
+    if user_paths is None:
+        user_paths = UserPaths.of_user()
+        user_paths.make_private()
+    app = build_application(qt, user_paths, emulate)
     opener = app.features.case_files.opener
     sys.excepthook = _show_unexpected(app.services.messages)
     app.controller.closed.connect(qt.quit)
     app.window.show()
     Preload(app.window)
-    app.features.case_files.recovery.offer(find_recovered(app.services.paths.autosave_folder))
+    folder = app.services.paths.autosave_folder
+    app.features.case_files.recovery.offer(find_recovered(folder, app.complaints.append))
+    if app.complaints:
+        app.services.messages.show_sentence(joined(app.complaints, " "))
     if not app.settings.tour_seen:
         QTimer.singleShot(0, app.window, app.main.help.begin_tour)
     if paths:
@@ -222,9 +238,10 @@ def qt_application() -> QApplication:
 
 
 def _quit_on_signals(qt: QApplication) -> None:
-    """Quit on SIGTERM and Ctrl-C; the autosaved case is offered at the next start."""
-    for name in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(name, lambda _number, _frame: qt.quit())
+    """Quit on Ctrl-C and the like; the autosaved case is offered at the next start."""
+    for number in STOP_SIGNALS:
+        if not is_switched_off(number):
+            signal.signal(number, lambda number, _frame: qt.exit(128 + number))
     # Inside Qt's event loop Python handles signals only when the interpreter gets to run.
     turn = QTimer(qt)
     turn.timeout.connect(lambda: None)

@@ -13,7 +13,7 @@ from insole_studio.app.features import Features
 from insole_studio.app.window_feature import WindowFeature
 from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
-from insole_studio.document.case_name import case_name, whose
+from insole_studio.document.case_name import title_of, whose
 from insole_studio.services.app_services import AppServices
 from insole_studio.widgets.typed_text import commit_typed_text
 
@@ -155,7 +155,7 @@ class MainController(QObject):
 
     def _show_state(self) -> None:
         case, window = self._case, self._window
-        window.show_title(case_name(case), case.has_unsaved_changes)
+        window.show_title(title_of(case), case.has_unsaved_changes)
         for key, sentence in (
             ("undo", case.history.undo_sentence),
             ("redo", case.history.redo_sentence),

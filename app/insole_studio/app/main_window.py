@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 from collections.abc import Sequence
 from typing import Any
 
@@ -142,18 +144,20 @@ class MainWindow(QMainWindow):
 
     def layout_state(self) -> tuple[str, str]:
         """Return geometry and dock state, encoded as text."""
-        packed = (self.saveGeometry(), self.saveState())
-        geometry, docks = (bytes(p.toBase64().data()).decode("ascii") for p in packed)
-        return geometry, docks
+        return _sealed(self.saveGeometry()), _sealed(self.saveState())
 
-    def restore_layout(self, geometry: str, docks: str) -> None:
-        """Restore a saved geometry and dock state; invalid ones are ignored."""
+    def restore_layout(self, geometry: str, docks: str) -> bool:
+        """Restore a saved geometry and dock state; return whether they were intact, or empty."""
+        packed = [_unsealed(text) for text in (geometry, docks)]
+        if None in packed:
+            return False
         if geometry:
-            self.restoreGeometry(QByteArray.fromBase64(geometry.encode("ascii")))
+            self.restoreGeometry(QByteArray(packed[0] or b""))
         if docks:
-            self.restoreState(QByteArray.fromBase64(docks.encode("ascii")))
+            self.restoreState(QByteArray(packed[1] or b""))
         self._section.hide()  # shown with the first section
         self._notices.hide()
+        return True
 
     def come_forward(self) -> None:
         """Raise the window and give it the keyboard focus."""
@@ -366,6 +370,26 @@ class MainWindow(QMainWindow):
         view.addSeparator()
         for dock in self._docks:
             view.addAction(dock.toggleViewAction())
+
+
+def _sealed(state: QByteArray) -> str:
+    """Return a packed state as text with a checksum: Qt crashes when it restores a damaged one."""
+    packed = bytes(state.data())
+    return f"{_checksum(packed)}:{base64.b64encode(packed).decode()}"
+
+
+def _unsealed(text: str) -> bytes | None:
+    """Return the packed state, empty if the text is; None if it is damaged."""
+    seal, _colon, packed = text.partition(":")
+    try:
+        state = base64.b64decode(packed, validate=True)
+    except ValueError:
+        return None
+    return state if not text or _checksum(state) == seal else None
+
+
+def _checksum(packed: bytes) -> str:
+    return hashlib.sha256(packed).hexdigest()[:16]
 
 
 def _tip(record: ActionRecord[Any]) -> str:

@@ -58,6 +58,7 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             "next_correction",
             "previous_correction",
             "edit_values",
+            "edit_thickness",
             "remove",
             SEPARATOR,
             "author",

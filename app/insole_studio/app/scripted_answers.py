@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.foot.mesh_file import Unit
 from insole_core.geometry.side import Side
-from insole_studio.services.questions import Answer, Questions, SameSide
+from insole_studio.services.file_kinds import complete_name
+from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
 from insole_studio.services.scan_dialog import ScanAnswer
+from insole_studio.widgets.fields_dialog import Field
 
 
 @dataclass
@@ -24,6 +26,10 @@ class ScriptedAnswers:
         What to do with unsaved work when another case is opened.
     same_side
         What to do with a second scan of a side that the case already has.
+    in_use
+        How to open a case that another window has open.
+    failed_save
+        What to do when a case cannot be saved.
     side
         Side of a mesh; None cancels opening it.
     unit
@@ -36,16 +42,21 @@ class ScriptedAnswers:
         A line of text; None cancels.
     path
         A file or folder to open or to write; None cancels.
+    fields
+        Several lines of text by key; None cancels.
     """
 
     unsaved: Answer = Answer.DISCARD
     same_side: SameSide = SameSide.REPLACE
+    in_use: InUse = InUse.CANCEL
+    failed_save: Unsaved = Unsaved.GO_ON
     side: Side | None = None
     unit: Unit | None = None
     anyway: bool = False
     replace: bool = False
     typed: str | None = None
     path: Path | None = None
+    fields: dict[str, str] | None = None
 
 
 class AnsweredQuestions(Questions):
@@ -54,6 +65,10 @@ class AnsweredQuestions(Questions):
     def __init__(self, parent: QWidget, answers: ScriptedAnswers) -> None:
         super().__init__(parent)
         self.answers = answers
+
+    def on(self, window: QWidget) -> AnsweredQuestions:
+        """Return the same answers for another window."""
+        return AnsweredQuestions(window, self.answers)
 
     def about_scan(self, _path: Path, trouble: str = "") -> ScanAnswer | None:
         """Return side and unit; None when they were wrong."""
@@ -76,9 +91,27 @@ class AnsweredQuestions(Questions):
         """Return what to do with a second scan of the same side."""
         return self.answers.same_side
 
+    def about_case_in_use(self, _sentence: str) -> InUse:
+        """Return how to open a case that another window has open."""
+        return self.answers.in_use
+
+    def about_failed_save(self, _sentence: str) -> Unsaved:
+        """Return what to do when a case cannot be saved."""
+        return self.answers.failed_save
+
+    def about_changed_file(self, _sentence: str) -> Unsaved:
+        """Return what to do when the file of a case has changed."""
+        return self.answers.failed_save
+
     def text(self, _title: str, _question: str, _value: str) -> str | None:
         """Return the line of text."""
         return self.answers.typed
+
+    def fields(
+        self, _title: str, _sentence: str, _fields: Sequence[Field]
+    ) -> dict[str, str] | None:
+        """Return the lines of text."""
+        return self.answers.fields
 
     def may_replace(self, _paths: Sequence[Path]) -> bool:
         """Return whether existing files may be overwritten."""
@@ -96,6 +129,12 @@ class AnsweredQuestions(Questions):
         """Return the path."""
         return self.answers.path
 
-    def file_to_write(self, _suggestion: str, _kinds: str) -> Path | None:
-        """Return the path."""
-        return self.answers.path
+    def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
+        """Return the completed path, unless a file is there that must not be overwritten."""
+        path = self.name_to_write(suggestion, kinds)
+        return None if path is None or (path.exists() and not self.answers.replace) else path
+
+    def name_to_write(self, _suggestion: str, kinds: str) -> Path | None:
+        """Return the path, completed as in the dialog."""
+        path = self.answers.path
+        return None if path is None else complete_name(path, kinds)

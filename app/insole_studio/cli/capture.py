@@ -12,9 +12,11 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import InsoleError, OutputError, UsageError
+from insole_core.errors import InsoleError, UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
+from insole_studio.cli.stopping import Stopped
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
@@ -31,7 +33,9 @@ HELP = "capture a foot with the sensors, one after the other or all at once, as 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
-    parser.add_argument("--out", type=Path, required=True, metavar="SESSION", help="folder or .zip")
+    parser.add_argument(
+        "--out", action=OutputPath, required=True, metavar="SESSION", help="folder or .zip"
+    )
     parser.add_argument(
         "--views", nargs="+", metavar="VIEW=SERIAL",
         help="which sensor gives which view, in the order of the capture; a sensor that is named "
@@ -60,7 +64,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Capture every view, then move the session to its destination."""
-    _check_out(arguments.out)
+    from insole_core.recording.session_layout import check_session_target
+
+    check_session_target(arguments.out)
     from insole_studio.acquisition.unfinished_captures import hold_draft, holding_target
 
     with ExitStack() as held:
@@ -103,17 +109,13 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
             draft.publish(arguments.out)
         except InsoleError as error:
             raise _with_draft(error, draft) from error
+        except Stopped as stopped:
+            if draft.views:
+                stopped.outcome = _kept(draft)
+            raise
     for warning in warnings:
         print(f"Warning: {warning}", file=sys.stderr)
     progress.step(1.0, f"Done: {arguments.out}")
-
-
-def _check_out(path: Path) -> None:
-    if not path.absolute().parent.is_dir():
-        raise OutputError(
-            f"{path} cannot be written: its folder does not exist; create the folder or choose "
-            "another place."
-        )
 
 
 def _left_draft(folder: Path) -> Draft:
@@ -203,6 +205,10 @@ def _wait_for_hand(source: SensorSource, step: CaptureStep) -> None:
             "A sensor has to be moved by hand, but nobody can press Enter here; run this in a "
             "terminal, or name every sensor once."
         )
+
+
+def _kept(draft: Draft) -> str:
+    return f"the finished views are kept. Go on with --resume {draft.folder}"
 
 
 def _with_draft(error: InsoleError, draft: Draft) -> InsoleError:

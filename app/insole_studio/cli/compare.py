@@ -5,19 +5,24 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.compare.comparison import Alignment
     from insole_core.compare.comparison_source import ComparisonSource
 
 NAME = "compare"
+_ALIGNMENTS: dict[str, Literal["best", "none", "dots"]] = {
+    "best": "best",
+    "none": "none",
+    "dots": "dots",
+}
 HELP = "measure how far two surfaces differ: feet, insoles, scans of moulds"
 
 
@@ -30,12 +35,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             metavar=name.upper(),
             help="a mesh (.ply .stl .obj), a session, or a mould or insole recorded in one view",
         )
-    parser.add_argument("--report", type=Path, required=True, metavar="difference.json")
-    parser.add_argument("--picture", type=Path, metavar="difference.png")
-    parser.add_argument("--paper", type=Path, metavar="difference.pdf", help="report to print")
-    parser.add_argument("--surface", type=Path, metavar="difference.ply", help="A in the colours")
+    parser.add_argument("--report", action=OutputPath, required=True, metavar="difference.json")
+    parser.add_argument("--picture", action=OutputPath, metavar="difference.png")
     parser.add_argument(
-        "--align", default="best", metavar="best|none|dots|points.json",
+        "--paper", action=OutputPath, metavar="difference.pdf", help="report to print"
+    )
+    parser.add_argument(
+        "--surface", action=OutputPath, metavar="difference.ply", help="A in the colours"
+    )
+    parser.add_argument(
+        "--align", type=_word_or_path, default="best", metavar="best|none|dots|points.json",
         help="fit B to A (default), take both as they lie, use four black dots, or picked points",
     )  # fmt: skip
     parser.add_argument(
@@ -50,12 +59,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.compare.comparison import compare_surfaces
     from insole_core.compare.comparison_paper import write_report
     from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
-    from insole_core.export.atomic import replacing_file
+    from insole_core.export.atomic import write_text
     from insole_core.export.ply import write_ply
+    from insole_core.export.transaction import Transaction
 
-    with ExitStack() as outputs:
+    with Transaction() as outputs:
         report, picture, surface, paper = (
-            path and outputs.enter_context(replacing_file(path))
+            path and outputs.file(path)
             for path in (arguments.report, arguments.picture, arguments.surface, arguments.paper)
         )
         names = arguments.a.name, arguments.b.name
@@ -68,7 +78,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         difference = replace(difference, feet=(a.measures, b.measures))
         progress.step(0.9, "Writing the report")
         text = json.dumps(report_json(difference), indent=1, allow_nan=False)
-        report.write_text(text + "\n", encoding="utf-8")
+        write_text(text + "\n", report)
         if picture:
             draw_picture(difference, picture, names)
         if paper:
@@ -89,17 +99,20 @@ def _check_call(arguments: argparse.Namespace) -> None:
             raise UsageError(f"{path} names no file that can be written; let it end in {suffix}.")
     if not 1 <= arguments.median <= 25:
         raise UsageError(f"--median is {arguments.median}, and must be 1 to 25 pixels.")
-    if arguments.align not in ("best", "none", "dots") and not arguments.align.endswith(".json"):
+    if arguments.align not in _ALIGNMENTS and not isinstance(arguments.align, Path):
         raise UsageError(
             f"--align is {arguments.align}; write best, none, dots, or the name of a .json file."
         )
 
 
-def _alignment(word: str) -> Alignment:
+def _word_or_path(text: str) -> str | Path:
+    return Path(text) if text.endswith(".json") else text
+
+
+def _alignment(given: str | Path) -> Alignment:
     from insole_core.compare.picked_points import read_picked_points
 
-    words: dict[str, Alignment] = {"best": "best", "none": "none", "dots": "dots"}
-    return words[word] if word in words else read_picked_points(Path(word))
+    return read_picked_points(given) if isinstance(given, Path) else _ALIGNMENTS[given]
 
 
 def _read(path: Path, progress: Progress) -> ComparisonSource:

@@ -11,6 +11,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli import export_arguments, foot_argument
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
@@ -26,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
+        "--out", action=OutputPath, required=True, metavar="insole.stl", help=".stl .3mf .ply .obj"
     )
     parser.add_argument("--prescription", type=Path, metavar="design.json")
     parser.add_argument(

@@ -6,18 +6,21 @@ import argparse
 import getpass
 import sys
 from contextlib import AbstractContextManager
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.insole.build import Insole
     from insole_core.solids.checks import Override
     from insole_core.solids.export_job import ExportPaths
+    from insole_core.solids.export_rules import ExportRules
     from insole_core.solids.order import Order, Part
+    from insole_core.solids.prescription_paper import Responsible
     from insole_core.solids.shop import Block, Shop
 
 
@@ -46,10 +49,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
     papers.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
-    papers.add_argument("--checks", type=Path, metavar="checks.json", help="outcome of the checks")
-    papers.add_argument("--job-sheet", type=Path, metavar="sheet.pdf")
-    papers.add_argument("--prescription-paper", type=Path, metavar="prescription.pdf")
-    papers.add_argument("--pseudonym", default="", metavar="TEXT", help="of the patient, on papers")
+    papers.add_argument(
+        "--checks", action=OutputPath, metavar="checks.json", help="outcome of the checks"
+    )
+    papers.add_argument("--job-sheet", action=OutputPath, metavar="sheet.pdf")
+    papers.add_argument("--prescription-paper", action=OutputPath, metavar="prescription.pdf")
+    papers.add_argument(
+        "--pseudonym", default="", metavar="TEXT",
+        help="of the patient, in the file and on papers; without it, an order number is made",
+    )  # fmt: skip
+    papers.add_argument("--prescriber", metavar="NAME", help="for the prescription paper")
+    papers.add_argument("--clinic", metavar="NAME", help="of the prescriber")
+    papers.add_argument("--maker", metavar="NAME", help="who makes the insole, and answers for it")
+    papers.add_argument("--maker-address", metavar="TEXT")
     papers.add_argument("--override", metavar="REASON", help="let pass what a rule would stop")
 
 
@@ -85,20 +97,28 @@ def deliver(
         Paths of the files that accompany the solid.
     """
     from insole_core.solids import export_job
+    from insole_core.solids.order import checked_together
     from insole_core.solids.shop import read_shop
 
     shop = read_shop(arguments.shop)
     block = _block(shop, arguments.block)
+    responsible = _responsible(arguments, insoles)
+    rules = _rules(arguments, block)
     pieces = tuple(
-        _piece(insole, arguments, block, part)
+        _piece(insole, arguments, rules, part)
         for insole, part in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
     )
-    pseudonym = {"pseudonym": arguments.pseudonym} if arguments.pseudonym else {}
+    if block is not None and len(pieces) == 2:
+        policy = rules.policies.get("block", "off")
+        pieces = checked_together(*pieces, block.size_mm, policy)
+    for sentence in dict.fromkeys(sentence for piece in pieces for sentence in _doubts(piece)):
+        print(f"Warning: {sentence}", file=sys.stderr)
     export_job.run_export_job(
         export_job.ExportJob(
             pieces,
             shop,
-            identification=pseudonym,
+            identification={"pseudonym": _pseudonym(arguments)},
+            responsible=responsible,
             material=arguments.material,
             block=block if len(insoles) > 1 else None,
             override=_override(arguments),
@@ -110,19 +130,29 @@ def deliver(
     )
 
 
-def _piece(
-    insole: Insole, arguments: argparse.Namespace, block: Block | None, progress: Progress
-) -> Part:
+def _rules(arguments: argparse.Namespace, block: Block | None) -> ExportRules:
+    """Return the rules with the block: the named one, else that of the clinic's own rules."""
     from dataclasses import replace
 
     from insole_core.solids.export_rules import read_rules
-    from insole_core.solids.order import make_part
 
     rules = read_rules(arguments.rules)
     if arguments.cutter is not None:
         rules = rules.with_cutter(arguments.cutter)
     if block is not None:
-        rules = replace(rules, block_mm=block.size_mm)
+        return replace(rules, block_mm=block.size_mm)
+    return rules if arguments.rules is not None else replace(rules, block_mm=None)
+
+
+def _doubts(piece: Part) -> tuple[str, ...]:
+    return (*piece.notes, *(f.sentence for f in piece.findings if not f.passed))
+
+
+def _piece(
+    insole: Insole, arguments: argparse.Namespace, rules: ExportRules, progress: Progress
+) -> Part:
+    from insole_core.solids.order import make_part
+
     piece = make_part(insole, _order(arguments), rules, progress)
     if piece.order.most_triangles is not None:
         print(
@@ -130,8 +160,6 @@ def _piece(
             f" {piece.deviation_mm:.3f} mm at most.",
             file=sys.stderr,
         )
-    for sentence in (*piece.notes, *(f.sentence for f in piece.findings if not f.passed)):
-        print(f"Warning: {sentence}", file=sys.stderr)
     return piece
 
 
@@ -148,6 +176,42 @@ def _order(arguments: argparse.Namespace) -> Order:
         most_deviation_mm=arguments.deviation,
         layered=arguments.layers,
     )
+
+
+def _pseudonym(arguments: argparse.Namespace) -> str:
+    """Return the pseudonym, or an order number, which is printed."""
+    from insole_core.solids.order_number import new_order_number
+
+    if arguments.pseudonym:
+        return str(arguments.pseudonym)
+    number = new_order_number(date.today())
+    print(f"Order number: {number}", file=sys.stderr)
+    return number
+
+
+def _responsible(arguments: argparse.Namespace, insoles: tuple[Insole, ...]) -> Responsible:
+    """Return who prescribes and makes: as in the call, else as in the designs and settings."""
+    from insole_core.solids.prescription_paper import NOBODY, Responsible, prescriber_of
+    from insole_studio.settings import load_settings
+    from insole_studio.user_paths import UserPaths
+
+    if arguments.prescription_paper is None:
+        return NOBODY
+    settings = load_settings(UserPaths.of_user().settings_file)
+    signed = prescriber_of([insole.design for insole in insoles])
+    responsible = Responsible(
+        prescriber=arguments.prescriber or signed or settings.author,
+        clinic=arguments.clinic or settings.clinic,
+        maker=arguments.maker or settings.maker,
+        maker_address=arguments.maker_address or settings.maker_address,
+    )
+    if responsible.missing:
+        missing = ", ".join(responsible.missing)
+        raise UsageError(
+            f"--prescription-paper states {missing}, and nobody is named; give --prescriber, "
+            "--maker and --maker-address."
+        )
+    return responsible
 
 
 def _block(shop: Shop, name: str | None) -> Block | None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.recording.session import View
@@ -25,7 +26,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "recordings", nargs="+", metavar="[VIEW=]DIR",
         help="a folder with INDEX.txt; by default the views are named left, right, top",
     )  # fmt: skip
-    parser.add_argument("--out", type=Path, required=True, metavar="SESSION", help="folder or .zip")
+    parser.add_argument(
+        "--out", action=OutputPath, required=True, metavar="SESSION", help="folder or .zip"
+    )
     parser.add_argument("--side", choices=["left", "right"], help="of the foot (left)")
     parser.add_argument(
         "--reference", type=Path, metavar="system.json", help="another reference system"
@@ -37,11 +40,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.calibration.markers.reference_file import load_reference_system
     from insole_core.geometry.side import Side
     from insole_core.recording.session import Manifest, Session
+    from insole_core.recording.session_layout import check_session_target
     from insole_core.recording.writer import write_session
     from insole_core.resources import resource_path
     from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
     from insole_studio.acquisition.fakenect_recordings import read_view, recorded_at
 
+    check_session_target(arguments.out)
     named = _named(arguments.recordings)
     if arguments.side is None:
         print("No side is given; the session says left (--side right changes it).", file=sys.stderr)

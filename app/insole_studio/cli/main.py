@@ -1,20 +1,19 @@
 """The command line: without arguments the window, and commands that need no display.
 
 Progress goes to stderr; on failure the last line there says what is wrong, where, and what to do.
-Exit codes: 0 success, 2 usage error, 1 any other error.
+Exit codes: 0 success, 2 usage error, 128 + n stopped by signal n, 1 any other error.
 """
 
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
 import traceback
 from importlib.metadata import version
 from pathlib import Path
-from typing import NoReturn
 
 from insole_core.errors import InsoleError, UsageError
+from insole_core.export.journal import journals_folder_of_user, settle_interrupted
 from insole_core.progress import Progress
 from insole_studio.cli import (
     calibrate,
@@ -29,6 +28,8 @@ from insole_studio.cli import (
     simulate,
     window,
 )
+from insole_studio.cli.path_arguments import check_paths
+from insole_studio.cli.stopping import Stopped, stop_on_signals
 from insole_studio.cli.subcommands import Command
 
 COMMANDS: tuple[Command, ...] = (
@@ -48,15 +49,24 @@ COMMANDS: tuple[Command, ...] = (
 
 def run(arguments: list[str]) -> int:
     """Run one command and return its exit code."""
-    signal.signal(signal.SIGTERM, _interrupt)
+    stop_on_signals()
     try:
         parsed = _parser().parse_args(arguments)
+        check_paths(parsed)
+        settle_interrupted(journals_folder_of_user())
         parsed.command.run(parsed, Progress(_print_progress))
     except InsoleError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
-    except KeyboardInterrupt:
-        print("Stopped on request; nothing was written.", file=sys.stderr)
+    except Stopped as stopped:
+        print(f"Stopped on request; {stopped.outcome}", file=sys.stderr)
+        return stopped.exit_code
+    except OSError as error:
+        print(
+            f"The computer failed to read or write ({error}); check the disk and the network, and "
+            "try again.",
+            file=sys.stderr,
+        )
         return 1
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
         traceback.print_exc()
@@ -89,8 +99,3 @@ def _parser() -> argparse.ArgumentParser:
 
 def _print_progress(fraction: float, text: str) -> None:
     print(f"{fraction:4.0%}  {text}", file=sys.stderr, flush=True)
-
-
-def _interrupt(_signal: int, _frame: object) -> NoReturn:
-    """Stop as on Ctrl-C, so that partly written files are removed."""
-    raise KeyboardInterrupt

@@ -6,7 +6,6 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_studio.cli import foot_argument
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
@@ -28,12 +28,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "foot", type=Path, metavar="FOOT", help="a session, or a mesh (.ply .stl .obj)"
     )
-    parser.add_argument("--report", type=Path, required=True, metavar="measures.json")
+    parser.add_argument("--report", action=OutputPath, required=True, metavar="measures.json")
     foot_argument.add_arguments(parser)
     parser.add_argument(
         "--other", type=Path, metavar="FOOT2", help="the other foot, for left and right compared"
     )
-    parser.add_argument("--csv", type=Path, metavar="measures.csv", help="the table, for reading")
+    parser.add_argument(
+        "--csv", action=OutputPath, metavar="measures.csv", help="the table, for reading"
+    )
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -42,18 +44,19 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
     if arguments.csv is not None and arguments.csv.suffix.lower() != ".csv":
         raise UsageError(f"--csv is {arguments.csv}, but the table is written as .csv.")
-    from insole_core.export.atomic import replacing_file
+    from insole_core.export.atomic import write_text
+    from insole_core.export.transaction import Transaction
 
-    with ExitStack() as stack:
-        report_file = stack.enter_context(replacing_file(arguments.report))
-        csv_file = arguments.csv and stack.enter_context(replacing_file(arguments.csv))
+    with Transaction() as outputs:
+        report_file = outputs.file(arguments.report)
+        csv_file = arguments.csv and outputs.file(arguments.csv)
         feet = _read_feet(arguments, progress.part(0.0, 0.8))
         progress.step(0.8, "Measuring")
         rows = _table(feet)
         text = json.dumps(_content(feet, rows), indent=1, ensure_ascii=False)
-        report_file.write_text(text + "\n", encoding="utf-8")
+        write_text(text + "\n", report_file)
         if csv_file:
-            csv_file.write_text(_csv(rows), encoding="utf-8")
+            write_text(_csv(rows), csv_file)
     progress.step(1.0, f"Done: {arguments.report}")
 
 

@@ -6,13 +6,13 @@ import argparse
 import json
 import sys
 import time
-from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 NAME = "reconstruct"
 HELP = "rebuild the coloured foot from a recorded session"
@@ -26,12 +26,12 @@ LIMITS = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("session", type=Path, metavar="SESSION", help="folder or .zip")
-    parser.add_argument("--out", type=Path, required=True, metavar="foot.ply")
+    parser.add_argument("--out", action=OutputPath, required=True, metavar="foot.ply")
     parser.add_argument(
         "--method", choices=["fused", "thesis"], default="fused",
         help="the best there is (default), or the chain of the 2013 thesis",
     )  # fmt: skip
-    parser.add_argument("--report", type=Path, metavar="report.json")
+    parser.add_argument("--report", action=OutputPath, metavar="report.json")
     limits = parser.add_argument_group("when the pose of a view is refused")
     for name, unit, what in LIMITS:
         limits.add_argument(f"--largest-{name}", type=float, metavar=unit, help=what)
@@ -43,15 +43,16 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
     start = time.perf_counter()
     # Imported here, so that usage errors are reported at once.
-    from insole_core.export.atomic import replacing_file
+    from insole_core.export.atomic import write_text
     from insole_core.export.ply import write_ply
+    from insole_core.export.transaction import Transaction
     from insole_core.foot.side_check import side_doubt
     from insole_core.reconstruct import RegistrationLimits, report_json
     from insole_core.workflows.make_foot import open_session, reconstruct_session
 
-    with ExitStack() as outputs:
-        foot_file = outputs.enter_context(replacing_file(arguments.out))
-        report = arguments.report and outputs.enter_context(replacing_file(arguments.report))
+    with Transaction() as outputs:
+        foot_file = outputs.file(arguments.out)
+        report = arguments.report and outputs.file(arguments.report)
         opened = open_session(arguments.session, progress)
         limits = RegistrationLimits(**_given_limits(arguments))
         result = reconstruct_session(
@@ -65,7 +66,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             print(f"Warning: {warning}", file=sys.stderr)
         if report:
             values = report_json(result, time.perf_counter() - start)
-            report.write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
+            write_text(json.dumps(values, indent=1) + "\n", report)
     progress.step(1.0, f"Done: {arguments.out}")
 
 

@@ -7,19 +7,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import CalibrationError, UsageError
+from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.evaluation.acceptance_limits import Limits
     from insole_core.evaluation.report import ReportSection
 
-BUNDLED = Path()
+BUNDLED = Path("limits of the product")
 """Stands for the bundled limits."""
 
 
 def add_report_argument(parser: argparse.ArgumentParser) -> None:
     """Add the reports."""
     parser.add_argument(
-        "--report", type=Path, nargs="+", default=[], metavar="report.html",
+        "--report", action=OutputPath, nargs="+", default=[], metavar="report.html",
         help="write a report, as .html, .pdf or .json by its name; several may be named",
     )  # fmt: skip
 

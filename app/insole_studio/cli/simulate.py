@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
@@ -14,7 +14,7 @@ HELP = "write a simulated session with its true surface and poses"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
-    parser.add_argument("out", type=Path, metavar="OUT", help="folder or .zip to write")
+    parser.add_argument("out", action=OutputPath, metavar="OUT", help="folder or .zip to write")
     parser.add_argument("--seed", type=int, default=0, help="same seed, same session (default 0)")
     parser.add_argument("--side", choices=[side.value for side in Side], default="left")
     parser.add_argument(
@@ -36,9 +36,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Simulate a session and write it."""
+    from insole_core.recording.session_layout import check_session_target
     from insole_core.recording.writer import write_session
     from insole_core.simulate import SimulationOptions, simulate_session
 
+    check_session_target(arguments.out)
     options = SimulationOptions(
         seed=arguments.seed,
         side=Side(arguments.side),

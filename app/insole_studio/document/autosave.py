@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import json
 import logging
+import os
 import uuid
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
@@ -17,8 +19,12 @@ from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.forgiving_json import Complain, set_aside
+from insole_core.json_object import JsonObject
+from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case import Case
 from insole_studio.jobs import Jobs
 
@@ -38,16 +44,26 @@ class Recovered:
         The file it was opened from; None for a case never saved.
     copies
         The files to remove once the case is safe.
+    digest
+        SHA-256 of that file when it was last read or written; empty where that is unknown.
     """
 
     record: CaseRecord
     path: Path | None
     copies: tuple[Path, ...]
+    digest: str = ""
 
     def discard(self) -> None:
         """Remove the copies."""
-        for copy in self.copies:
-            copy.unlink(missing_ok=True)
+        _remove(self.copies)
+
+
+@dataclass(frozen=True)
+class _Origin:
+    """The file of the case, as kept beside the copy; empty for a case never saved."""
+
+    path: str = ""
+    digest: str = ""
 
 
 class Autosave(QObject):
@@ -59,8 +75,12 @@ class Autosave(QObject):
         super().__init__(parent)
         self._case = case
         self._jobs = jobs
-        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            make_private_folder(folder)
+        except OSError as error:  # told at the first attempt to write there
+            log.warning("%s cannot be made: %s", folder, error)
         self._wanted = True
+        self._has_failed = False
         self._stem = folder / uuid.uuid4().hex
         self._lock = _lock(self._stem)
         self._lock.tryLock(0)
@@ -73,11 +93,17 @@ class Autosave(QObject):
         case.saved_changed.connect(self._forget_if_saved)
 
     def write_now(self) -> None:
-        """Write at once, in the calling thread."""
+        """Write at once, in the calling thread.
+
+        Raises
+        ------
+        OutputError
+            When the copy cannot be written.
+        """
         self._timer.stop()
         self._jobs.cancel(CHANNEL)
         if self._case.has_unsaved_changes:
-            _write_copy(self._stem, self._case.record, self._case.path)
+            _write_copy(self._stem, self._case.record, self._origin())
 
     def forget(self) -> None:
         """Remove the copy permanently: the user has saved the case, or does not want it."""
@@ -91,7 +117,10 @@ class Autosave(QObject):
         self._case.changed.disconnect(self._timer.start)
         self._case.opened.disconnect(self._timer.start)
         if self._wanted and self._case.has_unsaved_changes:
-            self.write_now()
+            try:
+                self.write_now()
+            except InsoleError as error:
+                log.warning("unsaved work is lost: %s", error)
         else:
             self._remove_copies()
         self._timer.stop()
@@ -100,15 +129,26 @@ class Autosave(QObject):
     def _write_beside(self) -> None:
         if not self._case.has_unsaved_changes:
             return
-        record, path = self._case.record, self._case.path
+        record, origin = self._case.record, self._origin()
 
         def write(_progress: Progress) -> None:
-            _write_copy(self._stem, record, path)
+            _write_copy(self._stem, record, origin)
 
-        def fail(error: Exception) -> None:
+        self._jobs.start(CHANNEL, write, self._note_success, self._note_failure)
+
+    def _note_success(self, _nothing: None) -> None:
+        self._has_failed = False
+
+    def _note_failure(self, error: Exception) -> None:
+        """Tell of the first of several failures in a row; every change tries again."""
+        if not self._has_failed:
             self.failed.emit(str(error))
+        self._has_failed = True
 
-        self._jobs.start(CHANNEL, write, lambda _nothing: None, fail)
+    def _origin(self) -> _Origin:
+        case = self._case
+        is_ours = case.path is not None and not case.is_read_only
+        return _Origin(str(case.path), case.digest) if is_ours else _Origin()
 
     def _forget_if_saved(self) -> None:
         if not self._case.has_unsaved_changes:
@@ -117,48 +157,101 @@ class Autosave(QObject):
             self._remove_copies()
 
     def _remove_copies(self) -> None:
-        for copy in _copies(self._stem):
-            copy.unlink(missing_ok=True)
+        _remove(_copies(self._stem))
 
 
-def find_recovered(folder: Path) -> list[Recovered]:
-    """Return the cases left by programs that no longer run, newest first."""
-    if not folder.is_dir():
-        return []
+def find_recovered(folder: Path, complain: Complain = log.warning) -> list[Recovered]:
+    """Return the cases left by programs that no longer run, newest first.
+
+    Parameters
+    ----------
+    complain
+        Called with a sentence for the user on each copy that is damaged, and is kept aside.
+    """
     found = []
-    copies = sorted(folder.glob("*.insole"), key=lambda p: p.stat().st_mtime, reverse=True)
-    for copy in copies:
+    for copy in _copies_in(folder):
         stem = copy.with_suffix("")
-        lock = _lock(stem)
-        if not lock.tryLock(0):
+        if _is_held(stem):
             continue
-        lock.unlock()
-        recovered = _recover(stem)
-        if recovered is not None:
-            found.append(recovered)
+        try:
+            found.append(_recover(stem))
+        except InsoleError as error:
+            log.warning("%s cannot be recovered: %s", copy, error)
+            complain(
+                Message(
+                    "The copy {path} of unsaved work is damaged; it is kept as {kept}.",
+                    path=copy,
+                    kept=set_aside(copy),
+                )
+            )
     return found
 
 
-def _recover(stem: Path) -> Recovered | None:
-    record_copy, path_copy = _copies(stem)
+def _copies_in(folder: Path) -> list[Path]:
+    """Return the copies in a folder, newest first; none where it cannot be looked into."""
     try:
-        record = read_case(record_copy)
-        path = json.loads(path_copy.read_text(encoding="utf-8")) if path_copy.exists() else None
-    except (InsoleError, OSError, ValueError) as error:
-        log.warning("%s cannot be recovered: %s", record_copy, error)
-        return None
-    return Recovered(record, Path(path) if path else None, (record_copy, path_copy))
+        copies = [(copy.stat().st_mtime, copy) for copy in folder.glob("*.insole")]
+    except OSError as error:
+        log.warning("%s cannot be looked into: %s", folder, error)
+        return []
+    return [copy for _time, copy in sorted(copies, reverse=True)]
 
 
-def _write_copy(stem: Path, record: CaseRecord, path: Path | None) -> None:
-    record_copy, path_copy = _copies(stem)
-    with replacing_file(path_copy) as beside:
-        beside.write_text(json.dumps(str(path) if path else None), encoding="utf-8")
+def _is_held(stem: Path) -> bool:
+    """Return whether a running program holds a copy; not if the folder takes no lock at all."""
+    lock = _lock(stem)
+    if lock.tryLock(0):
+        lock.unlock()
+        return False
+    return lock.error() is QLockFile.LockError.LockFailedError
+
+
+def _recover(stem: Path) -> Recovered:
+    record_copy, origin_copy = _copies(stem)
+    record = read_case(record_copy)
+    origin = _read_origin(origin_copy)
+    path = Path(origin.path) if origin.path else None
+    return Recovered(record, path, (record_copy, origin_copy), origin.digest)
+
+
+def _read_origin(path: Path) -> _Origin:
+    """Read where a copy comes from; the copy is intact, so a loss of this must not hide it."""
+    try:
+        stored = JsonObject.read(path)
+        place, digest = (stored.text(key, empty=True) for key in ("path", "digest"))
+    except InsoleError as error:
+        log.warning("the file of a recovered case is not known: %s", error)
+        return _Origin()
+    return _Origin(place, digest) if _is_case_file(place) else _Origin()
+
+
+def _is_case_file(text: str) -> bool:
+    """Return whether a text is the absolute path of a case file."""
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
+    path = Path(text)
+    return path.is_absolute() and path.suffix.lower() == CASE_SUFFIX and "\0" not in text
+
+
+def _write_copy(stem: Path, record: CaseRecord, origin: _Origin) -> None:
+    record_copy, origin_copy = _copies(stem)
+    with replacing_file(origin_copy) as beside:
+        beside.write_text(json.dumps(asdict(origin)), encoding="utf-8")
     write_case(record, record_copy)
 
 
 def _copies(stem: Path) -> tuple[Path, Path]:
     return stem.with_suffix(".insole"), stem.with_suffix(".json")
+
+
+def _remove(copies: Iterable[Path]) -> None:
+    for copy in copies:
+        try:
+            copy.unlink(missing_ok=True)
+        except OSError as error:
+            log.warning("%s cannot be removed: %s", copy, error)
 
 
 def _lock(stem: Path) -> QLockFile:

@@ -50,6 +50,10 @@ class Case(QObject):
         self._history: History[CaseRecord] = History()
         self._selection: str | None = None
         self.path: Path | None = None
+        self.digest = ""
+        """SHA-256 of the file when it was last read or written; empty where that is unknown."""
+        self.is_read_only = False
+        """Whether the file must not be written, because another window has it open."""
         self.author = ""
         """The prescriber."""
 
@@ -157,7 +161,15 @@ class Case(QObject):
             self._selection = correction_id
             self.selection_changed.emit()
 
-    def open(self, record: CaseRecord, path: Path | None, unsaved: bool = False) -> None:
+    def open(
+        self,
+        record: CaseRecord,
+        path: Path | None,
+        unsaved: bool = False,
+        *,
+        digest: str = "",
+        read_only: bool = False,
+    ) -> None:
         """Replace the case by another one, with an empty history.
 
         Parameters
@@ -166,10 +178,15 @@ class Case(QObject):
             The file it was opened from; None for a case never saved.
         unsaved
             Whether the record already differs from the file.
+        digest
+            SHA-256 of the file as it was read; without it a change of the file is not noticed.
+        read_only
+            Whether the file must not be written.
         """
         self.leaving.emit()
         self.closing.emit(record)
-        self._begin(record, path, unsaved)
+        self.path, self.digest, self.is_read_only = path, digest, read_only
+        self._begin(record, unsaved)
 
     def open_foot(self, foot: Foot, source: ScanSource) -> None:
         """Begin a design on a new foot alone; the patient stays.
@@ -181,13 +198,12 @@ class Case(QObject):
         """
         self.leaving.emit()
         record = CaseRecord.of_foot(FootRecord.begun(foot, source), self._record.patient)
-        self._begin(record, self.path, unsaved=True)
+        self._begin(record, unsaved=True)
 
-    def _begin(self, record: CaseRecord, path: Path | None, unsaved: bool) -> None:
+    def _begin(self, record: CaseRecord, unsaved: bool) -> None:
         self._history.clear()
         self._shown = None
         self._selection = None
-        self.path = path
         self._record = record
         self._saved_record = CaseRecord() if unsaved else record
         self.opened.emit()
@@ -195,9 +211,15 @@ class Case(QObject):
         self.selection_changed.emit()
         self.saved_changed.emit()
 
-    def mark_saved(self, record: CaseRecord, path: Path) -> None:
-        """Note that the file contains `record`."""
-        self.path = path
+    def mark_saved(self, record: CaseRecord, path: Path, digest: str = "") -> None:
+        """Note that the file contains `record`.
+
+        Parameters
+        ----------
+        digest
+            SHA-256 of the file.
+        """
+        self.path, self.digest, self.is_read_only = path, digest, False
         self._saved_record = record
         self.saved_changed.emit()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_studio.document.case import Case
@@ -15,11 +17,29 @@ def case_name(case: Case) -> str:
     return case.record.patient.name or tr("New case")
 
 
+def title_of(case: Case) -> str:
+    """Return the name of the case for the title of the window."""
+    name = case_name(case)
+    return tr("{name} (read-only)").format(name=name) if case.is_read_only else name
+
+
 def file_stem(case: Case) -> str:
-    """Return a suggested file name, with the side of the active foot."""
-    name = case_name(case) if case.record.patient.name or case.path else "insole"
-    side = case.side
-    return f"{name}-{side.value}" if side is not None and side.value not in name else name
+    """Return a suggested name for a file of the whole case, with the side if it has one foot."""
+    return foot_stem(case) if len(case.record.feet) == 1 else _name_or(case, "insole")
+
+
+def foot_stem(case: Case) -> str:
+    """Return a suggested name for a file of the active foot, with its side.
+
+    Both hold the patient's name, so that neither is for a file that goes to the workshop.
+    """
+    name, side = _name_or(case, "insole"), case.side
+    words = re.findall(r"[^\W_]+", name.casefold())
+    return name if side is None or side.value in words else f"{name}-{side.value}"
+
+
+def _name_or(case: Case, otherwise: str) -> str:
+    return case_name(case) if case.record.patient.name or case.path else otherwise
 
 
 def whose(record: CaseRecord) -> str:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 from insole_core.workflows.file_kind import CASE_SUFFIX, MESH_SUFFIXES
 from insole_studio.texts import tr
 
@@ -22,3 +25,25 @@ def scan_kinds() -> str:
     """Return the filter for archives and meshes."""
     patterns = " ".join(f"*{suffix}" for suffix in (".zip", *MESH_SUFFIXES))
     return tr("Session or mesh") + f" ({patterns})"
+
+
+def complete_name(typed: Path, kinds: str, chosen: str = "") -> Path:
+    """Append a suffix to a typed name that has none of its kinds.
+
+    What follows the last dot of a name need not be a suffix: "B. Name" is a name.
+
+    Parameters
+    ----------
+    kinds
+        Filter of the file dialog.
+    chosen
+        The part of the filter that the user has chosen; its first suffix is appended.
+    """
+    name = typed.name.lower()
+    if any(name.endswith(suffix) and name != suffix for suffix in _suffixes(kinds)):
+        return typed
+    return typed.with_name(typed.name + (_suffixes(chosen) or _suffixes(kinds))[0])
+
+
+def _suffixes(kinds: str) -> list[str]:
+    return re.findall(r"\*(\.[^\s);]+)", kinds.lower())

@@ -6,11 +6,20 @@ from collections.abc import Sequence
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QLineEdit, QMessageBox, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QInputDialog,
+    QLineEdit,
+    QMessageBox,
+    QWidget,
+)
 
 from insole_core.geometry.side import Side
+from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.scan_dialog import ScanAnswer, ScanDialog
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.fields_dialog import Field, FieldsDialog
 
 
 class Answer(Enum):
@@ -29,11 +38,31 @@ class SameSide(Enum):
     CANCEL = auto()
 
 
+class InUse(Enum):
+    """How to open a case that another window has open."""
+
+    READ_ONLY = auto()
+    COPY = auto()
+    CANCEL = auto()
+
+
+class Unsaved(Enum):
+    """What to do when a case could not be saved."""
+
+    ELSEWHERE = auto()
+    REPLACE = auto()
+    GO_ON = auto()
+
+
 class Questions:
     """Questions with verbs on their buttons; None means cancelled."""
 
     def __init__(self, parent: QWidget) -> None:
         self._parent = parent
+
+    def on(self, window: QWidget) -> Questions:
+        """Return the same questions for another window: each is asked on the one it comes from."""
+        return Questions(window)
 
     def about_scan(self, path: Path, trouble: str = "") -> ScanAnswer | None:
         """Ask which foot a mesh shows, and in which unit.
@@ -109,6 +138,46 @@ class Questions:
             return SameSide.REPLACE
         return SameSide.NEW_CASE if box.clickedButton() is new else SameSide.CANCEL
 
+    def about_case_in_use(self, sentence: str) -> InUse:
+        """Ask how to open a case that another window has open."""
+        box = self._box(sentence)
+        box.setInformativeText(
+            tr("Look at it without changing its file, or go on with a copy under another name.")
+        )
+        read = box.addButton(tr("Open read-only"), QMessageBox.ButtonRole.AcceptRole)
+        copy = box.addButton(tr("Open a copy"), QMessageBox.ButtonRole.ActionRole)
+        box.addButton(tr("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(read)
+        box.exec()
+        if box.clickedButton() is read:
+            return InUse.READ_ONLY
+        return InUse.COPY if box.clickedButton() is copy else InUse.CANCEL
+
+    def about_failed_save(self, sentence: str) -> Unsaved:
+        """Ask what to do with a case that could not be saved."""
+        box = self._box(sentence)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setInformativeText(tr("Nothing is lost: the case stays open, and is not saved yet."))
+        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(elsewhere)
+        box.exec()
+        return Unsaved.ELSEWHERE if box.clickedButton() is elsewhere else Unsaved.GO_ON
+
+    def about_changed_file(self, sentence: str) -> Unsaved:
+        """Ask what to do with a case whose file another program has changed."""
+        box = self._box(sentence)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setInformativeText(tr("Saving here would discard what was changed there."))
+        elsewhere = box.addButton(tr("Save as…"), QMessageBox.ButtonRole.AcceptRole)
+        replace = box.addButton(tr("Replace the file"), QMessageBox.ButtonRole.DestructiveRole)
+        box.addButton(tr("Go on working"), QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(elsewhere)
+        box.exec()
+        if box.clickedButton() is elsewhere:
+            return Unsaved.ELSEWHERE
+        return Unsaved.REPLACE if box.clickedButton() is replace else Unsaved.GO_ON
+
     def text(self, title: str, question: str, value: str) -> str | None:
         """Ask for a line of text.
 
@@ -126,6 +195,20 @@ class Questions:
             self._parent, title, question, QLineEdit.EchoMode.Normal, value
         )
         return text.strip() if is_given else None
+
+    def fields(self, title: str, sentence: str, fields: Sequence[Field]) -> dict[str, str] | None:
+        """Ask for several lines of text.
+
+        Returns
+        -------
+        dict or None
+            The texts by key; None if the user cancelled.
+        """
+        dialog = FieldsDialog(title, sentence, fields, self._parent)
+        is_given = dialog.exec() == QDialog.DialogCode.Accepted
+        texts = dialog.texts()
+        dialog.deleteLater()
+        return texts if is_given else None
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         """Ask whether existing files may be replaced."""
@@ -158,7 +241,7 @@ class Questions:
         return Path(name) if name else None
 
     def file_to_write(self, suggestion: str, kinds: str) -> Path | None:
-        """Ask for a path to write to.
+        """Ask for a path to write to, and whether what is there may be replaced.
 
         Parameters
         ----------
@@ -167,8 +250,27 @@ class Questions:
         kinds
             Filter of the file dialog.
         """
-        name, _ = QFileDialog.getSaveFileName(self._parent, tr("Save"), suggestion, kinds)
-        return Path(name) if name else None
+        while (path := self.name_to_write(suggestion, kinds)) is not None:
+            if not path.exists() or self.may_replace([path]):
+                return path
+        return None
+
+    def name_to_write(self, suggestion: str, kinds: str) -> Path | None:
+        """Ask for a path to write to or to derive others from; replacing is not asked.
+
+        The dialog's own question would be about the name as typed, which may not be the one that
+        is written.
+
+        Parameters
+        ----------
+        suggestion, kinds
+            As for `file_to_write`.
+        """
+        name, chosen = QFileDialog.getSaveFileName(
+            self._parent, tr("Save"), suggestion, kinds,
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )  # fmt: skip
+        return complete_name(Path(name), kinds, chosen) if name else None
 
     def _box(self, text: str) -> QMessageBox:
         box = QMessageBox(self._parent)

@@ -11,10 +11,17 @@ Stage = TypeVar("Stage", bound=QWidget)
 
 
 class StageWindow(QObject, Generic[Stage]):
-    """Opens a stage, and closes it with the program."""
+    """Opens a stage, and closes it with the program.
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    Parameters
+    ----------
+    window
+        The main window, above which the stage stays: also when a dialog of either has been closed.
+    """
+
+    def __init__(self, window: QWidget | None = None) -> None:
+        super().__init__(window)
+        self._window = window
         self.stage: Stage | None = None
 
     def open(self) -> None:
@@ -29,6 +36,8 @@ class StageWindow(QObject, Generic[Stage]):
             self.stage = self.make_stage()
             self.stage.closed.connect(self._forget)  # type: ignore[attr-defined]
             self.connect_stage(self.stage)
+            if self._window is not None:
+                stay_above(self.stage, self._window)
         self.stage.show()
         self.stage.raise_()
         self.stage.activateWindow()
@@ -49,3 +58,10 @@ class StageWindow(QObject, Generic[Stage]):
         if self.stage is not None:
             self.stage.deleteLater()
         self.stage = None
+
+
+def stay_above(stage: QWidget, window: QWidget) -> None:
+    """Keep a window above another, without making it part of the other."""
+    stage.winId()  # creates what the window manager knows of it
+    window.winId()
+    stage.windowHandle().setTransientParent(window.windowHandle())

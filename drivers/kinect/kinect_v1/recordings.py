@@ -142,7 +142,6 @@ def recording_folder(folder: Path) -> Iterator[RecordingWriter]:
         yield RecordingWriter(beside)
         if folder.exists():
             folder.rmdir()
-        beside.chmod(0o755)
         beside.rename(folder)
     except OSError as error:
         raise RecordingError(

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.export.atomic import replacing_file
+from insole_core.export.atomic import write_text
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rotation_angle_deg, transform
@@ -61,10 +61,7 @@ def save_reference_system(system: ReferenceSystem, path: Path) -> None:
     OutputError
         If the path cannot be written.
     """
-    with replacing_file(path) as beside:
-        beside.write_text(
-            json.dumps(reference_system_json(system), indent=1) + "\n", encoding="utf-8"
-        )
+    write_text(json.dumps(reference_system_json(system), indent=1) + "\n", path)
 
 
 @dataclass(frozen=True)

@@ -70,10 +70,15 @@ def outline_reach(foot: Foot, outline: Outline) -> FloatArray:
     (2, 2) float64, mm, insole frame
         Least and greatest (x, y).
     """
-    curve = insole_outline(
+    curve = full_outline(foot, outline)
+    return np.stack([curve.min(axis=0), curve.max(axis=0)])
+
+
+def full_outline(foot: Foot, outline: Outline) -> FloatArray:
+    """Compute an outline in its full length: `insole_outline` that ignores the extent."""
+    return insole_outline(
         foot, InsoleDesign(foot.side, outline=replace(outline, extent="full")), {}
     )
-    return np.stack([curve.min(axis=0), curve.max(axis=0)])
 
 
 def outline_points(foot: Foot, outline: Outline, landmarks: Landmarks) -> tuple[Place, ...]:

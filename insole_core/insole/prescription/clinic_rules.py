@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
 from insole_core.insole.outline.outline_curve import inside_curve
@@ -60,7 +62,14 @@ _ACROSS = (
 )  # fmt: skip
 """Pairs of landmarks of which the second lies lateral to the first."""
 _USUAL_CUP_MM = 12.0
+_SHOWN = 0.1
+"""Step in mm and degrees to which values are rounded, before they are compared and printed."""
+_SHOWN_HEIGHT_MM = 1.0
+_SHOWN_SHARE = 0.01
 _STEP_MM = 2.0
+_MOST_OVERLAPS = (
+    10  # of which is warned: where very many pads lie on each other, no more are sought
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,6 +87,7 @@ class ClinicRules:
     pelott_usual_behind_heads_mm: float
     least_on_foot_share: float
     greatest_overlap_share: float
+    greatest_grid_mm: float
     pronation: tuple[PronationStep, ...] = ()
 
 
@@ -127,7 +137,7 @@ def design_warnings(
     Returns
     -------
     tuple of DesignWarning
-        Landmarks first, then posting, heel, height, and pads; at most one about landmarks.
+        Landmarks first, then posting, heel, height, grid, and pads; at most one about landmarks.
     """
     design = insole.design
     pads = [c for c in design.active if isinstance(c, Pelott)]
@@ -136,8 +146,9 @@ def design_warnings(
         *_of_posting(design, rules),
         *_of_heel(design, rules),
         *_of_height(insole, rules),
+        *_of_grid(design, rules),
         *(w for pad in pads for w in _of_pad(insole, landmarks, pad, rules)),
-        *_of_overlaps(pads, rules),
+        *islice(_of_overlaps(pads, rules), _MOST_OVERLAPS),
     )
 
 
@@ -180,7 +191,7 @@ def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
 
 def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     usual = rules.post_unusual_deg
-    rearfoot, forefoot = posting_angles(design)
+    rearfoot, forefoot = (rounded(angle, _SHOWN) for angle in posting_angles(design))
     cause = next((c.id for c in design.active if isinstance(c, Posting)), "")
     if abs(rearfoot) > usual:
         posted = Message(
@@ -201,19 +212,21 @@ def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarn
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     cups = [c.depth_mm for c in design.active if isinstance(c, HeelCup)]
     cup = min(cups, default=_USUAL_CUP_MM)
-    inversion = max(posting_angles(design)[0], 0.0)
+    inversion = max(rounded(posting_angles(design)[0], _SHOWN), 0.0)
+    lifts = [c for c in design.active if isinstance(c, HeelLift)]
+    lift_mm = rounded(sum(c.height_mm for c in lifts), _SHOWN)
+    if lift_mm > rules.greatest_heel_lift_mm:
+        lifted = Message(
+            "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
+            "usual.",
+            height_mm=lift_mm,
+            usual_mm=rules.greatest_heel_lift_mm,
+        )
+        yield DesignWarning(lifted, lifts[-1].id)
     for c in design.active:
-        if isinstance(c, HeelLift) and c.height_mm > rules.greatest_heel_lift_mm:
-            lifted = Message(
-                "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
-                "usual.",
-                height_mm=c.height_mm,
-                usual_mm=rules.greatest_heel_lift_mm,
-            )
-            yield DesignWarning(lifted, c.id)
         if not isinstance(c, HeelSkive):
             continue
-        both = c.depth_mm + inversion
+        both = rounded(c.depth_mm + inversion, _SHOWN)
         deep = both > rules.skive_and_inversion_limit
         needed = rules.skive_and_inversion_cup_mm if deep else rules.skive_least_cup_mm
         if cup < needed:
@@ -231,21 +244,33 @@ def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning
 def _of_height(insole: Insole, rules: ClinicRules) -> Iterator[DesignWarning]:
     heights = np.where(insole.measured, insole.contact.heights_mm, -np.inf)
     row, column = np.unravel_index(heights.argmax(), heights.shape)
-    if heights[row, column] > rules.greatest_insole_height_mm:
+    height_mm = rounded(float(heights[row, column]), _SHOWN_HEIGHT_MM)
+    if height_mm > rules.greatest_insole_height_mm:
         place = float(insole.contact.x_mm[column]), float(insole.contact.y_mm[row])
         high = Message(
             "The insole is {height_mm:.0f} mm high and may not fit a shoe; up to {usual_mm:g} mm "
             "are usual.",
-            height_mm=float(heights[row, column]),
+            height_mm=height_mm,
             usual_mm=rules.greatest_insole_height_mm,
         )
         yield DesignWarning(high, place_mm=place)
 
 
+def _of_grid(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
+    if design.grid_mm > rules.greatest_grid_mm:
+        coarse = Message(
+            "The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm "
+            "are usual.",
+            grid_mm=design.grid_mm,
+            usual_mm=rules.greatest_grid_mm,
+        )
+        yield DesignWarning(coarse)
+
+
 def _of_pad(
     insole: Insole, landmarks: Landmarks, pad: Pelott, rules: ClinicRules
 ) -> Iterator[DesignWarning]:
-    share = _share_on_foot(insole, pad)
+    share = rounded(_share_on_foot(insole, pad), _SHOWN_SHARE)
     if share < rules.least_on_foot_share:
         beside = Message(
             "Only {share:.0%} of the {pad} lie below the foot; move it inwards.",
@@ -255,7 +280,7 @@ def _of_pad(
         yield DesignWarning(beside, pad.id, pad.centre_mm)
     if pad.shape not in _AT_HEADS or pad.height_mm <= 0:
         return
-    behind = behind_heads_mm(pad, landmarks)
+    behind = rounded(behind_heads_mm(pad, landmarks), _SHOWN)
     least, most = rules.pelott_least_behind_heads_mm, rules.pelott_greatest_behind_heads_mm
     if not least <= behind <= most:
         values: dict[str, Value] = {
@@ -266,13 +291,13 @@ def _of_pad(
         }
         away = (
             Message(
-                "The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the "
+                "The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the "
                 "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
                 **values,
             )
             if behind >= 0
             else Message(
-                "The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the "
+                "The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the "
                 "heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.",
                 **values,
             )
@@ -291,9 +316,13 @@ def _share_on_foot(insole: Insole, pad: Pelott) -> float:
 
 def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarning]:
     places = {pad.id: _places_in(pad) for pad in pads}
+    outlines = {pad.id: pad_outline(pad, 180) for pad in pads}
     for a, b in combinations(pads, 2):
+        if not _boxes_meet(outlines[a.id], outlines[b.id]):
+            continue
         small, large = sorted((a, b), key=lambda pad: len(places[pad.id]))
-        share = float(inside_curve(pad_outline(large, 180), places[small.id]).mean())
+        covered = inside_curve(outlines[large.id], places[small.id])
+        share = rounded(float(covered.mean()), _SHOWN_SHARE)
         if share > rules.greatest_overlap_share:
             overlap = Message(
                 "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up.",
@@ -304,7 +333,11 @@ def _of_overlaps(pads: list[Pelott], rules: ClinicRules) -> Iterator[DesignWarni
             yield DesignWarning(overlap, small.id, small.centre_mm)
 
 
-def _places_in(pad: Pelott) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _boxes_meet(a: FloatArray, b: FloatArray) -> bool:
+    return bool((a.min(axis=0) <= b.max(axis=0)).all() and (b.min(axis=0) <= a.max(axis=0)).all())
+
+
+def _places_in(pad: Pelott) -> FloatArray:
     """Return points (n, 2) spread evenly over a pad, at least its apex."""
     outline = pad_outline(pad, 180)
     low, high = outline.min(axis=0), outline.max(axis=0)

@@ -17,9 +17,12 @@ from insole_core.insole.prescription.design import (
     Outline,
 )
 from insole_core.insole.prescription.design_limits import CHOICES, check_design
+from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.regular_file import read_regular
 
 FORMAT, VERSION = "insole-design", 1
 
+_MOST_STORED = 1000  # more than can be built, so that whatever was edited can be opened again
 _PLACES = ("centre_mm", "sigma_mm", "apex_mm")
 _PLACE_LISTS = ("outline_mm", "points_mm")
 _TEXTS = {"id", "author", "created_at"} | {key for words in CHOICES.values() for key in words}
@@ -32,15 +35,17 @@ def read_design(path: Path) -> InsoleDesign:
     Raises
     ------
     InputError
-        Naming the file, and the key that is missing, unknown or out of range.
+        Naming the file, and the key that is missing, unknown or out of range, or the total.
     """
     try:
         content = json.loads(
-            path.read_text(encoding="utf-8"),
+            read_regular(path).decode(),
             parse_constant=_refuse_constant,
             object_pairs_hook=_without_doubles,
         )
-        return design_from_json(content)
+        design = design_from_json(content)
+        check_totals(design)
+        return design
     except OSError as error:
         raise InputError(
             "{path} cannot be read: {reason}; check the name of the file.",
@@ -74,6 +79,8 @@ def design_to_json(design: InsoleDesign) -> dict[str, Any]:
 def design_from_json(content: Any) -> InsoleDesign:
     """Build a design from the result of `json.load`.
 
+    Its totals are not checked: a case with a design that cannot be built opens, and says so.
+
     Raises
     ------
     DesignError
@@ -89,6 +96,12 @@ def design_from_json(content: Any) -> InsoleDesign:
     corrections = top.pop("corrections", None)
     if not isinstance(corrections, list):
         raise DesignError("corrections must be a list; put the corrections in [ ].")
+    if len(corrections) > _MOST_STORED:
+        raise DesignError(
+            "corrections holds {count} of them, and may hold {most}; remove some.",
+            count=len(corrections),
+            most=_MOST_STORED,
+        )
     design = InsoleDesign(
         side=_side(top.pop("side")),
         corrections=tuple(_correction(c, n) for n, c in enumerate(corrections)),

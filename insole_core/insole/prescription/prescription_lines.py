@@ -8,6 +8,8 @@ from typing import Any
 from insole_core.insole.prescription.design import Correction, InsoleDesign
 
 _UNITS = {"_mm": " mm", "_deg": "°", "_eu": " EU"}
+_DECIMALS, _DECIMALS_OF_A_SHARE = 1, 2
+"""The precision of the tool's own fields."""
 _SILENT = {"id", "enabled", "author", "created_at"}
 
 
@@ -16,18 +18,24 @@ def correction_lines(design: InsoleDesign) -> tuple[str, ...]:
     return tuple(_line(correction) for correction in design.active)
 
 
+def plain_number(value: float, decimals: int = _DECIMALS) -> str:
+    """Return a number as on paper: rounded, without needless zeros, and never "-0"."""
+    text = f"{value:.{decimals}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return "0" if text == "-0" else text
+
+
 def make_facts(design: InsoleDesign) -> dict[str, str]:
     """Return thickness, layers, bottom and outline, by name."""
     layers = design.layers
     facts = {
-        "least thickness": f"{design.least_thickness_mm:g} mm",
+        "prescribed thickness": f"{plain_number(design.least_thickness_mm)} mm",
         "bottom": design.bottom,
         "outline": f"{_words(design.outline.source)}, {_words(design.outline.extent)}",
     }
     if layers.total_mm > 0:
-        facts["cover / shell / base"] = (
-            f"{layers.cover_mm:g} / {layers.shell_mm:g} / {layers.base_mm:g} mm"
-        )
+        thicknesses = (layers.cover_mm, layers.shell_mm, layers.base_mm)
+        facts["cover / shell / base"] = f"{' / '.join(map(plain_number, thicknesses))} mm"
     return facts
 
 
@@ -49,7 +57,10 @@ def _value(name: str, value: Any) -> str:
     if isinstance(value, tuple) and value and isinstance(value[0], tuple):
         return f"{_words(name)} {len(value)} points"
     numbers = value if isinstance(value, tuple) else (value,)
-    text = ", ".join(_words(n) if isinstance(n, str) else f"{n:g}" for n in numbers)
+    decimals = _DECIMALS if unit else _DECIMALS_OF_A_SHARE
+    text = ", ".join(
+        _words(n) if isinstance(n, str) else plain_number(n, decimals) for n in numbers
+    )
     return f"{_words(name)} {text}{unit}"
 
 

@@ -25,7 +25,8 @@ from insole_core.insole.prescription.design import (
     Place,
     Posting,
 )
-from insole_core.insole.surface.heel import cupped, lifted, skived
+from insole_core.insole.surface.heel import cup_rows, cupped, lifted, skived
+from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.height_field import HeightField
 from insole_core.insole.surface.inpainting import fill
 from insole_core.insole.surface.posting import posted
@@ -133,7 +134,7 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
         elif isinstance(c, HeelLift):
             heights = lifted(surface, c, length)
         elif isinstance(c, HeelCup):
-            heights = cupped(surface, sole.measured, c, length)
+            heights = cupped(surface, _rim_band(foot, design, sole, c), c, length)
         else:
             continue
         surface = replace(surface, heights_mm=heights)
@@ -162,6 +163,15 @@ def sole_surface(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
     grid, highest_mm = _grid_around(foot, design), design.max_height_mm
     sample = partial(_sampled_sole, foot, grid, highest_mm, progress)
     return foot.derived.get("sole", (grid, highest_mm), sample)
+
+
+def _rim_band(foot: Foot, design: InsoleDesign, sole: ContactBase, cup: HeelCup) -> RimBand:
+    """Return where the rim of a cup can rise; cached with the foot."""
+    field, outline = sole.surface, design.outline
+    rows = cup_rows(field, cup, foot.length_mm)
+    grid = field.x0_mm, field.y0_mm, field.step_mm, field.heights_mm.shape
+    measure = partial(rim_band, foot, field, sole.measured, outline, rows)
+    return foot.derived.get("heel rim", (grid, design.max_height_mm, outline, rows), measure)
 
 
 def _sampled_sole(foot: Foot, grid: _Grid, max_height_mm: float, progress: Progress) -> ContactBase:

@@ -29,6 +29,11 @@ def posting_angles(design: InsoleDesign) -> tuple[float, float]:
     return sum(c.rearfoot_deg for c in active), sum(c.forefoot_deg for c in active)
 
 
+def posting_profile_deg(design: InsoleDesign, share: FloatArray) -> FloatArray:
+    """Sum the angles of all active postings and twists at shares (n,) of the length."""
+    return _angles_deg(design, share, "extrinsic") + _angles_deg(design, share, "intrinsic")
+
+
 def posted_mesh(foot: Foot, rearfoot_deg: float, forefoot_deg: float) -> TriangleMesh:
     """Turn the foot's mesh as a posting with the default blend turns its surface, for display.
 

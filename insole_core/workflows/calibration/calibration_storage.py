@@ -7,13 +7,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from insole_core.export.transaction import Transaction
+from insole_core.regular_file import read_regular
 from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 
 
 def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = ()) -> Path:
-    """Save the sensor and its reports, named after the step, atomically.
+    """Save the sensor and its reports, named after the step: all of them or none.
 
     Parameters
     ----------
@@ -37,10 +39,13 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
     section = replace(result.section, sentences=tuple(said))
     report = make_report(section.title, result.sensor.serial, [section])
 
-    def attach(folder: Path) -> None:
-        write_reports(report, [*report_paths(folder, section.key), *further])
+    with Transaction() as outputs:
+        copies = [outputs.file(path) for path in further]
 
-    return store.save(result.sensor, attach)
+        def attach(folder: Path) -> None:
+            write_reports(report, [*report_paths(folder, section.key), *copies])
+
+        return store.save(result.sensor, attach, outputs)
 
 
 def step_date(store: SensorStore, serial: str, key: str) -> str:
@@ -58,7 +63,7 @@ def step_date(store: SensorStore, serial: str, key: str) -> str:
     """
     path = store.folder_of(serial) / f"{key}.json"
     try:
-        values = json.loads(path.read_text(encoding="utf-8"))
+        values = json.loads(read_regular(path))
     except (OSError, ValueError):
         return ""
     made_at = values.get("made_at", "") if isinstance(values, dict) else ""

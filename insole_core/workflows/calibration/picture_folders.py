@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Literal
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import describe, replacing_file
+from insole_core.export.atomic import make_private_folder, replacing_file
+from insole_core.export.transaction import Transaction
+from insole_core.export.write_errors import describe
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
 from insole_core.recording.session import View
@@ -46,14 +48,15 @@ def keep_view(view: View, folder: Path, kind: LiveKind) -> None:
     OutputError
         When the place cannot be written.
     """
-    if kind == "walls":
-        number = _next_number(folder, "wall_")
-        _write_depth(view, folder / f"wall_{number:03d}")
-        return
-    number = _next_number(folder, "color_")
-    _write_depth(view, folder / f"depth_{number:03d}")
-    _write(folder / f"depth_{number:03d}.png", encode_png(view.read_depth(0)))
-    _write(folder / f"color_{number:03d}.png", encode_png(view.read_color(0)))
+    with Transaction() as outputs:
+        if kind == "walls":
+            number = _next_number(folder, "wall_")
+            _write_depth(view, folder / f"wall_{number:03d}", outputs)
+            return
+        number = _next_number(folder, "color_")
+        _write_depth(view, folder / f"depth_{number:03d}", outputs)
+        _write(folder / f"depth_{number:03d}.png", encode_png(view.read_depth(0)), outputs)
+        _write(folder / f"color_{number:03d}.png", encode_png(view.read_color(0)), outputs)
 
 
 def keep_infrared(picture: ByteArray, folder: Path) -> None:
@@ -70,21 +73,23 @@ def keep_infrared(picture: ByteArray, folder: Path) -> None:
     OutputError
         When the place cannot be written.
     """
-    _write(folder / f"ir_{_next_number(folder, 'ir_'):03d}.png", encode_png(picture))
+    with Transaction() as outputs:
+        number = _next_number(folder, "ir_")
+        _write(folder / f"ir_{number:03d}.png", encode_png(picture), outputs)
 
 
-def _write_depth(view: View, folder: Path) -> None:
+def _write_depth(view: View, folder: Path, outputs: Transaction) -> None:
     for index in range(view.depth_count):
-        _write(folder / f"depth_{index:03d}.png", encode_png(view.read_depth(index)))
-    _write(folder / "sensor.json", json.dumps({"serial": view.sensor.serial}).encode())
+        _write(folder / f"depth_{index:03d}.png", encode_png(view.read_depth(index)), outputs)
+    _write(folder / "sensor.json", json.dumps({"serial": view.sensor.serial}).encode(), outputs)
 
 
-def _write(path: Path, content: bytes) -> None:
+def _write(path: Path, content: bytes, outputs: Transaction) -> None:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_private_folder(path.parent)
     except OSError as error:
         raise OutputError(describe(path.parent, error)) from error
-    with replacing_file(path) as beside:
+    with replacing_file(outputs.file(path)) as beside:
         beside.write_bytes(content)
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Sequence
-from contextlib import ExitStack
 from datetime import UTC, datetime
 from pathlib import Path
 
 from insole_core.errors import UsageError
 from insole_core.evaluation.report import Report, ReportSection
 from insole_core.evaluation.report_files import WRITERS
-from insole_core.export.atomic import replacing_file
+from insole_core.export.temporary import is_unfinished
+from insole_core.export.transaction import Transaction
 from insole_core.messages import joined
 
 
@@ -49,7 +49,8 @@ def write_reports(report: Report, paths: Sequence[Path]) -> None:
     Parameters
     ----------
     paths
-        As `check_report_paths` accepts them.
+        As `check_report_paths` accepts them; those that a `Transaction` of the caller has opened
+        are only written.
 
     Raises
     ------
@@ -57,9 +58,9 @@ def write_reports(report: Report, paths: Sequence[Path]) -> None:
         When a place cannot be written; files that were there before are untouched.
     """
     written: dict[str, Path] = {}
-    with ExitStack() as outputs:
+    with Transaction() as outputs:
         for path in paths:
-            beside = outputs.enter_context(replacing_file(path))
+            beside = path if is_unfinished(path) else outputs.file(path)
             suffix = path.suffix.lower()
             if suffix in written:
                 shutil.copyfile(written[suffix], beside)

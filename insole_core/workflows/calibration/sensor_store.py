@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 
 import platformdirs
 
 from insole_core.errors import InputError, OutputError, UsageError
-from insole_core.export.atomic import describe, replacing_folder
+from insole_core.export.atomic import copy_into, make_private_folder
+from insole_core.export.transaction import Transaction, nothing_foreign
+from insole_core.export.write_errors import describe
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
     SENSOR_FILE,
@@ -57,7 +59,8 @@ class SensorStore:
 
     def serials(self) -> list[str]:
         """Return the serial numbers of the saved sensors, sorted."""
-        return sorted(path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
+        folders = (path.parent.name for path in self._folder.glob(f"*/{SENSOR_FILE}"))
+        return sorted(filter(_SERIAL.fullmatch, folders))
 
     def load(self, serial: str) -> Sensor | None:
         """Read a sensor; None when it was never saved.
@@ -83,13 +86,20 @@ class SensorStore:
             )
         return sensor
 
-    def save(self, sensor: Sensor, attach: Callable[[Path], None] = lambda _folder: None) -> Path:
+    def save(
+        self,
+        sensor: Sensor,
+        attach: Callable[[Path], None] = lambda _folder: None,
+        outputs: Transaction | None = None,
+    ) -> Path:
         """Replace the stored files of a sensor atomically; other files in its folder stay.
 
         Parameters
         ----------
         attach
             Writes further files, such as reports, into the folder that it is called with.
+        outputs
+            Of a command that writes more than this; they are replaced together.
 
         Returns
         -------
@@ -105,12 +115,13 @@ class SensorStore:
         """
         folder = self.folder_of(sensor.serial)
         try:
-            self._folder.mkdir(parents=True, exist_ok=True)
+            make_private_folder(self._folder)
         except OSError as error:
             raise OutputError(describe(self._folder, error)) from error
-        with replacing_folder(folder) as beside:
+        with Transaction() if outputs is None else nullcontext(outputs) as transaction:
+            beside = transaction.folder(folder, nothing_foreign)
             if folder.exists():
-                shutil.copytree(folder, beside, dirs_exist_ok=True)
+                copy_into(beside, folder)
             if sensor.correction is None:
                 (beside / CORRECTION_FILE).unlink(missing_ok=True)
             write_sensor(sensor, beside)

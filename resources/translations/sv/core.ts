@@ -52,6 +52,10 @@
             <translation>En ChArUco-markör på {marker_mm:g} mm ryms inte i en ruta på {square_mm:g} mm; ange markörens egen storlek i mm.</translation>
         </message>
         <message>
+            <source>A block needs a name; type one.</source>
+            <translation>Ett block behöver ett namn; skriv ett.</translation>
+        </message>
+        <message>
             <source>A board of {columns}×{rows} is too small; it must have at least {least}×{least}.</source>
             <translation>Ett bräde med {columns}×{rows} är för litet; det måste ha minst {least}×{least}.</translation>
         </message>
@@ -492,6 +496,10 @@
             <translation>Det 1:a metatarsalhuvudet ligger lateralt om det 5:e på denna {side} fot; byt dem, eller kontrollera sidan.</translation>
         </message>
         <message>
+            <source>The arrangement of the window is damaged, so it has its usual one.</source>
+            <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
+        </message>
+        <message>
             <source>The board is seen by both cameras in {count} pairs of pictures, but {least} are needed; take infrared and colour pictures of the same positions.</source>
             <translation>Brädet syns för båda kamerorna i {count} bildpar, men {least} behövs; ta infraröda bilder och färgbilder av samma lägen.</translation>
         </message>
@@ -546,6 +554,10 @@
         <message>
             <source>The colour picture of view {view} is too dark; add light and capture this view again.</source>
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>The copy {path} of unsaved work is damaged; it is kept as {kept}.</source>
+            <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept}.</translation>
         </message>
         <message>
             <source>The correction is {age}; calibrate the sensor again soon.</source>
@@ -624,12 +636,16 @@
             <translation>Framfoten är kilad {angle:g}°; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm before the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm framför linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
         </message>
         <message>
-            <source>The front edge of the {pad} lies {distance_mm:.0f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
-            <translation>Framkanten ({pad}) ligger {distance_mm:.0f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+            <source>The front edge of the {pad} lies {distance_mm:.1f} mm behind the line of the heads 2 to 4; {least_mm:g} to {most_mm:g} mm behind it are usual.</source>
+            <translation>Framkanten ({pad}) ligger {distance_mm:.1f} mm bakom linjen genom metatarsalhuvud 2 till 4; {least_mm:g} till {most_mm:g} mm bakom den är vanligt.</translation>
+        </message>
+        <message>
+            <source>The grid of {grid_mm:g} mm is too coarse for a smooth insole; up to {usual_mm:g} mm are usual.</source>
+            <translation>Rutnätet av {grid_mm:g} mm är för grovt för ett jämnt inlägg; upp till {usual_mm:g} mm är vanligt.</translation>
         </message>
         <message>
             <source>The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
@@ -638,6 +654,10 @@
         <message>
             <source>The heel is missing, or cut off behind; lengths and everything placed from the heel are guesses. Scan the foot again with its heel.</source>
             <translation>Hälen saknas, eller är avskuren baktill; längder och allt som placeras från hälen är gissningar. Skanna foten igen med hälen.</translation>
+        </message>
+        <message>
+            <source>The heel lifts add up to {lift_mm:g} mm, and must be {range}; lower some of them.</source>
+            <translation>Hälhöjningarna blir tillsammans {lift_mm:g} mm, och måste vara {range}; sänk några av dem.</translation>
         </message>
         <message>
             <source>The identification does not lie wholly on a flat bottom; write it elsewhere, smaller, or make the bottom flat.</source>
@@ -658,6 +678,10 @@
         <message>
             <source>The insole would be only {thickness_mm:.1f} mm thick at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; raise the thickness or make the recess shallower.</source>
             <translation>Inlägget skulle bara bli {thickness_mm:.1f} mm tjockt vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; öka tjockleken eller gör fördjupningen grundare.</translation>
+        </message>
+        <message>
+            <source>The insole would be {height_mm:.0f} mm high, and {most_mm:g} mm can be made; lower the corrections that lie on each other.</source>
+            <translation>Inlägget skulle bli {height_mm:.0f} mm högt, och {most_mm:g} mm kan tillverkas; sänk de korrektioner som ligger på varandra.</translation>
         </message>
         <message>
             <source>The known length ends at {markers}, which the pictures do not show twice; take more pictures or measure between other markers.</source>
@@ -720,8 +744,12 @@
             <translation>Konturen ligger bredvid foten, vilket inte ger något inlägg; rita den runt foten.</translation>
         </message>
         <message>
-            <source>The pair needs a block of {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, and this one has {length_mm:g} × {width_mm:g} × {height_mm:g} mm; take a larger block, or one for each side.</source>
-            <translation>Paret behöver ett block på {need_x_mm:.0f} × {need_y_mm:.0f} × {need_z_mm:.0f} mm, och detta har {length_mm:g} × {width_mm:g} × {height_mm:g} mm; ta ett större block, eller ett per sida.</translation>
+            <source>The pair needs a block of {need} mm, and this one has {there} mm; take a larger block, or one for each side.</source>
+            <translation>Paret behöver ett block på {need} mm, och detta har {there} mm; ta ett större block, eller ett för varje sida.</translation>
+        </message>
+        <message>
+            <source>The pair needs {need} mm, and the block has {there} mm.</source>
+            <translation>Paret behöver {need} mm, och blocket har {there} mm.</translation>
         </message>
         <message>
             <source>The picked points cannot place one surface on the other: {reason}</source>
@@ -746,6 +774,22 @@
         <message>
             <source>The points that should place one frame in another lie on one line; at least one beside it is needed.</source>
             <translation>Punkterna som ska lägga ett koordinatsystem i ett annat ligger på en linje; minst en bredvid den behövs.</translation>
+        </message>
+        <message>
+            <source>The postings and twists turn the foot by {angle_deg:g}° together, and must be {range}; lower some of them.</source>
+            <translation>Kilningar och vridningar vrider tillsammans foten {angle_deg:g}°, och måste vara {range}; sänk några av dem.</translation>
+        </message>
+        <message>
+            <source>The prescription cannot be written without {missing}; put in what is missing.</source>
+            <translation>Ordinationen kan inte skrivas utan {missing}; fyll i det som saknas.</translation>
+        </message>
+        <message>
+            <source>The prescription cannot be written: {doubts} Correct it in the patient panel.</source>
+            <translation>Ordinationen kan inte skrivas: {doubts} Rätta det i patientpanelen.</translation>
+        </message>
+        <message>
+            <source>The prescription has {count} corrections, and {most} can be made into one insole; remove some.</source>
+            <translation>Ordinationen har {count} korrektioner, och {most} kan göras till ett inlägg; ta bort några.</translation>
         </message>
         <message>
             <source>The program that reads the sensors has ended; look for sensors again.</source>
@@ -814,6 +858,10 @@
         <message>
             <source>The surface has no sole: nothing of it faces the ground; check that the scan shows the foot from below.</source>
             <translation>Ytan har ingen fotsula: inget av den vetter mot underlaget; kontrollera att skanningen visar foten underifrån.</translation>
+        </message>
+        <message>
+            <source>The surface is computed on a grid of {grid_mm:g} mm; {limit:g} is the most allowed.</source>
+            <translation>Ytan beräknas på ett rutnät av {grid_mm:g} mm; {limit:g} är det mesta tillåtna.</translation>
         </message>
         <message>
             <source>The surface is flat, which is no foot; export the scan again.</source>
@@ -912,12 +960,24 @@
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>
         <message>
+            <source>The {what} cannot be right: {reason}</source>
+            <translation>{what} kan inte stämma: {reason}</translation>
+        </message>
+        <message>
             <source>The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.</source>
             <translation>{what} kan inte vara {value:g}; välj ett värde från {least:g} till {most:g}.</translation>
         </message>
         <message>
+            <source>The {what} holds the patient's name, which the shop must not get; use the pseudonym or an order number in its place.</source>
+            <translation>{what} innehåller patientens namn, som verkstaden inte får; använd pseudonymen eller ett ordernummer i stället.</translation>
+        </message>
+        <message>
             <source>There are no captures; capture a flat wall.</source>
             <translation>Det finns inga tagningar; ta en plan vägg.</translation>
+        </message>
+        <message>
+            <source>There is a block {name} already; give this one another name.</source>
+            <translation>Det finns redan ett block {name}; ge detta ett annat namn.</translation>
         </message>
         <message>
             <source>There is a variant {name} already; give this one another name.</source>
@@ -1016,6 +1076,10 @@
             <translation>Skriver vyn {view}</translation>
         </message>
         <message>
+            <source>a device or a pipe of that name is there; choose another name</source>
+            <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
+        </message>
+        <message>
             <source>a file is there where a folder is needed; choose another name</source>
             <translation>en fil ligger där en mapp behövs; välj ett annat namn</translation>
         </message>
@@ -1068,6 +1132,10 @@
             <translation>den simulerade fotens bredd över trampdynan (mm)</translation>
         </message>
         <message>
+            <source>birth date</source>
+            <translation>Födelsedatumet</translation>
+        </message>
+        <message>
             <source>bisection of the calcaneus against the Achilles axis; &gt; 0 is valgus</source>
             <translation>calcaneus mittlinje mot akillesaxeln; &gt; 0 är valgus</translation>
         </message>
@@ -1092,6 +1160,10 @@
             <translation>färgbilder av brädet</translation>
         </message>
         <message>
+            <source>corrections holds {count} of them, and may hold {most}; remove some.</source>
+            <translation>corrections innehåller {count} stycken, och får innehålla {most}; ta bort några.</translation>
+        </message>
+        <message>
             <source>corrections must be a list; put the corrections in [ ].</source>
             <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
         </message>
@@ -1106,6 +1178,10 @@
         <message>
             <source>dark</source>
             <translation>mörk</translation>
+        </message>
+        <message>
+            <source>date of the visit</source>
+            <translation>Besöksdatumet</translation>
         </message>
         <message>
             <source>degrees</source>
@@ -1126,6 +1202,10 @@
         <message>
             <source>drop</source>
             <translation>droppe</translation>
+        </message>
+        <message>
+            <source>file name</source>
+            <translation>Filnamnet</translation>
         </message>
         <message>
             <source>foot length, rounded up to 5 mm</source>
@@ -1268,12 +1348,24 @@
             <translation>är {what}; raderna måste vara högerorienterade enhetsvektorer</translation>
         </message>
         <message>
+            <source>it is a pipe or a device, no file</source>
+            <translation>det är ett rör eller en enhet, ingen fil</translation>
+        </message>
+        <message>
+            <source>it is far larger than such a file is</source>
+            <translation>den är mycket större än en sådan fil är</translation>
+        </message>
+        <message>
             <source>it is not flat, or something stood before it</source>
             <translation>den är inte plan, eller något stod framför den</translation>
         </message>
         <message>
             <source>it measured no surface in the volume of interest; check that the foot was in place and "volume_of_interest_mm" in manifest.json</source>
             <translation>den mätte ingen yta i volymen av intresse; kontrollera att foten var på plats och ”volume_of_interest_mm” i manifest.json</translation>
+        </message>
+        <message>
+            <source>it or its folder is protected against changes; choose another name or place</source>
+            <translation>den eller dess mapp är skyddad mot ändringar; välj ett annat namn eller en annan plats</translation>
         </message>
         <message>
             <source>it was switched off by hand</source>
@@ -1480,6 +1572,10 @@
             <translation>måste ange minst en vy, och ingen två gånger</translation>
         </message>
         <message>
+            <source>name of the material</source>
+            <translation>Materialets namn</translation>
+        </message>
+        <message>
             <source>name the same point twice</source>
             <translation>namnger samma punkt två gånger</translation>
         </message>
@@ -1604,6 +1700,10 @@
             <translation>formen</translation>
         </message>
         <message>
+            <source>pseudonym</source>
+            <translation>Pseudonymen</translation>
+        </message>
+        <message>
             <source>pternion to metatarsale tibiale, along the foot axis</source>
             <translation>pternion till metatarsale tibiale, längs fotaxeln</translation>
         </message>
@@ -1622,6 +1722,10 @@
         <message>
             <source>rearmost point</source>
             <translation>bakersta punkten</translation>
+        </message>
+        <message>
+            <source>reason for the export</source>
+            <translation>Skälet till exporten</translation>
         </message>
         <message>
             <source>resolution of the foot's surface (mm)</source>
@@ -1690,6 +1794,10 @@
         <message>
             <source>tape round the foot through the two points of the ball</source>
             <translation>måttband runt foten genom trampans två punkter</translation>
+        </message>
+        <message>
+            <source>text on the bottom</source>
+            <translation>Texten på undersidan</translation>
         </message>
         <message>
             <source>the angle between the cameras</source>
@@ -1768,6 +1876,14 @@
             <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
         </message>
         <message>
+            <source>the maker</source>
+            <translation>tillverkaren</translation>
+        </message>
+        <message>
+            <source>the maker's address</source>
+            <translation>tillverkarens adress</translation>
+        </message>
+        <message>
             <source>the marker {marker} was pointed at where the colour image shows nothing ({u:.0f}, {v:.0f}); point at it again</source>
             <translation>markören {marker} pekades ut där färgbilden inte visar något ({u:.0f}, {v:.0f}); peka ut den igen</translation>
         </message>
@@ -1780,8 +1896,20 @@
             <translation>markörerna som syns ligger nästan på en linje, så sensorns plats är osäker</translation>
         </message>
         <message>
+            <source>the name is too long; choose a shorter one</source>
+            <translation>namnet är för långt; välj ett kortare</translation>
+        </message>
+        <message>
             <source>the navicular is not marked</source>
             <translation>naviculare är inte märkt</translation>
+        </message>
+        <message>
+            <source>the patient's name or a pseudonym</source>
+            <translation>patientens namn eller en pseudonym</translation>
+        </message>
+        <message>
+            <source>the prescriber</source>
+            <translation>förskrivaren</translation>
         </message>
         <message>
             <source>the same two points, perpendicular to the foot axis</source>
@@ -1830,6 +1958,10 @@
         <message>
             <source>this design is of version {version}, and this program reads up to version {known}; install a newer Insole Studio.</source>
             <translation>designen är av version {version}, och detta program läser upp till version {known}; installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>this disk can only be read; choose another place</source>
+            <translation>den här disken kan bara läsas; välj en annan plats</translation>
         </message>
         <message>
             <source>to the left</source>
@@ -2220,6 +2352,10 @@
             <translation>{part_0} med {part_1} med {part_2}</translation>
         </message>
         <message>
+            <source>{path} cannot be read ({reason}); check that it is there and that you may read it.</source>
+            <translation>{path} kan inte läsas ({reason}); kontrollera att den finns och att du får läsa den.</translation>
+        </message>
+        <message>
             <source>{path} cannot be read ({reason}); name a folder that holds a sensor.json.</source>
             <translation>{path} kan inte läsas ({reason}); ange en mapp som innehåller en sensor.json.</translation>
         </message>
@@ -2308,8 +2444,16 @@
             <translation>{path} är en session, som alltid är i millimeter; utelämna enheten.</translation>
         </message>
         <message>
+            <source>{path} is damaged or cannot be read, so the defaults are used; the file is kept as {kept}.</source>
+            <translation>{path} är skadad eller kan inte läsas, så standardvärdena används; filen sparas som {kept}.</translation>
+        </message>
+        <message>
             <source>{path} is flat, which is no surface of a foot; export it again.</source>
             <translation>{path} är plan, vilket ingen fots yta är; exportera den igen.</translation>
+        </message>
+        <message>
+            <source>{path} is named for two results; give each of them a name of its own.</source>
+            <translation>{path} anges för två resultat; ge vart och ett ett eget namn.</translation>
         </message>
         <message>
             <source>{path} is neither a case, a session nor a mesh; open a {case_suffix} file, the folder or zip archive of a session, or a {mesh_suffixes} file.</source>
@@ -2352,12 +2496,36 @@
             <translation>{path} är ingen giltig JSON; rätta texterna.</translation>
         </message>
         <message>
+            <source>{path} is not replaced: it holds {name}, which is not part of an earlier result; choose a new or an empty folder.</source>
+            <translation>{path} ersätts inte: den innehåller {name}, som inte hör till ett tidigare resultat; välj en ny eller en tom mapp.</translation>
+        </message>
+        <message>
+            <source>{path} is open in another window.</source>
+            <translation>{path} är öppen i ett annat fönster.</translation>
+        </message>
+        <message>
+            <source>{path} is open on another computer, {host}.</source>
+            <translation>{path} är öppen på en annan dator, {host}.</translation>
+        </message>
+        <message>
+            <source>{path} is read to make the result, which would replace it; give the result another name.</source>
+            <translation>{path} läses för att göra resultatet, som skulle ersätta den; ge resultatet ett annat namn.</translation>
+        </message>
+        <message>
+            <source>{path} is the folder that you work in, or holds it; name a folder within it.</source>
+            <translation>{path} är mappen som du arbetar i, eller innehåller den; ange en mapp inuti den.</translation>
+        </message>
+        <message>
             <source>{path} is too large for a foot (more than {millions} million triangles or 600 MB); reduce it in the program that made it.</source>
             <translation>{path} är för stor för en fot (mer än {millions} miljoner trianglar eller 600 MB); minska den i programmet som gjorde den.</translation>
         </message>
         <message>
             <source>{path} is {length_mm:.0f} mm long if it is read in {unit}, which is no foot; choose another unit.</source>
             <translation>{path} är {length_mm:.0f} mm lång om den läses i {unit}, vilket inte är någon fot; välj en annan enhet.</translation>
+        </message>
+        <message>
+            <source>{path} lies in the folder of the unfinished capture, which is removed; choose another place.</source>
+            <translation>{path} ligger i mappen för den oavslutade avbildningen, som tas bort; välj en annan plats.</translation>
         </message>
         <message>
             <source>{path} may not be read; ask for permission.</source>
@@ -2378,6 +2546,14 @@
         <message>
             <source>{path} names no format that {what} is written as; choose {formats}.</source>
             <translation>{path} anger inget format som {what} skrivs i; välj {formats}.</translation>
+        </message>
+        <message>
+            <source>{path} was changed by another program since it was opened here.</source>
+            <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
+        </message>
+        <message>
+            <source>{path}: {entries} cannot be understood, so the defaults are used for them; the file is kept as {kept}.</source>
+            <translation>{path}: {entries} går inte att förstå, så standardvärdena används för dem; filen sparas som {kept}.</translation>
         </message>
         <message>
             <source>{path}: {file} is damaged; restore the file from a backup.</source>
@@ -2440,12 +2616,20 @@
             <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
         </message>
         <message>
+            <source>{text} is no date; write year, month and day, such as 1970-02-28.</source>
+            <translation>{text} är inget datum; skriv år, månad och dag, till exempel 1970-02-28.</translation>
+        </message>
+        <message>
+            <source>{text} is not between {first} and {last}; check the year.</source>
+            <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
+        </message>
+        <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>
         <message>
-            <source>{value:.2f} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
-            <translation>{value:.2f} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
+            <source>{value:g} {unit} at {place}; {limit:g} is the {bound} allowed.</source>
+            <translation>{value:g} {unit} vid {place}; {limit:g} är det {bound} tillåtna.</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>

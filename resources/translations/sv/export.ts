@@ -4,6 +4,14 @@
     <context>
         <name>studio</name>
         <message>
+            <source>Add a block</source>
+            <translation>Lägg till ett block</translation>
+        </message>
+        <message>
+            <source>Address of the maker</source>
+            <translation>Tillverkarens adress</translation>
+        </message>
+        <message>
             <source>At most</source>
             <translation>Högst</translation>
         </message>
@@ -12,8 +20,16 @@
             <translation>Block</translation>
         </message>
         <message>
+            <source>Blocks that your workshop has in stock, beside those that come with the product.</source>
+            <translation>Block som er verkstad har i lager, utöver dem som följer med programmet.</translation>
+        </message>
+        <message>
             <source>Both feet</source>
             <translation>Båda fötterna</translation>
+        </message>
+        <message>
+            <source>Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block</source>
+            <translation>Båda behöver {length:.0f} × {width:.0f} × {height:.1f} mm av blocket</translation>
         </message>
         <message>
             <source>Chamfer</source>
@@ -32,6 +48,10 @@
             <translation>Kontroller</translation>
         </message>
         <message>
+            <source>Clinic, if any</source>
+            <translation>Mottagning, om någon</translation>
+        </message>
+        <message>
             <source>Closed solid</source>
             <translation>Sluten kropp</translation>
         </message>
@@ -42,6 +62,10 @@
         <message>
             <source>Cutter ⌀</source>
             <translation>Fräs ⌀</translation>
+        </message>
+        <message>
+            <source>Delete this block</source>
+            <translation>Ta bort blocket</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -66,6 +90,10 @@
         <message>
             <source>Fewer triangles</source>
             <translation>Färre trianglar</translation>
+        </message>
+        <message>
+            <source>Fine enough grid</source>
+            <translation>Tillräckligt fint rutnät</translation>
         </message>
         <message>
             <source>Fits the block</source>
@@ -104,6 +132,10 @@
             <translation>Inlägg, beskuret</translation>
         </message>
         <message>
+            <source>It stays {before}.</source>
+            <translation>Det förblir {before}.</translation>
+        </message>
+        <message>
             <source>Job sheet for the shop (PDF)</source>
             <translation>Arbetsblad för verkstaden (PDF)</translation>
         </message>
@@ -128,12 +160,28 @@
             <translation>Titta där</translation>
         </message>
         <message>
+            <source>Maker of the insole</source>
+            <translation>Inläggets tillverkare</translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
         <message>
+            <source>Name of the patient</source>
+            <translation>Patientens namn</translation>
+        </message>
+        <message>
+            <source>No blocks of your own yet.</source>
+            <translation>Inga egna block ännu.</translation>
+        </message>
+        <message>
             <source>None</source>
             <translation>Inget</translation>
+        </message>
+        <message>
+            <source>Note the order number</source>
+            <translation>Anteckna ordernumret</translation>
         </message>
         <message>
             <source>Nothing</source>
@@ -152,6 +200,18 @@
             <translation>Kontrollernas utfall (JSON)</translation>
         </message>
         <message>
+            <source>Own block {number}</source>
+            <translation>Eget block {number}</translation>
+        </message>
+        <message>
+            <source>Own blocks</source>
+            <translation>Egna block</translation>
+        </message>
+        <message>
+            <source>Own blocks…</source>
+            <translation>Egna block…</translation>
+        </message>
+        <message>
             <source>Papers</source>
             <translation>Papper</translation>
         </message>
@@ -162,6 +222,18 @@
         <message>
             <source>Piece</source>
             <translation>Arbetsstycke</translation>
+        </message>
+        <message>
+            <source>Prescriber</source>
+            <translation>Förskrivare</translation>
+        </message>
+        <message>
+            <source>Prescriber and maker</source>
+            <translation>Förskrivare och tillverkare</translation>
+        </message>
+        <message>
+            <source>Prescriber and maker…</source>
+            <translation>Förskrivare och tillverkare…</translation>
         </message>
         <message>
             <source>Prescription for the record (PDF)</source>
@@ -196,6 +268,10 @@
             <translation>STL som text</translation>
         </message>
         <message>
+            <source>Save the blocks</source>
+            <translation>Spara blocken</translation>
+        </message>
+        <message>
             <source>Something unexpected happened; nothing was written. Please report it.</source>
             <translation>Något oväntat hände; inget skrevs. Anmäl det gärna.</translation>
         </message>
@@ -212,6 +288,10 @@
             <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
         </message>
         <message>
+            <source>The prescription states who prescribes the insole and who makes it, as Annex XIII of the EU regulation on medical devices asks for. The shop does not get it.</source>
+            <translation>Ordinationen anger vem som förskriver inlägget och vem som tillverkar det, som bilaga XIII till EU:s förordning om medicintekniska produkter kräver. Verkstaden får den inte.</translation>
+        </message>
+        <message>
             <source>These files are there already: {names}</source>
             <translation>Dessa filer finns redan: {names}</translation>
         </message>
@@ -222,6 +302,18 @@
         <message>
             <source>Undercut from above</source>
             <translation>Underskärning från ovan</translation>
+        </message>
+        <message>
+            <source>Use these</source>
+            <translation>Använd dessa</translation>
+        </message>
+        <message>
+            <source>What the shop knows the patient by; without one, the order number {number}</source>
+            <translation>Det som verkstaden känner patienten under; utan en sådan ordernumret {number}</translation>
+        </message>
+        <message>
+            <source>Who stands on the prescription</source>
+            <translation>Vilka som står på ordinationen</translation>
         </message>
         <message>
             <source>blocks</source>
@@ -242,6 +334,10 @@
         <message>
             <source>is being checked</source>
             <translation>kontrolleras</translation>
+        </message>
+        <message>
+            <source>no block is chosen</source>
+            <translation>inget block är valt</translation>
         </message>
         <message>
             <source>not checked</source>
@@ -280,6 +376,10 @@
             <translation>{value:.1f} mm på högsta stället</translation>
         </message>
         <message>
+            <source>{value:.1f} mm at the thinnest place</source>
+            <translation>{value:.1f} mm på tunnaste stället</translation>
+        </message>
+        <message>
             <source>{value:.1f} mm of rise over 1 mm</source>
             <translation>{value:.1f} mm stigning på 1 mm</translation>
         </message>
@@ -292,12 +392,12 @@
             <translation>{value:.1f} mm för stort</translation>
         </message>
         <message>
-            <source>{value:.2f} mm at the thinnest place</source>
-            <translation>{value:.2f} mm på tunnaste stället</translation>
-        </message>
-        <message>
             <source>{value:.2f} mm of material is left in hollows</source>
             <translation>{value:.2f} mm material blir kvar i hålkälar</translation>
+        </message>
+        <message>
+            <source>{value:g} mm between the points of the surface</source>
+            <translation>{value:g} mm mellan ytans punkter</translation>
         </message>
     </context>
 </TS>

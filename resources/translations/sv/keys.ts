@@ -40,6 +40,10 @@
             <translation>Gå till talen för det som är valt</translation>
         </message>
         <message>
+            <source>Go to the thickness of the insole, whatever is selected</source>
+            <translation>Gå till inläggets tjocklek, vad som än är valt</translation>
+        </message>
+        <message>
             <source>In every window</source>
             <translation>I varje fönster</translation>
         </message>
@@ -170,6 +174,10 @@
         <message>
             <source>Turn the view; with Shift, shift it</source>
             <translation>Vrid vyn; med Skift, flytta den</translation>
+        </message>
+        <message>
+            <source>Type the thickness</source>
+            <translation>Skriv tjockleken</translation>
         </message>
         <message>
             <source>Type the values</source>

@@ -544,6 +544,10 @@
             <translation>Avsluta rundturen</translation>
         </message>
         <message>
+            <source>Expert</source>
+            <translation>Expert</translation>
+        </message>
+        <message>
             <source>Export insole…</source>
             <translation>Exportera inlägg…</translation>
         </message>
@@ -808,6 +812,10 @@
             <translation>Titta igen</translation>
         </message>
         <message>
+            <source>Look at it without changing its file, or go on with a copy under another name.</source>
+            <translation>Titta på det utan att ändra filen, eller fortsätt med en kopia under ett annat namn.</translation>
+        </message>
+        <message>
             <source>Look from here, in both views</source>
             <translation>Titta härifrån, i båda vyerna</translation>
         </message>
@@ -916,6 +924,10 @@
             <translation>Anteckningar</translation>
         </message>
         <message>
+            <source>Nothing is lost: the case stays open, and is not saved yet.</source>
+            <translation>Inget har gått förlorat: fallet är fortfarande öppet men inte sparat än.</translation>
+        </message>
+        <message>
             <source>One after the other</source>
             <translation>En efter en</translation>
         </message>
@@ -926,6 +938,10 @@
         <message>
             <source>Open a case that was saved</source>
             <translation>Öppna ett sparat fall</translation>
+        </message>
+        <message>
+            <source>Open a copy</source>
+            <translation>Öppna en kopia</translation>
         </message>
         <message>
             <source>Open a scan here. Drag the landmarks to where they belong; click on the sole with the pelott tool to place a pad.</source>
@@ -958,6 +974,10 @@
         <message>
             <source>Open mesh…</source>
             <translation>Öppna ytmodell…</translation>
+        </message>
+        <message>
+            <source>Open read-only</source>
+            <translation>Öppna skrivskyddat</translation>
         </message>
         <message>
             <source>Open recent</source>
@@ -1172,6 +1192,10 @@
             <translation>Upprepa designen från ett tidigare fall</translation>
         </message>
         <message>
+            <source>Replace the file</source>
+            <translation>Ersätt filen</translation>
+        </message>
+        <message>
             <source>Right foot</source>
             <translation>Höger fot</translation>
         </message>
@@ -1202,6 +1226,10 @@
         <message>
             <source>Save the prescription without the patient, for other feet</source>
             <translation>Spara ordinationen utan patienten, för andra fötter</translation>
+        </message>
+        <message>
+            <source>Saving here would discard what was changed there.</source>
+            <translation>Att spara här skulle kasta bort det som ändrats där.</translation>
         </message>
         <message>
             <source>Saving the case</source>
@@ -1618,6 +1646,10 @@
         <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>
             <translation>{fps:.0f} bilder/s, {lost} förlorade</translation>
+        </message>
+        <message>
+            <source>{name} (read-only)</source>
+            <translation>{name} (skrivskyddat)</translation>
         </message>
         <message>
             <source>{name} has changes that are not saved.</source>

@@ -48,8 +48,8 @@
             <translation>Korrigeringar och mått kommer med avbildningen.</translation>
         </message>
         <message>
-            <source>Drag a point of the outline; double click adds one on the line, or takes one away</source>
-            <translation>Dra i en punkt på konturen; dubbelklick lägger till en på linjen eller tar bort en</translation>
+            <source>Drag a point of the outline, and its neighbours follow; double click adds one on the line, or takes one away</source>
+            <translation>Dra i en punkt på konturen, så följer grannarna med; dubbelklick lägger till en på linjen eller tar bort en</translation>
         </message>
         <message>
             <source>Drag the edge of the insole; from the foot, a shoe's size, or drawn</source>

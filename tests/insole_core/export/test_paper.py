@@ -22,6 +22,7 @@ from insole_core.export.paper import (
     write_pages,
     write_prescription,
 )
+from insole_core.geometry.height_map import HeightMap
 from insole_core.resources import resource_path
 
 TOP = np.full((40, 20), np.nan)
@@ -38,7 +39,7 @@ def sheet(file: Path) -> JobSheet:
         checks=("✓ closed",),
         file=file,
         file_name="insole.stl",
-        height_map_mm=TOP,
+        height_map=HeightMap(TOP, BOTTOM),
     )
 
 
@@ -55,7 +56,11 @@ def test_papers_are_pdf(tmp_path: Path):
     file.write_bytes(b"solid")
     write_job_sheet([sheet(file)], tmp_path / "sheet.pdf")
     write_prescription(
-        {"pseudonym": "Ø-足"}, ["pelott 6 mm, A. Berg, 2026-11-20"], {}, tmp_path / "paper.pdf"
+        {"pseudonym": "Ø-足"},
+        ["pelott 6 mm, A. Berg, 2026-11-20"],
+        {},
+        tmp_path / "paper.pdf",
+        responsible={"maker": "足 AB"},
     )
     for name in ("sheet.pdf", "paper.pdf"):
         content = (tmp_path / name).read_bytes()
@@ -71,11 +76,11 @@ def test_words_of_the_facts_can_be_edited(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setattr(paper, "resource_path", lambda name: tmp_path / name)
     shown: list[str] = []
     monkeypatch.setattr(paper, "as_written", lambda text: shown.append(text) or text)
-    write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf")
+    write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf", responsible={})
     assert {"Sida", "vänster"} <= set(shown)
     (folder / "words.json").write_text("{")
     with pytest.raises(InputError, match="correct the texts"):
-        write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf")
+        write_prescription({"side": "left"}, [], {}, tmp_path / "paper.pdf", responsible={})
 
 
 def test_file_that_went_away(tmp_path: Path):

@@ -88,6 +88,35 @@ def test_distance_to_the_heads_is_shown_and_snapped_to(left_foot):
     assert any("mm before the line" in w for w in warnings(left_foot, ahead))
 
 
+@pytest.mark.parametrize(
+    ("behind_mm", "said"),
+    [
+        (5.6, "lies 5.6 mm behind the line of the heads 2 to 4; 6 to 11 mm"),
+        (5.97, ""),
+        (11.03, ""),
+        (11.4, "lies 11.4 mm behind"),
+    ],
+)
+def test_distance_to_the_heads_is_compared_as_it_is_printed(left_foot, behind_mm, said):
+    pad = snapped(left_foot, EGG, behind_mm)
+    assert behind_heads_mm(pad, find_landmarks(left_foot)) == pytest.approx(behind_mm, abs=0.01)
+    found = [w for w in warnings(left_foot, pad) if "line of the heads" in w]
+    assert [said in w for w in found] == ([True] if said else [])
+
+
+def test_angles_that_add_up_to_the_limit_are_not_above_it(left_foot):
+    ten = [Posting(rearfoot_deg=0.6) for _ in range(10)]
+    assert sum(c.rearfoot_deg for c in ten) != 6.0, "the sum of the numbers is not the number"
+    assert warnings(left_foot, *ten) == []
+    (found,) = warnings(left_foot, *ten, Posting(rearfoot_deg=0.1))
+    assert found.startswith("The rearfoot is posted by 6.1°; more than 6°")
+
+
+def test_lifts_are_judged_together(left_foot):
+    found = warnings(left_foot, HeelLift(height_mm=4), HeelLift(height_mm=4))
+    assert ["lifted by 8 mm" in w for w in found].count(True) == 1
+
+
 def test_high_insole_is_warned_of_with_the_place(left_foot):
     insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=20))
     (found,) = design_warnings(insole, find_landmarks(left_foot), RULES)

@@ -63,7 +63,8 @@ def test_truth_is_written_with_a_simulated_session(session: Session, tmp_path: P
 
 
 def test_existing_session_is_replaced_as_a_whole(session: Session, folder: Path) -> None:
-    (folder / "views" / "left" / "depth_002.png").write_bytes(b"of another recording")
+    left = folder / "views" / "left"
+    shutil.copy(left / "depth_000.png", left / "depth_002.png")  # of another recording
     write_session(session, folder)
     assert_same(read_session(folder), session)
     assert [path.name for path in folder.parent.iterdir()] == ["session"]

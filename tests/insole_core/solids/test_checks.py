@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -170,3 +171,39 @@ def test_default_insole_can_leave_the_house(left_foot):
     require_export(tuple(found.values()))
     assert found["thickness"].value > 0.3
     assert found["undercut"].passed
+
+
+@pytest.mark.parametrize("bottom", ["flat", "following"])
+@pytest.mark.parametrize("thickness", [3.0, 4.5, 6.0])
+def test_least_thickness_is_that_of_the_material_not_of_the_rim(left_foot, bottom, thickness):
+    from insole_core.insole.build import build_insole
+    from insole_core.insole.prescription.design import InsoleDesign, Posting
+    from insole_core.solids.solid import insole_solid
+
+    posting = Posting(rearfoot_deg=4)
+    design = InsoleDesign(Side.LEFT, (posting,), thickness_mm=thickness, bottom=bottom)
+    finding = findings(insole_solid(build_insole(left_foot, design)))["thickness"]
+    assert finding.value == pytest.approx(thickness, abs=0.11)
+    assert finding.sentence.startswith(f"{finding.value:g} mm thick at ")
+
+
+@pytest.mark.parametrize("name", ["thickness", "shoe_height", "step", "block"])
+@pytest.mark.parametrize("off", [-0.3, -0.04, 0.04, 0.3])
+def test_what_is_printed_is_what_was_compared(name, off):
+    """A value that is printed as its limit meets it."""
+    heights = {"thickness": 1.0, "shoe_height": 35.0, "block": 40.0}
+    height_mm = heights.get(name, 6.0) + off
+
+    def top(x, _y):
+        return np.where(x < 5, 2.0, 2.0 + 4.0 + off) if name == "step" else height_mm
+
+    finding = findings(plate(top))[name]
+    assert finding.passed is (off > -0.1 if name == "thickness" else off < 0.1)
+    number = re.search(r"[0-9.]+(?= mm,)" if name == "block" else r"[0-9.]+", finding.sentence)
+    assert number is not None
+    assert finding.passed is (
+        float(number[0].split(" × ")[-1]) >= 1.0
+        if name == "thickness"
+        else float(number[0]) <= {"block": 40.0, "shoe_height": 35.0, "step": 4.0}[name]
+    )
+    assert (len(finding.spots_mm) == 0) is finding.passed or name == "block"

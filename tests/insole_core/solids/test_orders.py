@@ -15,6 +15,7 @@ import pytest
 
 from insole_core.errors import DesignError, InputError, UsageError
 from insole_core.export.lettering import as_written, font_path, missing_letters
+from insole_core.export.paper import JobSheet
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.prescription.design import InsoleDesign, Layers, Pelott
@@ -23,10 +24,12 @@ from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
 
 SHOP = read_shop()
+RESPONSIBLE = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
 PAIR_BLOCK = Block("pair", (340.0, 240.0, 40.0))
 
 
@@ -105,11 +108,35 @@ def write(delivery: ExportJob, places: ExportPaths) -> None:
         run_export_job(delivery, places, beside)
 
 
+def test_one_least_thickness_on_all_papers(left_foot, tmp_path: Path, monkeypatch):
+    sheets: list[JobSheet] = []
+    monkeypatch.setattr(
+        "insole_core.export.paper.write_job_sheet",
+        lambda made, _path, _nesting=None: sheets.extend(made),
+    )
+    insole = build_insole(left_foot, InsoleDesign(Side.LEFT, thickness_mm=4.5))
+    piece = piece_of(insole, read_rules().only(("thickness",)))
+    paths = ExportPaths(tmp_path / "i.stl", tmp_path / "c.json", tmp_path / "j.pdf")
+    run_export_job(ExportJob((piece,), SHOP), paths, paths)
+    (sheet,) = sheets
+    assert sheet.make["prescribed thickness"] == "4.5 mm"
+    assert sheet.measures["least thickness, without the rim"] == "4.5 mm"
+    assert sheet.checks[0].startswith("✓ 4.5 mm thick at ")
+    (finding,) = json.loads((tmp_path / "c.json").read_text())["findings"]
+    assert finding["value"] == 4.5
+
+
 @pytest.mark.slow
 def test_pair_in_one_block_with_its_papers(left_foot, right_foot, tmp_path: Path):
     pieces = tuple(piece_of(insole_of(foot)) for foot in (left_foot, right_foot))
     places = ExportPaths(*(tmp_path / name for name in ("pair.3mf", "c.json", "j.pdf", "p.pdf")))
-    write(ExportJob(pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"}), places)
+    write(
+        ExportJob(
+            pieces, SHOP, block=PAIR_BLOCK, identification={"pseudonym": "7"},
+            responsible=RESPONSIBLE,
+        ),
+        places,
+    )  # fmt: skip
     model = zipfile.ZipFile(tmp_path / "pair.3mf").read("3D/3dmodel.model").decode()
     assert re.findall(r'<object id="\d" name="([^"]+)"', model) == ["left insole", "right insole"]
     assert set(json.loads((tmp_path / "c.json").read_text())) == {"left", "right"}

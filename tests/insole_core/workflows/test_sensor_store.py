@@ -84,3 +84,8 @@ def test_a_folder_of_another_sensor(tmp_path: Path) -> None:
     SensorStore(tmp_path).save(SENSOR).rename(tmp_path / "B1")
     with pytest.raises(InputError, match="holds the calibration of sensor A00362"):
         SensorStore(tmp_path).load("B1")
+
+
+def test_what_a_killed_program_left_is_no_sensor(tmp_path: Path) -> None:
+    SensorStore(tmp_path).save(SENSOR).rename(tmp_path / ".insole-studio-77-0123456789ab")
+    assert SensorStore(tmp_path).serials() == []

@@ -5,15 +5,22 @@ from __future__ import annotations
 import errno
 import io
 import json
+import os
+import shutil
+import signal
+from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
 from capture_samples import color_mosaic, depth_frames
 
+from insole_core.errors import OutputError
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition import draft
 from insole_studio.cli.main import run
+from insole_studio.stop_signals import STOP_SIGNALS
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
@@ -129,6 +136,95 @@ def test_what_is_missing_is_captured_as_it_was_begun(
     assert [(view.name, view.depth_count) for view in session.views] == [("left", 2), ("top", 2)]
     assert session.manifest.side.value == "right"
     assert not list((tmp_path / "drafts").iterdir())
+
+
+@pytest.fixture
+def own_signals() -> Iterator[None]:
+    """The handlers of signals are as before afterwards."""
+    before = {number: signal.getsignal(number) for number in STOP_SIGNALS}
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("own_signals")
+@pytest.mark.parametrize("number", STOP_SIGNALS, ids=lambda number: number.name)
+def test_a_capture_that_is_stopped_says_how_to_go_on(
+    number: signal.Signals,
+    small_session: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    serial = read_session(small_session).views[0].sensor.serial
+    out, write = tmp_path / "session", draft._write
+
+    def stop(path: Path, image: np.ndarray) -> None:
+        if path.parent.name.endswith("top"):
+            os.kill(os.getpid(), number)
+        write(path, image)
+
+    signal.signal(number, signal.SIG_DFL)
+    monkeypatch.setattr(draft, "_write", stop)
+    call = ["capture", "--emulate", str(small_session), "--out", str(out)]
+    views = ["--views", f"left={serial}", f"top={serial}", "--frames", "2"]
+    assert run([*call, *views]) == 128 + number
+    told = last_line(capsys)
+    assert told.startswith("Stopped on request; the finished views are kept. Go on with --resume")
+    assert not out.exists()
+    monkeypatch.setattr(draft, "_write", write)
+    assert run([*call, "--resume", told.split("--resume ")[1]]) == 0
+    assert read_session(out).manifest.views == ("left", "top")
+    assert not list((tmp_path / "drafts").iterdir())
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="files are named by /proc")
+@pytest.mark.parametrize("name", ["session", "session.zip"])
+def test_a_draft_goes_once_the_session_is_on_the_disk(
+    small_session: Path, tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[Path] = []
+    gone: list[Path] = []
+    fsync, rmtree = os.fsync, shutil.rmtree
+
+    def note_sync(handle: int) -> None:
+        synced.append(Path(f"/proc/self/fd/{handle}").readlink())
+        fsync(handle)
+
+    def note_removal(folder: Path, *more: object, **named: bool) -> None:
+        if folder.parent == tmp_path / "drafts":
+            gone.extend(synced)
+        rmtree(folder, *more, **named)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(os, "fsync", note_sync)
+    monkeypatch.setattr(shutil, "rmtree", note_removal)
+    serial = read_session(small_session).views[0].sensor.serial
+    call = ["capture", "--emulate", str(small_session), "--out", str(tmp_path / name)]
+    assert run([*call, "--views", f"left={serial}", "--frames", "2"]) == 0
+    assert gone[-1] == tmp_path  # the folder that holds the session, after all that is in it
+    names = [path.name for path in gone]
+    once = ["depth_000.png", "depth_001.png", "color_000.png", "sensor.json", "manifest.json"]
+    # In the draft, when the view is done; a zip archive then is one file.
+    assert all(names.count(one) >= (2 if name == "session" else 1) for one in once[:-1])
+    assert not list((tmp_path / "drafts").iterdir())
+
+
+@pytest.mark.parametrize("within", ["", "finished"])
+def test_a_draft_is_not_published_into_itself(
+    small_session: Path, tmp_path: Path, within: str
+) -> None:
+    kept = tmp_path / "drafts" / "a"
+    shutil.unpack_archive(small_session, kept)
+    text = (kept / "manifest.json").read_text()
+    views = json.loads(text)["views"]
+    (kept / "manifest.json").write_text(
+        json.dumps({**json.loads(text), "capture": {name: {} for name in views}})
+    )
+    left = draft.Draft.reopen(kept)
+    with closing(left), pytest.raises(OutputError, match="the folder of the unfinished capture"):
+        left.publish(kept / within)
+    assert read_session(kept).manifest.views == tuple(views)
 
 
 def test_a_sensor_that_is_moved_by_hand_needs_a_hand(

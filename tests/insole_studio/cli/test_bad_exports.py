@@ -50,7 +50,7 @@ def test_disk_that_is_full_while_exporting(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def write_half(_mesh: TriangleMesh, path: Path) -> None:
+    def write_half(_mesh: TriangleMesh, path: Path, _label: str) -> None:
         path.write_bytes(b"half")
         raise OSError(errno.ENOSPC, "No space left on device")
 

@@ -251,7 +251,7 @@ def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
 HEEDING_INTERRUPTS = ("env", "--default-signal=INT") if sys.platform == "linux" else ()
 
 
-@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signals) -> None:
     process = subprocess.Popen(
         [
@@ -270,7 +270,7 @@ def test_stopped_process_leaves_nothing_behind(tmp_path: Path, end: signal.Signa
     process.stderr.readline()
     process.send_signal(end)
     _, errors = process.communicate(timeout=60)
-    assert process.returncode == 1
+    assert process.returncode == 128 + end
     assert errors.strip().splitlines()[-1] == "Stopped on request; nothing was written."
     assert list(tmp_path.iterdir()) == []
 

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from read_pdf import text_of_pdf
 
 from insole_core.export.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.simulate import FootShape, build_foot
 from insole_studio.cli.main import run
+from insole_studio.settings import Settings, save_settings
+from insole_studio.user_paths import UserPaths
 
 pytestmark = pytest.mark.slow
 
@@ -50,6 +54,7 @@ def test_pair_in_one_block_with_prescription_paper(call: list[str], tmp_path: Pa
     out, paper = tmp_path / "pair.3mf", tmp_path / "prescription.pdf"
     options = ["--pair", str(other), "--block", "EVA pair", "--relief", "raised", "--mark", "7"]
     papers = ["--prescription-paper", str(paper), "--pseudonym", "P-7", "--layers"]
+    papers += ["--prescriber", "A. Ek", "--maker", "Sula AB", "--maker-address", "Gatan 1, Lund"]
     assert run([*call, "--out", str(out), *options, *papers]) == 0
     scene = trimesh.load_scene(out)
     assert sorted(scene.geometry) == ["left insole, base", "right insole, base"]
@@ -107,3 +112,65 @@ def test_failures_leave_nothing_behind(
     assert run([*call, "--out", str(tmp_path / "i.stl"), *words]) == code
     assert sentence in last_line(capsys)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_order_number_is_made_where_there_is_no_pseudonym(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, sheet = tmp_path / "i.stl", tmp_path / "sheet.pdf"
+    assert run([*call, "--out", str(out), "--job-sheet", str(sheet)]) == 0
+    said = re.search(r"Order number: (\d\d-\w{5})", capsys.readouterr().err)
+    assert said is not None
+    assert said[1].encode() in out.read_bytes()[:80]
+    assert said[1] in text_of_pdf(sheet)
+    assert "the block has" not in text_of_pdf(sheet)  # none was named
+
+
+def test_a_prescription_without_a_maker_is_a_wrong_call(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    paper = ["--prescription-paper", str(tmp_path / "p.pdf"), "--prescriber", "A. Ek"]
+    assert run([*call, "--out", str(tmp_path / "i.stl"), *paper]) == 2
+    assert "states the maker, the maker's address, and nobody is named" in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_who_prescribes_and_makes_is_taken_from_the_settings(
+    call: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        UserPaths, "of_user", lambda: UserPaths(tmp_path / "settings.json", tmp_path / "autosave")
+    )
+    kept = Settings(author="A. Ek", clinic="Foot Clinic", maker="Sula AB", maker_address="Lund")
+    save_settings(kept, tmp_path / "settings.json")
+    paper = tmp_path / "p.pdf"
+    assert run([*call, "--out", str(tmp_path / "i.stl"), "--prescription-paper", str(paper)]) == 0
+    for words in ("A. Ek", "Foot Clinic", "Sula AB", "Lund"):
+        assert words in text_of_pdf(paper)
+
+
+def test_a_coarse_grid_is_told_before_the_file_is_used(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    prescription, checks = tmp_path / "design.json", tmp_path / "checks.json"
+    design = {"format": "insole-design", "version": 1, "side": "left", "corrections": []}
+    prescription.write_text(json.dumps({**design, "grid_mm": 4.5}))
+    papers = ["--prescription", str(prescription), "--checks", str(checks)]
+    assert run([*call, "--out", str(tmp_path / "i.stl"), *papers]) == 0
+    told = capsys.readouterr().err
+    assert "computed on a grid of 4.5 mm; 2 is the most allowed" in told
+    findings = json.loads(checks.read_text())["findings"]
+    assert [f["passed"] for f in findings if f["name"] == "grid"] == [False]
+
+
+def test_a_design_that_adds_up_to_too_much_is_refused(
+    call: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    prescription = tmp_path / "design.json"
+    posting = {"type": "posting", "rearfoot_deg": 15}
+    design = {"format": "insole-design", "version": 1, "side": "left"}
+    prescription.write_text(json.dumps({**design, "corrections": [posting] * 100}))
+    out = tmp_path / "i.stl"
+    assert run([*call, "--out", str(out), "--prescription", str(prescription)]) == 1
+    assert "turn the foot by 1500° together, and must be -15 to 15 degrees" in last_line(capsys)
+    assert not out.exists()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
@@ -154,6 +155,108 @@ def test_the_standard_case_by_keys_alone(
     assert isinstance(posting, Posting)
     assert (posting.rearfoot_deg, design.thickness_mm) == (4.0, 4.5)
     assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+
+
+MANUAL = Path(__file__).parents[3] / "docs" / "manual" / "keyboard.md"
+NAMES = {
+    "Enter": KEY.Key_Return, "Esc": KEY.Key_Escape, "PgDn": KEY.Key_PageDown,
+    "arrows": KEY.Key_Up, "+": KEY.Key_Plus,
+}  # fmt: skip
+"""Keys that the manual writes otherwise than Qt."""
+
+
+def manual_path() -> dict[str, list[str]]:
+    """Return the keys of the manual's standard case by what they do."""
+    section = MANUAL.read_text("utf-8").split("## The standard case")[1].split("##")[0]
+    lines = (line.strip("|").split("|") for line in section.splitlines() if line.startswith("| "))
+    rows = ((what.strip(), keys.strip()) for what, keys in lines)
+    return {what: keys.split(", ") for what, keys in rows if what}
+
+
+def follow(keyboard: Keyboard, keys: list[str]) -> None:
+    """Strike the keys of a row of the manual; a number is typed as it stands there."""
+    for name in keys:
+        if name[0].isdigit():
+            for digit in name:
+                QTest.keyClick(_active().windowHandle(), digit)
+        elif name in NAMES:
+            keyboard.strike(NAMES[name])
+        else:
+            combination = QKeySequence(name.replace("Enter", "Return"))[0]
+            keyboard.strike(combination.key(), combination.keyboardModifiers())
+
+
+def test_the_keys_of_the_manual_lead_where_it_says(
+    keyboard: Keyboard, small_session: Path, tmp_path: Path
+) -> None:
+    """Followed letter by letter: what is typed gets into the field that the manual means."""
+    app, case = keyboard.app, keyboard.app.case
+    *path, (last, export) = manual_path().items()
+    assert [what.split()[0] for what, _ in path] == [
+        "Open", "Landmarks:", "A", "4°", "Thickness,", "A",
+    ]  # fmt: skip
+    keyboard.answering_file(small_session)
+    follow(keyboard, path[0][1])
+    keyboard.wait_for(lambda: case.foot is not None)
+    keyboard.strike(KEY.Key_Return, CTRL)
+    keyboard.wait_for(lambda: _active() is app.window)
+    for _, keys in path[1:]:
+        follow(keyboard, keys)
+    design = case.record.design
+    assert design is not None
+    assert (design.thickness_mm, design.grid_mm) == (4.5, 1.0)
+    assert [type(c) for c in design.corrections] == [Pelott, Posting]
+    assert design.corrections[1].rearfoot_deg == 4.0
+    assert app.stage.section.isVisible()
+    assert last == "Check and export"
+    follow(keyboard, export[:1])
+    stage = app.features.export.stage
+    assert stage is not None
+    keyboard.wait_for(lambda: stage.view.export.isEnabled() and _active() is stage)
+    keyboard.answering_file(tmp_path / "insole.stl")
+    follow(keyboard, export[1:])
+    keyboard.wait_for(lambda: case.record is app.features.export.exported)
+    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+
+
+def test_thickness_is_typed_whatever_is_selected(keyboard: Keyboard, small_session: Path) -> None:
+    case = keyboard.app.case
+    keyboard.answering_file(small_session)
+    keyboard.strike(KEY.Key_M, CTRL)
+    keyboard.wait_for(lambda: case.foot is not None)
+    keyboard.strike(KEY.Key_Return, CTRL)
+    keyboard.wait_for(lambda: _active() is keyboard.app.window)
+    for number, (tool, thickness) in enumerate(zip("OPUB", (4.5, 5.0, 5.5, 6.0), strict=True)):
+        keyboard.strike(getattr(KEY, f"Key_{tool}"))
+        if number == 1:
+            keyboard.strike(KEY.Key_Return)
+        keyboard.strike(KEY.Key_F2, SHIFT)
+        keyboard.type(f"{thickness:g}")
+        keyboard.strike(KEY.Key_Escape)
+        assert case.record.design is not None
+        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, 1.0)
+
+
+def test_tab_follows_the_meaning_and_the_grid_is_last(
+    keyboard: Keyboard, small_session: Path
+) -> None:
+    case = keyboard.app.case
+    keyboard.answering_file(small_session)
+    keyboard.strike(KEY.Key_M, CTRL)
+    keyboard.wait_for(lambda: case.foot is not None)
+    keyboard.strike(KEY.Key_Return, CTRL)
+    keyboard.wait_for(lambda: _active() is keyboard.app.window)
+    keyboard.strike(KEY.Key_F2)
+    found = []
+    parameters = keyboard.app.stage.parameters
+    while (focused := QApplication.focusWidget()) and parameters.isAncestorOf(focused):
+        found.append(focused.property("key"))
+        keyboard.strike(KEY.Key_Tab)
+    assert found[:4] == [
+        "insole.thickness_mm", "insole.bottom", "insole.max_height_mm", "layers.cover_mm",
+    ]  # fmt: skip
+    assert found[-2].startswith("outline.")
+    assert found[-1] == "insole.grid_mm"
 
 
 def _only_pad(keyboard: Keyboard) -> Pelott:

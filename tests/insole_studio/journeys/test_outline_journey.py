@@ -6,13 +6,16 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from pointing import LEFT, drag
+from pointing import LEFT, drag, lead
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from insole_core.insole.outline.outline_curve import evenly_spread, smoothed_along
+from insole_core.insole.outline.outline_drag import drag_weights
 from insole_core.insole.prescription.design import Outline
 from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.number_field import NumberField
@@ -49,18 +52,84 @@ def test_a_point_is_dragged_and_undone(
     opened: Application, view: SceneView, settle: Callable[[], None]
 ) -> None:
     before = place(view, 5)
-    others = [h.position_mm[:2] for h in view.handles if h.name != "outline:5"]
+    points = np.array([h.position_mm[:2] for h in view.handles])
     drag(view, pixel(view, 5), pixel(view, 5) + QPoint(12, 0))
     settle()
     assert outline(opened).source == "drawn"
     moved = place(view, 5) - before
     assert np.hypot(*moved) == pytest.approx(12 * view.look.mm_per_px, abs=0.2)
-    assert [h.position_mm[:2] for h in view.handles if h.name != "outline:5"] == others
+    weights = drag_weights(points, 5, moved)
+    still = [f"outline:{n}" for n in np.flatnonzero(weights == 0)]
+    assert len(still) > 20, "the neighbours follow, and most of the outline stays"
+    assert all((place(view, int(name[8:])) == points[int(name[8:])]).all() for name in still)
     assert opened.stage.preview.mesh is not None
     assert opened.case.history.undo_sentence == "Move a point of the outline"
     assert len(opened.case.history) == 1
     opened.window.actions_by_key["undo"].trigger()
     assert outline(opened).source == "foot"
+
+
+def curvature(app: Application) -> np.ndarray:
+    """Curvature of the edge per mm, convex > 0, every millimetre, over 4 mm."""
+    curve = curve_of(app.case.shown)
+    length = np.hypot(*(np.roll(curve, -1, axis=0) - curve).T).sum()
+    even = smoothed_along(evenly_spread(curve, int(length)), 4.0)
+    before, after = np.roll(even, 1, axis=0), np.roll(even, -1, axis=0)
+    way, bend = (after - before) / 2, after - 2 * even + before
+    return (way[:, 0] * bend[:, 1] - way[:, 1] * bend[:, 0]) / np.hypot(*way.T) ** 3
+
+
+@pytest.mark.parametrize("number", [5, 14, 27])
+@pytest.mark.parametrize("pixels", [-25, -8, 8, 25])
+def test_a_dragged_outline_stays_fair(opened: Application, number: int, pixels: int) -> None:
+    opened.window.actions_by_key["tool_outline"].trigger()
+    view = opened.stage.insole.scene
+    before = curvature(opened)
+    start = pixel(view, number)
+    drag(view, start, start + QPoint(pixels, 0))
+    after = curvature(opened)
+    assert len(opened.case.history) == 1
+    assert after.max() < before.max() + 0.035, "no corner"
+    assert after.min() > before.min() - 0.02, "no notch"
+    opened.window.actions_by_key["undo"].trigger()
+    np.testing.assert_array_equal(curvature(opened), before)
+
+
+def test_what_follows_is_seen_while_dragging(opened: Application, view: SceneView) -> None:
+    tool, start = opened.stage.tool_controller.tool, pixel(view, 5)
+    places = {h.name: h.position_mm for h in view.handles}
+    lead(view, start, start + QPoint(12, 0))  # the button is still held
+    larger = {h.name for h in view.handles if h.kind == "move"}
+    assert "outline:5" in larger
+    assert larger == {h.name for h in view.handles if h.position_mm[:2] != places[h.name][:2]}
+    assert 5 <= len(larger) < 16
+    ends = np.array(tool.sketch)[[0, -1]]
+    first, last = (np.array(places[f"outline:{n}"][:2]) for n in still_beside(larger))
+    np.testing.assert_allclose(ends, [first, last], atol=1e-6)
+    QTest.mouseRelease(view.surface, LEFT, pos=start + QPoint(12, 0))
+    assert tool.sketch == ()
+    assert {h.kind for h in view.handles} == {"size"}
+
+
+def still_beside(larger: set[str]) -> tuple[int, int]:
+    """Return the points that stay, next to those that follow."""
+    moved = {int(name.removeprefix("outline:")) for name in larger}
+    first = next(n for n in moved if (n - 1) % 36 not in moved)
+    last = next(n for n in moved if (n + 1) % 36 not in moved)
+    return (first - 1) % 36, (last + 1) % 36
+
+
+def test_steps_of_an_arrow_key_add_up_to_one_soft_drag(
+    opened: Application, view: SceneView
+) -> None:
+    before = curvature(opened)
+    drag(view, pixel(view, 5), pixel(view, 5) + QPoint(2, 0))
+    for _ in range(4):
+        QTest.keyClick(view.surface, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert len(opened.case.history) == 2
+    after = curvature(opened)
+    assert after.max() < before.max() + 0.035
+    assert after.min() > before.min() - 0.02
 
 
 def test_escape_restores_the_outline(opened: Application, view: SceneView) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pointing import LEFT, drag, pixel
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScroller, QToolButton
 from round_foot import round_foot
@@ -92,6 +92,42 @@ def test_a_stroke_raises_the_surface_where_it_went_and_nowhere_else(
     assert opened.stage.preview.height_mm(0.0, 200.0) == far
     act(opened, "undo")
     assert opened.stage.preview.height_mm(0.0, 100.0) == before
+
+
+def number(app: Application, key: str) -> NumberField:
+    fields = app.stage.parameters.findChildren(NumberField)
+    (field,) = (f for f in fields if f.property("key") == key)
+    assert field.isVisibleTo(app.stage.parameters)
+    return field
+
+
+@pytest.mark.parametrize("selected", ["pad", "stroke"])
+def test_the_brush_is_set_while_a_correction_is_selected(
+    opened: Application, foot: SceneView, selected: str
+) -> None:
+    act(opened, f"tool_{'pelott' if selected == 'pad' else 'brush'}")
+    if selected == "pad":
+        QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 120.0))
+    else:
+        drag(foot, pixel(foot, -10, 120), pixel(foot, 10, 120))
+        act(opened, "next_correction")
+    first = last(opened)
+    assert isinstance(first, Pelott | BrushStroke)
+    assert opened.case.selection == first.id
+    act(opened, "tool_brush")
+    for key, text in (("radius_mm", "22"), ("strength", "2.5")):
+        field = number(opened, f"template.{key}")
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    drag(foot, pixel(foot, -10, 60), pixel(foot, 10, 60))
+    stroke = last(opened)
+    assert isinstance(stroke, BrushStroke)
+    assert (stroke.radius_mm, stroke.strength) == (22.0, 2.5)
+    assert opened.case.record.design is not None
+    assert opened.case.record.design.correction(first.id) == first
+    number(opened, "correction.height_mm" if selected == "pad" else "correction.radius_mm")
 
 
 def test_a_landmark_is_dragged(opened: Application, foot: SceneView) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pointing import LEFT, drag, lead, pixel
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEventLoop, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from pytestqt.qtbot import QtBot
@@ -24,7 +24,9 @@ from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
 from insole_studio.cli.main import run
+from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
+from insole_studio.widgets.number_field import NumberField
 
 
 @pytest.fixture
@@ -135,6 +137,58 @@ def test_a_recess_deeper_than_the_insole_is_told_while_it_is_dragged(
     assert run([*call, "--out", str(tmp_path / "insole.stl")]) != 0
     assert told in capsys.readouterr().err.splitlines()[-1]
     assert not list(tmp_path.glob("*.stl"))
+
+
+def test_lifts_that_add_up_to_too_much_are_told_while_they_are_typed(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    label = opened.stage.insole.findChild(QLabel, "warning")
+    for height in ("12", "9"):
+        opened.window.actions_by_key["add_heel_lift"].trigger()
+        type_number(opened, "correction.height_mm", height)
+        settle()
+    assert label.text().startswith("The heel lifts add up to 21 mm, and must be -10 to 20 mm;")
+    assert label.isVisibleTo(opened.stage.insole)
+    type_number(opened, "correction.height_mm", "8")
+    settle()
+    assert label.text() == ""
+
+
+def test_a_coarse_grid_is_told_in_the_window_and_before_export(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    type_number(opened, "insole.grid_mm", "4.5")
+    settle()
+    (label,) = saying(opened, "too coarse")
+    assert "The grid of 4.5 mm is too coarse for a smooth insole; up to 2 mm" in label.text()
+    opened.window.actions_by_key["export"].trigger()
+    stage = opened.features.export.stage
+    assert stage is not None
+    finish(stage.jobs)
+    row = stage.view.check_list.rows["grid"]
+    assert row.sentence.text() == "4.5 mm between the points of the surface"
+    assert row.isVisibleTo(stage)
+    stage.close()
+    type_number(opened, "insole.grid_mm", "1")
+    settle()
+    assert saying(opened, "too coarse") == []
+
+
+def finish(jobs: Jobs) -> None:
+    while jobs.is_running():
+        loop = QEventLoop()
+        jobs.ended.connect(loop.quit)
+        loop.exec()
+    QApplication.processEvents()
+
+
+def type_number(app: Application, key: str, text: str) -> None:
+    fields = app.stage.parameters.findChildren(NumberField)
+    (field,) = (f for f in fields if f.property("key") == key)
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
 
 
 @pytest.mark.slow

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.report_arguments import add_report_argument, check_reports
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "between them: links the faces that they see",
     )  # fmt: skip
     parser.add_argument(
-        "--out", type=Path, metavar="built.json", help="write the system as it was measured"
+        "--out", action=OutputPath, metavar="built.json", help="write the system as it was measured"
     )
     parser.add_argument(
         "--moved", type=float, default=1.0, metavar="MM",
@@ -92,6 +93,7 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
     from insole_core.calibration.markers.reference_file import save_reference_system
     from insole_core.evaluation.calibration_sections import survey_section
     from insole_core.evaluation.report import section_lines
+    from insole_core.export.transaction import Transaction
     from insole_core.workflows.calibration.marker_views import read_marker_views
     from insole_core.workflows.calibration.report_files import make_report, write_reports
 
@@ -106,9 +108,11 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
     _check_certain(survey, arguments.moved)
     bump = check_survey(system, survey, arguments.moved)
     section = survey_section(survey, bump)
-    write_reports(make_report(section.title, "", [section]), arguments.report)
-    if arguments.out:
-        save_reference_system(survey.system, arguments.out)
+    with Transaction() as outputs:
+        reports = [outputs.file(path) for path in arguments.report]
+        write_reports(make_report(section.title, "", [section]), reports)
+        if arguments.out:
+            save_reference_system(survey.system, outputs.file(arguments.out))
     print("\n".join(section_lines(section)))
     if bump.bumped and not arguments.out:
         raise CalibrationError(

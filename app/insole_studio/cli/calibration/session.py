@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from insole_core.progress import Progress
+from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.sensor_arguments import add_store_argument, store_of
 
 NAME = "session"
@@ -16,7 +17,7 @@ HELP = "write a copy of a session whose sensors are calibrated as they are kept 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments."""
     parser.add_argument("session", type=Path, metavar="SESSION", help="folder or .zip")
-    parser.add_argument("--out", type=Path, required=True, metavar="SESSION")
+    parser.add_argument("--out", action=OutputPath, required=True, metavar="SESSION")
     parser.add_argument(
         "--correction", type=Path, metavar="correction.npz",
         help="use this distortion correction for all views instead",
@@ -30,10 +31,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the session, calibrate it and write it."""
     from insole_core.recording.reader import read_session
+    from insole_core.recording.session_layout import check_session_target
     from insole_core.recording.writer import write_session
     from insole_core.sensing.correction import load_correction
     from insole_core.workflows.calibration.calibrated_session import calibrated_session
 
+    check_session_target(arguments.out)
     progress.step(0.0, "Reading the session")
     session = read_session(arguments.session)
     correction = arguments.correction and load_correction(arguments.correction)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtWidgets import QWidget
+
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.services.stage_window import StageWindow
@@ -16,8 +18,10 @@ if TYPE_CHECKING:
 class CalibrateWindow(StageWindow["CalibrateStage"]):
     """Opens the calibrate stage; the sensors are switched off when it closes."""
 
-    def __init__(self, paths: UserPaths, source: SensorSource) -> None:
-        super().__init__()
+    def __init__(
+        self, paths: UserPaths, source: SensorSource, window: QWidget | None = None
+    ) -> None:
+        super().__init__(window)
         self._paths = paths
         self._source = source
 

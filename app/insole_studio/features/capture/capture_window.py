@@ -32,7 +32,7 @@ class CaptureWindow(StageWindow["CaptureStage"]):
     """The path of a captured session."""
 
     def __init__(self, services: AppServices, source: SensorSource) -> None:
-        super().__init__()
+        super().__init__(services.window)
         self._services = services
         self._source = source
         self._waiting: list[Path] = []

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from insole_core.errors import InsoleError, UsageError
+from insole_core.export.atomic import make_private_folder
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
@@ -397,7 +398,7 @@ class CapturePresenter:
 
         def write(progress: Progress) -> Path:
             progress.step(0.0, tr("Checking the session"))
-            path.parent.mkdir(parents=True, exist_ok=True)
+            make_private_folder(path.parent)
             reopened = Draft.reopen(draft, order)
             reopened.describe(condition)  # what was entered since the capture began
             reopened.publish(path)

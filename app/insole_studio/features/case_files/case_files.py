@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from insole_studio.document.autosave import Autosave
+from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.open_actions import OpenActions
 from insole_studio.features.case_files.recovery import Recovery
 from insole_studio.features.case_files.save_actions import SaveActions
@@ -16,11 +17,12 @@ from insole_studio.services.app_services import AppServices
 
 @dataclass(frozen=True, eq=False)
 class CaseFiles:
-    """The actions for opening and saving, and the recovery of unsaved work."""
+    """The actions for opening and saving, the recovery of unsaved work, and the case's lock."""
 
     opener: OpenActions
     saver: SaveActions
     recovery: Recovery
+    guard: CaseGuard
 
 
 def make_case_files(
@@ -38,6 +40,8 @@ def make_case_files(
         Called with the path of a session to be reconstructed.
     """
     ScanMonitor(services, services.window)
-    saver = SaveActions(services)
-    opener = OpenActions(services, saver, reconstruct)
-    return CaseFiles(opener, saver, Recovery(services, saver, autosave, opener.open_path))
+    guard = CaseGuard(services.case, services.paths.locks_folder, services.window)
+    saver = SaveActions(services, guard)
+    opener = OpenActions(services, saver, guard, reconstruct)
+    recovery = Recovery(services, saver, guard, autosave, opener.open_path)
+    return CaseFiles(opener, saver, recovery, guard)

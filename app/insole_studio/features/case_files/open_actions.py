@@ -18,10 +18,12 @@ from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_foot import ScannedFoot
 from insole_core.workflows.template_transfer import last_design
+from insole_studio.document.case_lock import CaseInUseError
+from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
-from insole_studio.services.questions import SameSide
+from insole_studio.services.questions import InUse, SameSide
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
@@ -40,6 +42,7 @@ class OpenActions:
         self,
         services: AppServices,
         saver: SaveActions,
+        guard: CaseGuard,
         reconstruct: Callable[[Path], None],
     ) -> None:
         self._services = services
@@ -48,6 +51,7 @@ class OpenActions:
         self._notices = services.notices
         self._recent = services.recent
         self._saver = saver
+        self._guard = guard
         self._reconstruct = reconstruct
 
     def open_path(self, path: Path, side: Side | None = None) -> None:
@@ -123,15 +127,40 @@ class OpenActions:
             self.open_path(path)
 
     def _open_case(self, path: Path) -> None:
+        def read(progress: Progress) -> FileState:
+            progress.step(0.0, tr("Opening the case"))
+            return self._guard.read(path)
+
+        def opened(state: FileState) -> None:
+            self._guard.hold(state.lock)
+            self._case.open(state.record, path, digest=state.digest)
+            self._recent.remember(path)
+
+        def failed(error: Exception) -> None:
+            if isinstance(error, CaseInUseError):
+                self._ask_how_to_open(path, str(error))
+            else:
+                self._messages.show_error(error)
+
+        self._saver.after_unsaved(lambda: self._services.jobs.start(CHANNEL, read, opened, failed))
+
+    def _ask_how_to_open(self, path: Path, sentence: str) -> None:
+        """Open a case that another window has open, so that neither overwrites the other."""
+        answer = self._messages.questions.about_case_in_use(sentence)
+        if answer is InUse.CANCEL:
+            return
+
         def read(progress: Progress) -> CaseRecord:
             progress.step(0.0, tr("Opening the case"))
             return read_case(path)
 
         def opened(record: CaseRecord) -> None:
-            self._case.open(record, path)
-            self._recent.remember(path)
+            if answer is InUse.READ_ONLY:
+                self._case.open(record, path, read_only=True)
+            else:
+                self._case.open(record, None, unsaved=True)
 
-        self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
+        self._services.run(CHANNEL, read, opened)
 
     def _open_session(self, path: Path) -> None:
         self._reconstruct(path)

@@ -8,8 +8,11 @@ from pathlib import Path
 from PySide6.QtCore import QDateTime, QLocale
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.errors import InsoleError
 from insole_studio.document.autosave import Autosave, Recovered
+from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.document.case_name import case_name
+from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -24,6 +27,7 @@ class Recovery:
         self,
         services: AppServices,
         saver: SaveActions,
+        guard: CaseGuard,
         autosave: Autosave,
         reopen: Callable[[Path], None],
     ) -> None:
@@ -31,6 +35,7 @@ class Recovery:
         self._notices = services.notices
         self._messages = services.messages
         self._saver = saver
+        self._guard = guard
         self._autosave = autosave
         self._reopen = reopen
         self._case.saved_changed.connect(self._drop_when_saved)
@@ -44,10 +49,26 @@ class Recovery:
 
     def _open(self, recovered: Recovered) -> None:
         changed = _changed_at(recovered)
-        self._case.open(recovered.record, recovered.path, unsaved=True)
-        self._autosave.write_now()
-        recovered.discard()
+        path = self._locked(recovered.path)
+        self._case.open(recovered.record, path, unsaved=True, digest=recovered.digest)
         self._tell(changed)
+        try:
+            self._autosave.write_now()
+        except InsoleError as error:  # the copies stay until the case is safe
+            self._messages.show_error(error)
+        else:
+            recovered.discard()
+
+    def _locked(self, path: Path | None) -> Path | None:
+        """Lock a file; None where another window has it open, so the work is a case of its own."""
+        if path is None:
+            return None
+        try:
+            self._guard.hold(self._guard.take(path))
+        except CaseInUseError as error:
+            self._messages.show_error(error)
+            return None
+        return path
 
     def _tell(self, changed: str) -> None:
         sentence = tr(

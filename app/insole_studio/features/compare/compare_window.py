@@ -15,7 +15,7 @@ class CompareWindow(StageWindow["CompareStage"]):
     """Opens the compare stage for the open case."""
 
     def __init__(self, services: AppServices) -> None:
-        super().__init__()
+        super().__init__(services.window)
         self._services = services
 
     def make_stage(self) -> CompareStage:

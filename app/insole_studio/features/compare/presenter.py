@@ -23,6 +23,7 @@ from insole_core.workflows.compare_case import (
     surface_of,
     write_comparison,
 )
+from insole_core.workflows.overwriting import check_overwriting
 from insole_studio.document.case import Case
 from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, figure_rows
 from insole_studio.jobs import JobProgress, Jobs
@@ -156,11 +157,13 @@ class ComparePresenter:
     def save_to(self, path: Path) -> None:
         """Write the report in the background."""
         compared, names = self._compared, (self._sources["a"].name, self._sources["b"].name)
+        read = (*self._paths, *self._case.record.source_paths)
         if compared is None:
             return
 
         def write(progress: Progress) -> None:
             progress.step(0.1, tr("Writing the report"))
+            check_overwriting([path], read)
             write_comparison(compared, names, path)
 
         self._panel.show_error("")

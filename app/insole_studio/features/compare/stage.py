@@ -14,6 +14,7 @@ from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
 from insole_studio.features.compare.view import CompareView
 from insole_studio.jobs import Jobs
+from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
 
@@ -77,5 +78,4 @@ class CompareStage(StageFrame):
         return Path(name) if name else None
 
     def _ask_report(self) -> Path | None:
-        name, _ = QFileDialog.getSaveFileName(self, tr("Save"), "difference.pdf", _REPORTS)
-        return Path(name) if name else None
+        return Questions(self).file_to_write("difference.pdf", _REPORTS)

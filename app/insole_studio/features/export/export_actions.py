@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QWidget
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.build import build_insole
 from insole_core.progress import Progress
-from insole_core.solids.shop import read_shop
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.solids.shop import Block, read_shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
-from insole_studio.document.case_name import file_stem, whose
+from insole_studio.document.case_name import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
+from insole_studio.widgets.fields_dialog import Field
 
 if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage
@@ -46,13 +53,14 @@ class ExportActions(StageWindow["ExportStage"]):
         from insole_studio.features.export.stage import ExportStage
 
         shop, folder = read_shop(), self._services.paths.settings_folder
+        blocks = ClinicBlocks(folder / "blocks.json")
         return ExportStage(
             case=self._case,
             rules=ClinicExportRules(folder / "export.json"),
             shop=shop,
-            ask_path=self._ask_path,
-            may_replace=self._messages.questions.may_replace,
-            memory=LastOrder(folder / "order.json", shop),
+            blocks=blocks,
+            asker=self,
+            memory=LastOrder(folder / "order.json", shop, blocks),
             dark=self._services.dark,
         )
 
@@ -67,12 +75,83 @@ class ExportActions(StageWindow["ExportStage"]):
         else:
             self.close()
 
-    def _ask_path(self, word: str, suffix: str) -> Path | None:
-        stem = file_stem(self._case)
-        if self._case.side is not None:
-            stem = stem.removesuffix(f"-{self._case.side}")
+    def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
+        """Let the user choose a file for the workshop, which never gets the patient's name."""
         kinds = f"{suffix[1:].upper()} (*{suffix})"
-        return self._messages.questions.file_to_write(f"{stem}-{word}{suffix}", kinds)
+        stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
+        return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds)
+
+    def may_replace(self, paths: Sequence[Path]) -> bool:
+        """Ask whether existing files may be overwritten."""
+        return self._questions.may_replace(paths)
+
+    def blocks(self, own: Sequence[Block], stock: Sequence[Block]) -> tuple[Block, ...] | None:
+        """Let the user edit the clinic's own blocks."""
+        from insole_studio.features.export.blocks_dialog import ask_blocks
+
+        return ask_blocks(own, stock, self._over)
+
+    def responsible(self) -> Responsible:
+        """Return who prescribes and makes, as the settings say."""
+        settings = self._services.settings
+        return Responsible(
+            prescriber=self._case.author,
+            clinic=settings.clinic,
+            maker=settings.maker,
+            maker_address=settings.maker_address,
+        )
+
+    def ask_missing(self) -> bool:
+        """Ask for what a prescription lacks, if anything; False if cancelled."""
+        missing = self.responsible().missing or not self._case.record.patient.name
+        return self.ask_responsible() if missing else True
+
+    def ask_responsible(self) -> bool:
+        """Let the user say who prescribes and makes, and for whom if that is missing."""
+        patient, known = self._case.record.patient, self.responsible()
+        fields = [
+            Field("prescriber", tr("Prescriber"), known.prescriber),
+            Field("clinic", tr("Clinic, if any"), known.clinic, required=False),
+            Field("maker", tr("Maker of the insole"), known.maker),
+            Field("maker_address", tr("Address of the maker"), known.maker_address),
+        ]
+        if not patient.name:
+            fields.insert(0, Field("name", tr("Name of the patient")))
+        given = self._questions.fields(
+            tr("Prescriber and maker"),
+            tr(
+                "The prescription states who prescribes the insole and who makes it, as Annex XIII "
+                "of the EU regulation on medical devices asks for. The shop does not get it."
+            ),
+            fields,
+        )
+        if given is None:
+            return False
+        if "name" in given:
+            named = replace(patient, name=given.pop("name"))
+            self._case.apply(named, tr("Edit the patient's fields"))
+        self._keep(Responsible(**given))
+        return True
+
+    def tell(self, error: Exception) -> None:
+        """Tell that an export has failed, on the window it was asked from."""
+        self._messages.show_error(error, over=self._over)
+
+    def _keep(self, responsible: Responsible) -> None:
+        settings = self._services.settings
+        self._case.author = settings.author = responsible.prescriber
+        settings.clinic, settings.maker = responsible.clinic, responsible.maker
+        settings.maker_address = responsible.maker_address
+        self._services.save_settings()
+
+    @property
+    def _over(self) -> QWidget:
+        """The window that questions of the stage are asked on."""
+        return self.stage or self._services.window
+
+    @property
+    def _questions(self) -> Questions:
+        return self._messages.questions.on(self._over)
 
     def _forget_exported(self) -> None:
         self.exported = None
@@ -86,10 +165,10 @@ class ExportActions(StageWindow["ExportStage"]):
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
         path = self._messages.questions.file_to_write(
-            f"{file_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
+            f"{foot_stem(self._case)}-outline.pdf", "PDF (*.pdf)"
         )
         if path is not None:
-            self.print_outline_to(path.with_suffix(".pdf"))
+            self.print_outline_to(path)
 
     def print_outline_to(self, path: Path) -> None:
         """Write the outline at 1:1 as PDF."""

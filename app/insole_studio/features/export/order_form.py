@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPlainTextEdit,
+    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -43,10 +44,12 @@ class OrderForm(QWidget):
     """Shows an `OrderChoice`, and emits a new one when a field is edited."""
 
     edited = Signal(object)
+    blocks_requested = Signal()
+    responsible_requested = Signal()
 
     def __init__(self, stock: Stock, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._blocks = {block.name: block for block in stock.blocks}
+        self._blocks: dict[str, Block] = {}
         self.kind = ComboBox(
             [
                 ("insole", tr("Insole, trimmed")),
@@ -55,9 +58,10 @@ class OrderForm(QWidget):
             ]
         )
         self.both = QCheckBox(tr("Both feet"))
-        self.block = ComboBox(
-            [("", tr("None")), *((name, _text(block)) for name, block in self._blocks.items())]
-        )
+        self.block = ComboBox([])
+        self.own_blocks = QPushButton(tr("Own blocks…"))
+        self.own_blocks.clicked.connect(self.blocks_requested)
+        self.show_blocks(stock.blocks)
         self.draft = NumberField("°", least=-15, greatest=30, step=0.5)
         self.chamfer = NumberField("mm", least=0, greatest=10, step=0.5)
         self.cutter = NumberField("mm", least=1, greatest=40, step=0.5)
@@ -84,10 +88,31 @@ class OrderForm(QWidget):
         self.text.setPlaceholderText(tr("Pseudonym, side and date"))
         self.job_sheet = QCheckBox(tr("Job sheet for the shop (PDF)"))
         self.prescription = QCheckBox(tr("Prescription for the record (PDF)"))
+        self.responsible = QPushButton(tr("Prescriber and maker…"))
+        self.responsible.setToolTip(tr("Who stands on the prescription"))
+        self.responsible.clicked.connect(self.responsible_requested)
         self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
         self._choice = OrderChoice()
         self._lay_out()
         self._connect()
+
+    def show_blocks(self, blocks: Sequence[Block]) -> None:
+        """Offer blocks; `show_choice` then selects one."""
+        self._blocks = {block.name: block for block in blocks}
+        with QSignalBlocker(self.block):
+            self.block.clear()
+            self.block.addItem(tr("None"), "")
+            for name, block in self._blocks.items():
+                self.block.addItem(_text(block), name)
+
+    def show_order_number(self, number: str) -> None:
+        """Show what the order is called while there is no pseudonym."""
+        self.pseudonym.setPlaceholderText(number)
+        self.pseudonym.setToolTip(
+            tr("What the shop knows the patient by; without one, the order number {number}").format(
+                number=number
+            )
+        )
 
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
         """Show an order; `has_pair` tells whether both feet can be made."""
@@ -167,6 +192,7 @@ class OrderForm(QWidget):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         rows: list[tuple[str, QWidget]] = [
             (tr("Piece"), self.kind), ("", self.both), (tr("Block"), self.block),
+            ("", self.own_blocks),
             (tr("Cutter ⌀"), self.cutter), (tr("Draft"), self.draft),
             (tr("Chamfer"), self.chamfer), (tr("Material"), self.material),
             (tr("Format"), self.format), ("", self.layered), ("", self.limited),
@@ -182,7 +208,7 @@ class OrderForm(QWidget):
         layout.addLayout(self._form)
         papers = QLabel(tr("Papers"))
         papers.setObjectName("heading")
-        for widget in (papers, self.job_sheet, self.prescription, self.checks):
+        for widget in (papers, self.job_sheet, self.checks, self.prescription, self.responsible):
             layout.addWidget(widget)
         layout.addStretch(1)
 

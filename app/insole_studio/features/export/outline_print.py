@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QMarginsF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, QPen, QPolygonF
 
 from insole_core.export.atomic import replacing_file
@@ -42,17 +42,21 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     """
     outline = outline_of(insole)
     page_mm = _page_for(outline)
+    # In memory, since Qt does not tell whether a file could be written.
+    content = QBuffer()
+    content.open(QIODevice.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(content)
+    writer.setResolution(DPI)
+    writer.setTitle(whose)
+    size = QPageSize(QSizeF(*page_mm), QPageSize.Unit.Millimeter)
+    layout = QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF(0, 0, 0, 0))
+    writer.setPageLayout(layout)
+    painter = QPainter(writer)
+    painter.scale(DPI / 25.4, DPI / 25.4)  # from here on in mm
+    _draw(painter, insole, outline, page_mm, whose)
+    painter.end()
     with replacing_file(path) as beside:
-        writer = QPdfWriter(str(beside))
-        writer.setResolution(DPI)
-        writer.setTitle(whose)
-        size = QPageSize(QSizeF(*page_mm), QPageSize.Unit.Millimeter)
-        layout = QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF(0, 0, 0, 0))
-        writer.setPageLayout(layout)
-        painter = QPainter(writer)
-        painter.scale(DPI / 25.4, DPI / 25.4)  # from here on in mm
-        _draw(painter, insole, outline, page_mm, whose)
-        painter.end()
+        beside.write_bytes(content.data().data())
 
 
 def _page_for(outline: FloatArray) -> tuple[float, float]:

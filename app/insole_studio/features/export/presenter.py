@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -14,10 +14,14 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError
 from insole_core.export.solid_file import merged
 from insole_core.progress import Progress
-from insole_core.solids.checks import Finding, Override
+from insole_core.solids.checks import Finding, Override, worst_findings
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy, read_rules
-from insole_core.solids.order import Part, nest_parts
+from insole_core.solids.nesting import Nest, closest_nest
+from insole_core.solids.order import Part
+from insole_core.solids.order_number import new_order_number
+from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, Shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import (
@@ -29,6 +33,7 @@ from insole_core.workflows.make_order import (
     word_of,
     write_order,
 )
+from insole_core.workflows.overwriting import check_overwriting
 from insole_studio.document.case import Case
 from insole_studio.features.export.rows import (
     TITLES,
@@ -39,6 +44,7 @@ from insole_studio.features.export.rows import (
     sentence_of,
     side_text,
     summary_of,
+    summary_of_nest,
 )
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr
@@ -49,6 +55,31 @@ if TYPE_CHECKING:
 MAKING, WRITING = "make", "write"
 _NO_SPOTS = np.zeros((0, 3))
 _NEST = "nest"
+
+
+class OrderAsker(Protocol):
+    """Asks the user for what an order needs, on the window of the stage."""
+
+    def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
+        """Let the user choose a file, given the word for the side; None if cancelled."""
+
+    def may_replace(self, paths: Sequence[Path]) -> bool:
+        """Ask whether existing files may be overwritten."""
+
+    def blocks(self, own: Sequence[Block], stock: Sequence[Block]) -> tuple[Block, ...] | None:
+        """Let the user edit the clinic's own blocks; None if cancelled."""
+
+    def responsible(self) -> Responsible:
+        """Return who prescribes and makes, as far as it is known."""
+
+    def ask_responsible(self) -> bool:
+        """Let the user say who prescribes and makes; False if cancelled."""
+
+    def ask_missing(self) -> bool:
+        """Ask for what a prescription lacks, if anything; False if cancelled."""
+
+    def tell(self, error: Exception) -> None:
+        """Tell that an export has failed."""
 
 
 class ExportPresenter:
@@ -66,10 +97,10 @@ class ExportPresenter:
         Storage of the clinic's rules.
     shop
         The workshop that receives the order.
-    ask_path
-        Lets the user choose a file, given the word for the side and the suffix; None if cancelled.
-    may_replace
-        Asks whether existing files may be overwritten.
+    blocks
+        Storage of the clinic's own blocks.
+    asker
+        Asks for what the order needs, and tells of a failure.
     memory
         Storage of the last order.
     exported
@@ -84,20 +115,23 @@ class ExportPresenter:
         jobs: Jobs,
         rules: ClinicExportRules,
         shop: Shop,
-        ask_path: Callable[[str, str], Path | None],
-        may_replace: Callable[[Sequence[Path]], bool],
+        blocks: ClinicBlocks,
+        asker: OrderAsker,
         memory: LastOrder,
         exported: Callable[[CaseRecord, Sequence[Path]], None],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._shop = rules, shop
-        self._ask_path, self._may_replace, self._exported = ask_path, may_replace, exported
+        self._block_store, self._asker, self._exported = blocks, asker, exported
         self._memory = memory
-        self._choice = replace(memory.load(), both=both_prescribed(case.record))
+        self._own_blocks: tuple[Block, ...] = ()
+        self._choice, self._number = memory.load(), ""
         self._rules = read_rules()
         self._record = CaseRecord()
         self.pieces: tuple[Part, ...] = ()
         """The parts made last."""
+        self._nest: Nest | None = None
+        """Where a pair lies in its block."""
         self._shown = ""
         self._framed = ("", "")
         """What the camera was last fitted to."""
@@ -107,6 +141,8 @@ class ExportPresenter:
         self._complaint = ""
         """Why the clinic's rules could not be read."""
         panel.choice_edited.connect(self.edit_choice)
+        panel.blocks_requested.connect(self.edit_blocks)
+        panel.responsible_requested.connect(asker.ask_responsible)
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
         panel.check_chosen.connect(self.lead_to)
@@ -116,17 +152,21 @@ class ExportPresenter:
         panel.cancel_requested.connect(self.cancel)
         jobs.progressed.connect(self._show_progress)
         jobs.ended.connect(self._show_buttons)
-        case.changed.connect(self.remake)
+        case.opened.connect(self._begin_order)
+        case.changed.connect(self._follow)
         case.foot_changed.connect(self.remake)
         panel.show_piece(None, None, None, False)
         panel.show_notes([])
         panel.show_error("")
         self._load_rules()
+        self._load_blocks()
+        self._begin_order()
         self.remake()
 
     def close(self) -> None:
         """Stop observing the case."""
-        self._case.changed.disconnect(self.remake)
+        self._case.opened.disconnect(self._begin_order)
+        self._case.changed.disconnect(self._follow)
         self._case.foot_changed.disconnect(self.remake)
 
     def edit_choice(self, choice: OrderChoice) -> None:
@@ -137,6 +177,21 @@ class ExportPresenter:
             self._panel.show_choice(choice, self._has_pair)
         else:
             self.remake()
+
+    def edit_blocks(self) -> None:
+        """Let the user edit the clinic's own blocks; one that is new is chosen."""
+        before = self._own_blocks
+        blocks = self._asker.blocks(before, self._shop.blocks)
+        if blocks is None or blocks == before:
+            return
+        try:
+            self._block_store.save(blocks)
+        except InsoleError as error:
+            self._asker.tell(error)
+            return
+        self._own_blocks = blocks
+        self._panel.show_blocks(self._blocks)
+        self.edit_choice(replace(self._choice, block=self._block_after(before)))
 
     def edit_cutter(self, diameter_mm: float) -> None:
         """Set the diameter of the cutter."""
@@ -171,7 +226,7 @@ class ExportPresenter:
         if self._record.current is None:
             self._take(())
             return
-        record, choice, rules = self._record, self._choice, self._rules
+        record, choice, rules = self._record, self._order, self._rules
 
         def make(progress: Progress) -> tuple[Part, ...]:
             return make_pieces(record, choice, rules, progress)
@@ -185,9 +240,11 @@ class ExportPresenter:
         """Show the left part, the right part, or both in their block."""
         again, self._shown = (key, self._choice.kind) == self._framed, key
         self._framed = (key, self._choice.kind) if self.pieces else ("", "")
-        block = self._choice.block
-        if key == _NEST and block is not None:
-            self._show_nest(block, again)
+        block, nest = self._choice.block, self._nest
+        if key == _NEST and block is not None and nest is not None:
+            self._panel.show_piece(merged(nest.meshes), None, None, again)
+            self._panel.show_block(block_edges(block), again)
+            self._panel.show_summary(summary_of_nest(nest))
         else:
             piece = self._piece
             solid, side = (None, None) if piece is None else (piece.solid, piece.side)
@@ -195,9 +252,9 @@ class ExportPresenter:
             words = side.other if side is not None and turned else side
             self._panel.show_block([], True)
             self._panel.show_piece(solid, side, words, again)
+            self._panel.show_summary("" if piece is None else summary_of(piece))
         self._show_spots()
         self._show_checks()
-        self._panel.show_summary("" if self._piece is None else summary_of(self._piece))
 
     def lead_to(self, name: CheckName) -> None:
         """Show the location where a check is violated most."""
@@ -209,35 +266,50 @@ class ExportPresenter:
 
     def ask_export(self) -> None:
         """Let the user choose a file, and export."""
-        path = self._ask_path(word_of(self.pieces, self._choice), self._choice.suffix)
+        order = self._order
+        if order.prescription and not self._asker.ask_missing():
+            return
+        path = self._asker.path(order.pseudonym, word_of(self.pieces, order), order.suffix)
         if path is None:
             return
-        files = files_of(self.pieces, self._choice, path, self._override() is not None)
-        # The file dialog has already asked whether to overwrite.
-        there = [file for file in files if file != path and file.exists()]
-        if not there or self._may_replace(there):
+        files = files_of(self.pieces, order, path, self._override() is not None)
+        there = [file for file in files if file.exists()]
+        if not there or self._asker.may_replace(there):
             self.export_to(path)
 
     def export_to(self, path: Path) -> None:
         """Write the file and its documents in the background."""
-        record, pieces, choice = self._record, self.pieces, self._choice
-        override = self._override()
+        record, pieces, choice = self._record, self.pieces, self._order
+        override, responsible = self._override(), self._asker.responsible()
 
         def write(progress: Progress) -> tuple[Path, ...]:
+            files = files_of(pieces, choice, path, override is not None)
+            check_overwriting(files, record.source_paths)
             return write_order(
                 pieces, choice, path,
-                shop=self._shop, patient=record.patient, override=override, progress=progress,
+                shop=self._shop, patient=record.patient, responsible=responsible,
+                override=override, progress=progress,
             )  # fmt: skip
 
         def done(paths: tuple[Path, ...]) -> None:
             names = ", ".join(written.name for written in paths)
             self._panel.show_summary(tr("Exported {name}").format(name=names))
             self._remember(choice)
-            self._exported(record, paths)
+            self._exported(self._noted(record, choice.pseudonym), paths)
 
         self._panel.show_error("")
-        self._jobs.start(WRITING, write, done, self._show_failure)
+        self._jobs.start(WRITING, write, done, self._fail)
         self._show_buttons()
+
+    def _noted(self, record: CaseRecord, pseudonym: str) -> CaseRecord:
+        """Keep in the case what the workshop knows it by; return the record that was exported."""
+        is_current = self._case.record is record
+        patient = replace(self._case.record.patient, pseudonym=pseudonym)
+        if patient != self._case.record.patient:
+            self._case.apply(patient, tr("Note the order number"))
+            self._choice = replace(self._choice, pseudonym=pseudonym)
+            self._panel.show_choice(self._choice, self._has_pair)
+        return self._case.record if is_current else record
 
     def _remember(self, choice: OrderChoice) -> None:
         try:
@@ -254,6 +326,47 @@ class ExportPresenter:
         self._jobs.cancel(WRITING)
 
     @property
+    def _order(self) -> OrderChoice:
+        """The choice with the order number in place of a pseudonym that is missing."""
+        return replace(self._choice, pseudonym=self._choice.pseudonym or self._number)
+
+    @property
+    def _blocks(self) -> tuple[Block, ...]:
+        """The blocks to choose from."""
+        return (*self._shop.blocks, *self._own_blocks)
+
+    def _block_after(self, before: Sequence[Block]) -> Block | None:
+        """Return the block to choose after an edit: a new one, or as before by its name."""
+        known = {block.name for block in before}
+        new = [block for block in self._own_blocks if block.name not in known]
+        chosen = self._choice.block
+        if len(self._own_blocks) > len(before) and new:
+            return new[-1]
+        return next((b for b in self._blocks if chosen and b.name == chosen.name), None)
+
+    def _begin_order(self) -> None:
+        """Begin an order for the open case: nothing of the patient before is kept."""
+        record = self._case.record
+        self._number = new_order_number(date.today())
+        self._panel.show_order_number(self._number)
+        self._reason = ""
+        self._choice = replace(
+            self._choice,
+            both=both_prescribed(record),
+            pseudonym=record.patient.pseudonym,
+            text="",
+        )
+
+    def _follow(self) -> None:
+        """Make the order again unless only what does not shape it has changed."""
+        record, before = self._case.record, self._record
+        if record.feet is before.feet and record.at_hand is before.at_hand:
+            self._record = record
+            self._panel.show_patient(patient_text(record.patient))
+        else:
+            self.remake()
+
+    @property
     def _has_pair(self) -> bool:
         return len(self._record.feet) == 2
 
@@ -265,13 +378,37 @@ class ExportPresenter:
 
     @property
     def _findings(self) -> dict[CheckName, Finding]:
-        return {} if self._piece is None else {f.name: f for f in self._piece.findings}
+        """The findings of what is shown; for the block, the worse of both parts."""
+        if self._piece is None:
+            return {}
+        findings = self._piece.findings
+        if self._shown == _NEST and self._nest is not None:
+            findings = worst_findings(
+                finding.moved(insole2block)
+                for piece, insole2block in zip(self.pieces, self._nest.insole2block, strict=True)
+                for finding in piece.findings
+            )
+        return {finding.name: finding for finding in findings}
+
+    @property
+    def _misfit(self) -> Finding | None:
+        """The finding that a pair does not fit its block, which no reason can release."""
+        if self._nest is None:
+            return None
+        return next((f for f in self.pieces[0].findings if f.name == "block" and f.blocks), None)
 
     def _load_rules(self) -> None:
         try:
             self._rules = self._store.load()
         except InsoleError as error:
             self._complaint = str(error)
+
+    def _load_blocks(self) -> None:
+        try:
+            self._own_blocks = self._block_store.load()
+        except InsoleError as error:
+            self._complaint = str(error)
+        self._panel.show_blocks(self._blocks)
 
     def _keep_rules(self, rules: ExportRules) -> None:
         if rules == self._rules:
@@ -285,28 +422,22 @@ class ExportPresenter:
 
     def _take(self, pieces: tuple[Part, ...]) -> None:
         self.pieces = pieces
+        is_nested = len(pieces) == 2 and self._choice.block is not None
+        self._nest = closest_nest(*(piece.solid for piece in pieces)) if is_nested else None
         names = {str(piece.side): side_text(piece) for piece in pieces}
-        if len(pieces) == 2 and self._choice.block is not None:
+        if is_nested:
             names[_NEST] = tr("In the block")
+        if self._misfit is not None:
+            names[_NEST] += "  ✗"
+            self._panel.show_error(self._misfit.sentence)
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_pieces(names, shown)
         self._panel.show_notes([note for piece in pieces for note in notes_of(piece)])
         self.show_piece(shown)
         self._show_buttons()
 
-    def _show_nest(self, block: Block, again: bool) -> None:
-        left, right = self.pieces
-        try:
-            parts = nest_parts(left, right, block.size_mm, self._shop)
-        except InsoleError as error:
-            self._panel.show_error(str(error))
-            self._panel.show_piece(None, None, None, again)
-            return
-        self._panel.show_piece(merged([part.mesh for part in parts]), None, None, again)
-        self._panel.show_block(block_edges(block), again)
-
     def _show_spots(self) -> None:
-        findings = self._findings if self._shown != _NEST else {}
+        findings = self._findings
         bad = [f.spots_mm for f in findings.values() if not f.passed and f.name != self._chosen]
         chosen = findings.get(self._chosen) if self._chosen else None
         if chosen is None:
@@ -325,7 +456,7 @@ class ExportPresenter:
                     self._choice.kind,
                     None if waiting else self._findings.get(name),
                     waiting=waiting,
-                    leads=self._shown != _NEST,
+                    has_block=self._choice.block is not None,
                 )
                 for name in TITLES
             ]
@@ -339,13 +470,23 @@ class ExportPresenter:
 
     @property
     def _blocked(self) -> bool:
-        return any(finding.blocks for piece in self.pieces for finding in piece.findings)
+        """Whether a rule stops the export until somebody gives a reason."""
+        return any(
+            finding.blocks and not (finding.name == "block" and self._nest is not None)
+            for piece in self.pieces
+            for finding in piece.findings
+        )
 
     def _show_nothing(self, error: Exception) -> None:
         """Show why the order cannot be made."""
         self._problem = str(error)
         self._take(())
         self._show_failure(error)
+
+    def _fail(self, error: Exception) -> None:
+        """Show that nothing was written, and why, where it cannot be overlooked."""
+        self._show_failure(error)
+        self._asker.tell(error)
 
     def _show_failure(self, error: Exception) -> None:
         sentence = tr("Something unexpected happened; nothing was written. Please report it.")
@@ -359,7 +500,7 @@ class ExportPresenter:
         busy = self._jobs.is_running()
         if not busy:
             self._panel.show_progress(0.0, "")
-        may = not self._blocked or bool(self._reason)
+        may = (not self._blocked or bool(self._reason)) and self._misfit is None
         self._panel.show_buttons(
             Buttons(
                 export=not busy and bool(self.pieces) and may and not self._problem,

@@ -11,6 +11,7 @@ from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
 from insole_core.solids.checks import Finding
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
+from insole_core.solids.nesting import Nest
 from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
 from insole_studio.texts import tr
@@ -65,16 +66,19 @@ TITLES: dict[CheckName, Callable[[], str]] = {
     "step": lambda: tr("Height of step"),
     "block": lambda: tr("Fits the block"),
     "shoe_height": lambda: tr("Fits the shoe"),
+    "grid": lambda: tr("Fine enough grid"),
 }
 UNITS: dict[CheckName, str] = {
     "thickness": "mm", "cutter": "mm", "undercut": "mm²", "step": "mm", "shoe_height": "mm",
+    "grid": "mm",
 }  # fmt: skip
 _SENTENCES: dict[CheckName, Callable[[], str]] = {
-    "thickness": lambda: tr("{value:.2f} mm at the thinnest place"),
+    "thickness": lambda: tr("{value:.1f} mm at the thinnest place"),
     "cutter": lambda: tr("{value:.2f} mm of material is left in hollows"),
     "undercut": lambda: tr("{value:.0f} mm² cannot be reached from above"),
     "step": lambda: tr("{value:.1f} mm of rise over 1 mm"),
     "shoe_height": lambda: tr("{value:.1f} mm at the highest place"),
+    "grid": lambda: tr("{value:g} mm between the points of the surface"),
 }
 
 
@@ -102,7 +106,7 @@ def check_row(
     finding: Finding | None,
     *,
     waiting: bool,
-    leads: bool,
+    has_block: bool,
 ) -> CheckRow:
     """Return the row of one check.
 
@@ -118,20 +122,22 @@ def check_row(
         Result of the check; None before it has run.
     waiting
         Whether it is running.
-    leads
-        Whether locations can be shown now.
+    has_block
+        Whether a block is chosen.
     """
     policy = rules.policies.get(name, "off")
     state, sentence = CheckState.OPEN, tr("is being checked") if waiting else tr("not checked")
     if policy == "off":
         state, sentence = CheckState.OFF, tr("not checked")
-    elif name not in CHECKS_OF[kind]:
+    elif name == "block" and not has_block:
+        state, sentence = CheckState.OFF, tr("no block is chosen")
+    elif finding is None and name not in CHECKS_OF[kind]:
         state, sentence = CheckState.OFF, tr("does not apply to this piece")
     elif finding is not None:
         state, sentence = state_of(finding), sentence_of(finding)
     placed = finding is not None and finding.place_mm is not None
     limit, unit = rules.limits.get(name), UNITS.get(name, "")
-    return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, leads and placed)
+    return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, placed)
 
 
 def summary_of(piece: Part) -> str:
@@ -147,6 +153,14 @@ def summary_of(piece: Part) -> str:
         return said
     deviation = tr("They deviate by {deviation:.3f} mm at most.")
     return f"{said}. {deviation.format(deviation=piece.deviation_mm)}"
+
+
+def summary_of_nest(nest: Nest) -> str:
+    """Return what a pair needs of its block."""
+    width, length, height = nest.size_mm
+    return tr("Both need {length:.0f} × {width:.0f} × {height:.1f} mm of the block").format(
+        length=length, width=width, height=height
+    )
 
 
 def notes_of(piece: Part) -> list[str]:

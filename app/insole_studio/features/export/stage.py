@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
-
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout
 
 from insole_core.solids.shop import Shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
-from insole_studio.features.export.presenter import WRITING, ExportPresenter
+from insole_studio.features.export.presenter import WRITING, ExportPresenter, OrderAsker
 from insole_studio.features.export.view import ExportView
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
@@ -34,10 +32,10 @@ class ExportStage(StageFrame):
         Storage of the clinic's rules.
     shop
         The workshop that receives the order.
-    ask_path
-        Lets the user choose a file, given the word for the side and the suffix.
-    may_replace
-        Asks whether existing files may be overwritten.
+    blocks
+        Storage of the clinic's own blocks.
+    asker
+        Asks for what the order needs, and tells of a failure.
     memory
         Storage of the last order.
     dark
@@ -54,8 +52,8 @@ class ExportStage(StageFrame):
         case: Case,
         rules: ClinicExportRules,
         shop: Shop,
-        ask_path: Callable[[str, str], Path | None],
-        may_replace: Callable[[Sequence[Path]], bool],
+        blocks: ClinicBlocks,
+        asker: OrderAsker,
         memory: LastOrder,
         dark: bool,
     ) -> None:
@@ -73,8 +71,8 @@ class ExportStage(StageFrame):
             jobs=self.jobs,
             rules=rules,
             shop=shop,
-            ask_path=ask_path,
-            may_replace=may_replace,
+            blocks=blocks,
+            asker=asker,
             memory=memory,
             exported=self.exported.emit,
         )

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.solids.shop import Block
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.check_list import CheckList
 from insole_studio.features.export.order_form import OrderForm, Stock
@@ -38,6 +39,8 @@ class ExportView(QWidget):
     """The export panel; emits the user's intents."""
 
     choice_edited = Signal(object)
+    blocks_requested = Signal()
+    responsible_requested = Signal()
     cutter_edited = Signal(float)
     rule_edited = Signal(str, str, float)
     check_chosen = Signal(str)
@@ -50,6 +53,8 @@ class ExportView(QWidget):
         super().__init__(parent)
         self.form = OrderForm(stock)
         self.form.edited.connect(self.choice_edited)
+        self.form.blocks_requested.connect(self.blocks_requested)
+        self.form.responsible_requested.connect(self.responsible_requested)
         self.form.cutter.edited.connect(self.cutter_edited)
         self.model = ModelView(Subject.INSOLE, "", dark)
         self.model.preset_requested.connect(self.model.look_from)
@@ -90,6 +95,14 @@ class ExportView(QWidget):
     def show_choice(self, choice: OrderChoice, has_pair: bool) -> None:
         """Show an order; `has_pair` tells whether both feet can be made."""
         self.form.show_choice(choice, has_pair)
+
+    def show_blocks(self, blocks: Sequence[Block]) -> None:
+        """Offer blocks."""
+        self.form.show_blocks(blocks)
+
+    def show_order_number(self, number: str) -> None:
+        """Show what the order is called while there is no pseudonym."""
+        self.form.show_order_number(number)
 
     def show_cutter(self, diameter_mm: float) -> None:
         """Show the diameter of the cutter."""

@@ -25,7 +25,7 @@ class FootWindow(StageWindow["FootStage"]):
     closed = Signal()
 
     def __init__(self, services: AppServices) -> None:
-        super().__init__()
+        super().__init__(services.window)
         self._services = services
 
     def open_session(self, path: Path, hand_over: bool = True) -> None:
@@ -95,4 +95,5 @@ class FootWindow(StageWindow["FootStage"]):
         settings.largest_displacement_mm = limits.displacement_mm
 
     def _ask_to_open(self, sentence: str) -> bool:
-        return self._services.messages.questions.open_anyway(sentence)
+        assert self.stage is not None
+        return self._services.messages.questions.on(self.stage).open_anyway(sentence)

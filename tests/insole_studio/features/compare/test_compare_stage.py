@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, ScanSource
+from insole_core.export.ply import write_ply
 from insole_core.export.stl import write_stl
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
@@ -154,6 +155,26 @@ def test_report(
     assert chosen.path.stat().st_size > 100
     if suffix == ".json":
         assert json.loads(chosen.path.read_text())["unit"] == "mm"
+
+
+@pytest.mark.slow
+def test_a_report_does_not_take_the_place_of_what_is_compared(
+    stage: CompareStage,
+    settle: Callable[[], None],
+    chosen: Chosen,
+    solid: TriangleMesh,
+    tmp_path: Path,
+) -> None:
+    write_ply(solid, tmp_path / "scan.ply")
+    before = (tmp_path / "scan.ply").read_bytes()
+    stage.presenter.choose_path("b", tmp_path / "scan.ply")
+    settle()
+    chosen.path = tmp_path / "link.ply"
+    chosen.path.symlink_to(tmp_path / "scan.ply")
+    stage.view.save.click()
+    settle()
+    assert "is read to make the result" in stage.view.error.text()
+    assert (tmp_path / "scan.ply").read_bytes() == before
 
 
 @pytest.mark.slow

@@ -16,7 +16,9 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanS
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.solids.shop import read_shop
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.solids.shop import Block, read_shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
@@ -45,14 +47,33 @@ class Chosen:
     """Answers the question for a path."""
 
     def __init__(self) -> None:
-        self.path: Path | None = None
+        self.answer: Path | None = None
         self.word = ""
         self.replace = False
         self.asked: list[str] = []
 
-    def __call__(self, word: str, _suffix: str) -> Path | None:
-        self.word = word
-        return self.path
+        self.pseudonym = ""
+        self.named = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
+        self.told: list[Exception] = []
+
+    def path(self, pseudonym: str, word: str, _suffix: str) -> Path | None:
+        self.pseudonym, self.word = pseudonym, word
+        return self.answer
+
+    def blocks(self, _own: Sequence[Block], _stock: Sequence[Block]) -> None:
+        return None
+
+    def responsible(self) -> Responsible:
+        return self.named
+
+    def ask_responsible(self) -> bool:
+        return True
+
+    def ask_missing(self) -> bool:
+        return True
+
+    def tell(self, error: Exception) -> None:
+        self.told.append(error)
 
     def may_replace(self, paths: Sequence[Path]) -> bool:
         self.asked += [path.name for path in paths]
@@ -77,8 +98,8 @@ def stage(
         case=case,
         rules=rules,
         shop=SHOP,
-        ask_path=chosen,
-        may_replace=chosen.may_replace,
+        blocks=ClinicBlocks(tmp_path / "config" / "blocks.json"),
+        asker=chosen,
         memory=LastOrder(tmp_path / "config" / "order.json", SHOP),
         dark=False,
     )
@@ -120,11 +141,11 @@ def test_export_names_the_side_and_writes_what_is_wanted(
     stage.exported.connect(lambda record, paths: told.append((record, paths)))
     order(stage, suffix=".3mf", prescription=True, checks=True, pseudonym="P-7")
     settle()
-    chosen.path = tmp_path / "out" / "anna.3mf"
-    chosen.path.parent.mkdir()
+    chosen.answer = tmp_path / "out" / "anna.3mf"
+    chosen.answer.parent.mkdir()
     stage.view.export.click()
     settle()
-    assert sorted(path.name for path in chosen.path.parent.iterdir()) == [
+    assert sorted(path.name for path in chosen.answer.parent.iterdir()) == [
         "anna-left-checks.json", "anna-left-job-sheet.pdf", "anna-left-prescription.pdf",
         "anna-left.3mf",
     ]  # fmt: skip
@@ -138,7 +159,7 @@ def test_pair_is_nested_into_one_block(
     order(stage, both=True, block=PAIR, job_sheet=False)
     settle()
     stage.presenter.show_piece("nest")
-    chosen.path = tmp_path / "anna.stl"
+    chosen.answer = tmp_path / "anna.stl"
     stage.view.export.click()
     settle()
     assert chosen.word == "pair"
@@ -152,7 +173,7 @@ def test_pair_without_a_block_is_two_files(
 ) -> None:
     order(stage, both=True, job_sheet=False)
     settle()
-    chosen.path = tmp_path / "anna-left.stl"
+    chosen.answer = tmp_path / "anna-left.stl"
     stage.view.export.click()
     settle()
     assert sorted(p.name for p in tmp_path.glob("*.stl")) == [
@@ -166,15 +187,35 @@ def test_files_that_are_there_are_replaced_only_on_demand(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
     (tmp_path / "anna-left-job-sheet.pdf").write_text("old")
-    chosen.path = tmp_path / "anna-left.stl"
+    chosen.answer = tmp_path / "anna-left.stl"
     stage.view.export.click()
     assert chosen.asked == ["anna-left-job-sheet.pdf"]
-    assert not chosen.path.exists()
+    assert not chosen.answer.exists()
     chosen.replace = True
     stage.view.export.click()
     settle()
-    assert chosen.path.exists()
+    assert chosen.answer.exists()
     assert (tmp_path / "anna-left-job-sheet.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_an_export_does_not_take_the_place_of_the_scan(
+    case: Case,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    chosen: Chosen,
+    tmp_path: Path,
+) -> None:
+    scan = tmp_path / "scan-left.stl"
+    scan.write_text("of the patient")
+    left = replace(case.record.feet[0], source=ScanSource("mesh", str(scan), "0" * 64))
+    case.open(replace(case.record, feet=(left,)), None)
+    stage.presenter.remake()
+    settle()
+    chosen.path, chosen.replace = tmp_path / "scan.stl", True
+    stage.view.export.click()
+    settle()
+    assert "is read to make the result" in stage.view.error.text()
+    assert scan.read_text() == "of the patient"
 
 
 @pytest.mark.slow
@@ -183,7 +224,7 @@ def test_order_is_remembered_without_the_patient(
 ) -> None:
     order(stage, suffix=".obj", block=PAIR, pseudonym="P-7", most_triangles=30_000)
     settle()
-    chosen.path = tmp_path / "anna.obj"
+    chosen.answer = tmp_path / "anna.obj"
     stage.view.export.click()
     settle()
     file = tmp_path / "config" / "order.json"
@@ -210,7 +251,7 @@ def test_what_a_rule_stops_needs_a_reason_that_is_recorded(
     stage.view.reason.setText("high boot")
     stage.view.reason_edited.emit("high boot")
     assert stage.view.export.isEnabled()
-    chosen.path = tmp_path / "anna.stl"
+    chosen.answer = tmp_path / "anna.stl"
     stage.view.export.click()
     settle()
     override = json.loads((tmp_path / "anna-left-checks.json").read_text())["override"]
@@ -278,7 +319,7 @@ def test_letters_that_the_font_lacks_are_said(
 def test_place_that_cannot_be_written(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
-    chosen.path = tmp_path / "none" / "anna.stl"
+    chosen.answer = tmp_path / "none" / "anna.stl"
     stage.view.export.click()
     settle()
     assert "its folder does not exist" in stage.view.error.text()

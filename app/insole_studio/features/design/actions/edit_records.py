@@ -139,6 +139,14 @@ EDIT_ACTIONS: tuple[ActionRecord[Design], ...] = (
         needs_foot=True,
     ),
     ActionRecord(
+        "edit_thickness",
+        lambda: tr("Type the thickness"),
+        lambda: tr("Go to the thickness of the insole, whatever is selected"),
+        lambda design, _on: design.navigation.edit_values("insole.thickness_mm"),
+        shortcut="Shift+F2",
+        needs_foot=True,
+    ),
+    ActionRecord(
         "next_panel",
         lambda: tr("Next panel"),
         lambda: tr("Lead the keys to the next panel"),

@@ -26,10 +26,17 @@ class KeyboardNavigation:
         if panels:
             give_focus(next(tab_stops(panels[(at + step) % len(panels)])))
 
-    def edit_values(self) -> None:
-        """Move the focus to the first number of the parameters, selected to be overwritten."""
+    def edit_values(self, key: str = "") -> None:
+        """Move the focus to a number of the parameters, selected to be overwritten.
+
+        Parameters
+        ----------
+        key
+            Of the field; by default it is the first one.
+        """
         stops = tab_stops(self._stage.parameters)
-        field = next((stop for stop in stops if isinstance(stop, NumberField)), None)
+        fields = (stop for stop in stops if isinstance(stop, NumberField))
+        field = next((f for f in fields if not key or f.property("key") == key), None)
         if field is not None:
             give_focus(field)
             field.selectAll()

@@ -27,6 +27,6 @@ class MeasureActions:
         """Let the user choose a file, and write the table."""
         path = self._messages.questions.file_to_write("measures.csv", "CSV (*.csv)")
         if path is not None:
-            with replacing_file(path.with_suffix(".csv")) as beside:
+            with replacing_file(path) as beside:
                 beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")
             self._messages.say(tr("Written: {name}").format(name=path.name))

@@ -78,7 +78,7 @@ class PrescriptionActions:
             f"template{TEMPLATE_SUFFIX}", template_kinds()
         )
         if path is not None and self._case.record.design is not None:
-            save_template(self._case, path.with_suffix(TEMPLATE_SUFFIX))
+            save_template(self._case, path)
             self._messages.say(tr("Written: {name}").format(name=path.name))
 
     def ask_apply_template(self) -> None:

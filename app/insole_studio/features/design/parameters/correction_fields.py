@@ -52,12 +52,15 @@ class Editable:
         Index into a position or pair; None for a single value.
     step
         Step of the field.
+    expert
+        Whether it is about the computation, not about the foot: shown apart, after all others.
     """
 
     name: str
     label: Callable[[], str]
     number: int | None = None
     step: float = 0.5
+    expert: bool = False
 
     @property
     def key(self) -> str:
@@ -127,9 +130,9 @@ EDITABLE: dict[type[Any], tuple[Editable, ...]] = {
     ),
     InsoleDesign: (
         Editable("thickness_mm", lambda: tr("Thickness")),
-        Editable("grid_mm", lambda: tr("Grid"), step=0.25),
-        Editable("max_height_mm", lambda: tr("Flank height")),
         Editable("bottom", lambda: tr("Bottom")),
+        Editable("max_height_mm", lambda: tr("Flank height")),
+        Editable("grid_mm", lambda: tr("Grid"), step=0.25, expert=True),
     ),
     Layers: (
         Editable("cover_mm", lambda: tr("Cover")),
@@ -153,8 +156,10 @@ _RANGES: dict[type[Any], dict[str, Range]] = {
 }
 
 
-def field_specs(part: Any, prefix: str) -> tuple[FieldSpec | ChoiceSpec, ...]:
-    """Return the fields of a correction, of the design, of its layers or outline.
+def field_specs(
+    part: Any, prefix: str, *, expert: bool = False
+) -> tuple[FieldSpec | ChoiceSpec, ...]:
+    """Return the fields of a correction, of the design, of its layers or outline, in tab order.
 
     Values that the part does not have (the egg ratio of a bar, an automatic position) are omitted.
 
@@ -164,8 +169,11 @@ def field_specs(part: Any, prefix: str) -> tuple[FieldSpec | ChoiceSpec, ...]:
         The part of the prescription.
     prefix
         Prefix of the fields' keys.
+    expert
+        Whether to return those for experts, or all others.
     """
-    specs = (_spec(part, editable, f"{prefix}.{editable.key}") for editable in EDITABLE[type(part)])
+    wanted = (editable for editable in EDITABLE[type(part)] if editable.expert is expert)
+    specs = (_spec(part, editable, f"{prefix}.{editable.key}") for editable in wanted)
     return tuple(spec for spec in specs if spec is not None)
 
 

@@ -78,9 +78,8 @@ class ParametersPresenter:
             note = tr("The numbers of the design appear here.")
             self._panel.show_groups([FieldGroup("", note=note)])
             return
-        make = _make_groups(design)
-        if self._tool_controller.tool.key == "outline":
-            make = [make[-1], *make[:-1]]
+        is_outline = self._tool_controller.tool.key == "outline"
+        make = _make_groups(design, outline_first=is_outline)
         self._panel.show_groups([*self._groups(design), *make])
 
     def edit(self, key: str, value: Any) -> None:
@@ -109,14 +108,13 @@ class ParametersPresenter:
             return own(self)
         if tool.key == "posting" and not (selected and selected.type != Posting.type):
             return [self._posting_group(posting_of(design) or Posting())]
-        if selected is not None:
-            return [self._correction_group(selected)]
-        if isinstance(tool, PelottTool):
-            return [self._template_group(tool.template)]
+        of_selected = [] if selected is None else [self._correction_group(selected)]
         if isinstance(tool, BrushTool):
             title = tr("Next stroke")
-            return [FieldGroup(title, field_specs(tool.template, "template"))]
-        return []
+            return [FieldGroup(title, field_specs(tool.template, "template")), *of_selected]
+        if isinstance(tool, PelottTool) and selected is None:
+            return [self._template_group(tool.template)]
+        return of_selected
 
     def _selected(self, design: InsoleDesign) -> Correction | None:
         selection = self._case.selection
@@ -250,13 +248,15 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
     return FieldGroup(tr("Reference plane"), fields, (Proposal("remove.plane", tr("Remove")),))
 
 
-def _make_groups(design: InsoleDesign) -> list[FieldGroup]:
-    """Return the groups that are always shown: how the insole is made."""
-    return [
+def _make_groups(design: InsoleDesign, *, outline_first: bool) -> list[FieldGroup]:
+    """Return the groups that are always shown: how the insole is made, and last the expert's."""
+    made = [
         FieldGroup(tr("Insole"), field_specs(design, "insole")),
         FieldGroup(tr("Layers"), field_specs(design.layers, "layers")),
-        FieldGroup(tr("Outline"), field_specs(design.outline, "outline")),
     ]
+    outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline"))
+    expert = FieldGroup(tr("Expert"), field_specs(design, "insole", expert=True))
+    return [outline, *made, expert] if outline_first else [*made, outline, expert]
 
 
 def _field(key: str, label: str, value: float, allowed: Range) -> FieldSpec:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from datetime import date
 from functools import partial
 from typing import Any, Protocol
 
 from insole_core.cases.case_record import Annotations, CaseRecord
+from insole_core.cases.days import DAY_FIELDS, read_day
+from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.corrections import CorrectionBase
@@ -17,7 +20,7 @@ from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.correction_names import describe, name_of
 from insole_studio.features.design.patient.measure_texts import distances_of, measures_of
 from insole_studio.features.design.rows import CorrectionRow, Measure
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 COPY_BEHIND_MM = 10.0
 
@@ -36,6 +39,7 @@ class PatientPanel(Protocol):
 
     def show_fields(self, values: dict[str, str]) -> None: ...  # noqa: D102
     def forget_typed(self) -> None: ...  # noqa: D102
+    def show_refusal(self, key: str, sentence: str) -> None: ...  # noqa: D102
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None: ...  # noqa: D102
     def show_variants(self, names: Sequence[str], chosen: str) -> None: ...  # noqa: D102
     def show_measures(self, measures: Sequence[Measure]) -> None: ...  # noqa: D102
@@ -79,9 +83,24 @@ class PatientPresenter:
         self._show_corrections()
 
     def edit_field(self, key: str, text: str) -> None:
-        """Set a field of the patient."""
-        patient = replace(self._case.record.patient, **{key: text.strip()})
-        self._case.apply(patient, tr("Edit the patient's fields"))
+        """Set a field of the patient; a date that is none is refused, and the old one stays."""
+        patient, value = self._case.record.patient, text.strip()
+        if key in DAY_FIELDS and value != getattr(patient, key):
+            try:
+                value = read_day(key, value, date.today())
+            except InputError as error:
+                self._refuse(key, error)
+                return
+        self._case.apply(replace(patient, **{key: value}), tr("Edit the patient's fields"))
+        self._panel.show_fields(vars(self._case.record.patient))
+
+    def _refuse(self, key: str, error: InputError) -> None:
+        kept = getattr(self._case.record.patient, key)
+        said = translate_core_message(error.message)
+        if kept:
+            said = f"{said} {tr('It stays {before}.').format(before=kept)}"
+        self._panel.show_refusal(key, said)
+        self._panel.show_fields(vars(self._case.record.patient))
 
     def toggle(self, correction_id: str) -> None:
         """Enable or disable a correction."""

@@ -28,6 +28,7 @@ from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 from insole_studio.widgets.side_switch import SideSwitch
+from insole_studio.widgets.validation_bubble import ValidationBubble
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 LEAST_PX = 216
@@ -56,6 +57,7 @@ class PatientView(VerticalScroll):
         for key, field in self._fields.items():
             field.setProperty("key", key)
             field.editingFinished.connect(self._line_edited)
+        self._refusals = {key: ValidationBubble(field) for key, field in self._fields.items()}
         self._notes = _Notes()
         self._notes.left.connect(self._notes_edited)
         self.sides = SideSwitch()
@@ -101,6 +103,10 @@ class PatientView(VerticalScroll):
         for field in self._fields.values():
             field.setModified(False)
         self._notes.document().setModified(False)
+
+    def show_refusal(self, key: str, sentence: str) -> None:
+        """Say beside a field why what was typed is not taken."""
+        self._refusals[key].say(sentence)
 
     def show_feet(self, at_hand: Side | None, present: Sequence[Side]) -> None:
         """Show which feet the case has, and which of them is active."""

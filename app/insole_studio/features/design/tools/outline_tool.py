@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,11 +11,13 @@ from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points
 from insole_core.insole.outline.outline_curve import closed_curve, crosses_itself
+from insole_core.insole.outline.outline_drag import drag_weights
 from insole_core.insole.prescription.design import InsoleDesign, Outline, Place
 from insole_core.insole.prescription.design_limits import LEAST_DRAWN_POINTS
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import (
+    PLACE_STEP_MM,
     ContextMenuItem,
     SurfaceContext,
     Tool,
@@ -32,6 +34,16 @@ NEAR_MM = 12.0
 _STRIDE = 4
 
 
+@dataclass(frozen=True)
+class _Nudge:
+    """What arrow keys have done in a row: the point, where all began, the way, where all are."""
+
+    number: int
+    start: tuple[Place, ...]
+    shift: FloatArray
+    moved: tuple[Place, ...]
+
+
 class OutlineTool(Tool):
     """Tool that drags, adds and removes points of the outline."""
 
@@ -45,19 +57,31 @@ class OutlineTool(Tool):
         self._refusal = ""
         self._last: int | None = None
         """The point dragged last, which the arrow keys move."""
+        self._nudge: _Nudge | None = None
+        self._following: tuple[int, ...] = ()
+        """The points that follow the drag that is running."""
+        self._sketch: tuple[Place, ...] = ()
 
     def hint(self, _case: Case) -> str:
         """Return what the user can do now, or why the last edit was rejected."""
         return self._refusal or tr(
-            "Drag a point of the outline; double click adds one on the line, or takes one away"
+            "Drag a point of the outline, and its neighbours follow; double click adds one on the "
+            "line, or takes one away"
         )
 
+    @property
+    def sketch(self) -> tuple[Place, ...]:
+        """The part of the outline that follows the drag."""
+        return self._sketch
+
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
-        """Return the points of the outline as handles."""
+        """Return the points of the outline as handles; those that follow a drag are larger."""
         points = points_of(case.shown)
         hint = tr("Drag to change the outline of the insole; double click takes the point away")
-        places = (surface.place(*point) for point in points)
-        return tuple(Handle(f"{PREFIX}{i}", place, hint) for i, place in enumerate(places))
+        return tuple(
+            Handle(f"{PREFIX}{i}", surface.place(*point), hint, self._kind(i))
+            for i, point in enumerate(points)
+        )
 
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a point."""
@@ -98,35 +122,61 @@ class OutlineTool(Tool):
         return tuple(found)
 
     def nudge(self, case: Case, event: PointerEvent, right: int, up: int) -> bool:
-        """Move the point dragged last by one step."""
+        """Move the point dragged last by one step; steps in a row add up to one soft drag."""
         points, design = points_of(case.record), case.record.design
         if design is None or self._last is None or self._last >= len(points):
             return False
-        moved = np.array(points[self._last]) + nudge_mm(event, right, up)
-        wanted = _with_point(points, self._last, place_at(moved, 0.01))
+        before = self._nudge
+        goes_on = before is not None and before.number == self._last and before.moved == points
+        start, way = (before.start, before.shift) if before and goes_on else (points, np.zeros(2))
+        shift = way + nudge_mm(event, right, up)
+        wanted = _softly_moved(start, self._last, shift, 0.01)
+        if self._refuse_crossing(wanted):
+            return True
+        self._nudge = _Nudge(self._last, start, shift, wanted)
         sentence, key = tr("Move a point of the outline"), f"{PREFIX}{self._last}:nudge"
-        return self._refuse_crossing(wanted) or self._apply(case, wanted, sentence, key)
+        return self._apply(case, wanted, sentence, key)
 
     def _carry(self, case: Case, design: InsoleDesign, number: int, event: PointerEvent) -> Gesture:
         """Let a point follow the pointer, except where the outline would intersect itself."""
         points = kept = points_of(case.record)
         start = event.place_mm(0.0)
         self._refusal, self._last = "", number
-        while event.phase is not Phase.RELEASE:
-            event = yield
-            now = event.place_mm(0.0)
-            if start is None or now is None:
-                continue
-            shift = (now - start)[:2]
-            moved = place_at(np.array(points[number]) + shift)
-            wanted = _with_point(points, number, moved) if shift.any() else points
-            if not self._refuse_crossing(wanted):
-                kept = wanted
-            case.preview(with_drawn(design, kept))
+        try:
+            while event.phase is not Phase.RELEASE:
+                event = yield
+                now = event.place_mm(0.0)
+                if start is None or now is None:
+                    continue
+                shift = (now - start)[:2]
+                wanted = _softly_moved(points, number, shift) if shift.any() else points
+                if not self._refuse_crossing(wanted):
+                    kept = wanted
+                    self._show_reach(points, kept)
+                case.preview(with_drawn(design, kept))
+        finally:
+            self._following = self._sketch = ()
         if kept == points:
             case.end_preview()
         else:
             case.apply(with_drawn(design, kept), tr("Move a point of the outline"))
+
+    def _kind(self, number: int) -> str:
+        return "move" if number in self._following else "size"
+
+    def _show_reach(self, before: tuple[Place, ...], after: tuple[Place, ...]) -> None:
+        """Draw the part of the edge that has moved, and let its points stand out."""
+        count = len(after)
+        moved = [i for i in range(count) if before[i] != after[i]]
+        self._following = tuple(moved)
+        if len(moved) in (0, count):
+            self._sketch = ()
+            return
+        first = next(i for i in moved if (i - 1) % count not in moved)
+        curve = closed_curve(after)
+        per_span = len(curve) // count
+        around = (np.arange((len(moved) + 1) * per_span + 1) + (first - 1) * per_span) % len(curve)
+        self._sketch = tuple((float(x), float(y)) for x, y in curve[around])
 
     def _add(self, case: Case, place: Place) -> None:
         wanted = with_added(points_of(case.record), place)
@@ -239,8 +289,15 @@ def _to_foot(case: Case) -> None:
     case.apply(changed, tr("Back to the outline of the foot"))
 
 
-def _with_point(points: tuple[Place, ...], number: int, place: Place) -> tuple[Place, ...]:
-    return (*points[:number], place, *points[number + 1 :])
+def _softly_moved(
+    points: tuple[Place, ...], number: int, shift: FloatArray, step_mm: float = PLACE_STEP_MM
+) -> tuple[Place, ...]:
+    """Return the points with one of them moved and its neighbours following; others untouched."""
+    weights = drag_weights(np.array(points), number, shift)
+    return tuple(
+        place_at(np.array(point) + weight * shift, step_mm) if weight > 0 else point
+        for point, weight in zip(points, weights, strict=True)
+    )
 
 
 def _number(event: PointerEvent) -> int | None:

@@ -1,0 +1,55 @@
+"""Arguments that name files to write, and the check that none of them is also read."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+
+class OutputPath(argparse.Action):
+    """Stores the path or paths of results, and notes that the argument names some."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **more: Any) -> None:
+        super().__init__(option_strings, dest, type=Path, **more)
+
+    def __call__(
+        self,
+        _parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[Any] | None,
+        _option: str | None = None,
+    ) -> None:
+        """Store the value."""
+        setattr(namespace, self.dest, values)
+        namespace.outputs = {*getattr(namespace, "outputs", ()), self.dest}
+
+
+def check_paths(arguments: argparse.Namespace) -> None:
+    """Check that the command writes nothing that it reads.
+
+    Raises
+    ------
+    UsageError
+        Names the file.
+    """
+    written: set[str] = getattr(arguments, "outputs", set())
+    if not written:
+        return
+    from insole_core.workflows.overwriting import check_overwriting
+
+    outputs = [path for name in written for path in _paths(vars(arguments)[name])]
+    inputs = [
+        path for name, value in vars(arguments).items() if name not in written
+        for path in _paths(value)
+    ]  # fmt: skip
+    check_overwriting(outputs, inputs)
+
+
+def _paths(value: object) -> Iterator[Path]:
+    if isinstance(value, Path):
+        yield value
+    elif isinstance(value, list | tuple):
+        for part in value:
+            yield from _paths(part)

@@ -1,0 +1,75 @@
+"""Days in a patient's record: a birth date and a visit that the calendar has."""
+
+from __future__ import annotations
+
+import re
+from datetime import date, timedelta
+
+from insole_core.cases.case_record import Patient
+from insole_core.errors import InputError
+from insole_core.messages import Message, joined
+
+DAY_FIELDS = ("born", "visit")
+_EARLIEST = date(1900, 1, 1)
+_AHEAD = timedelta(days=366)
+"""How far ahead a visit may be planned."""
+_WRITTEN = re.compile(r"(\d{4})(?:([-./ ])(\d{1,2})\2(\d{1,2})|(\d{2})(\d{2}))")
+_NAMES = {"born": "birth date", "visit": "date of the visit"}
+
+
+def read_day(key: str, text: str, today: date) -> str:
+    """Return a day as ISO 8601, however its year, month and day were written; empty if empty.
+
+    Parameters
+    ----------
+    key
+        "born" or "visit"; a birth date is not in the future, a visit at most a year ahead.
+
+    Raises
+    ------
+    InputError
+        If it is no day of the calendar, or not one that this field can have.
+    """
+    text = text.strip()
+    if not text:
+        return ""
+    day = _parsed(text)
+    if day is None:
+        raise InputError(
+            "{text} is no date; write year, month and day, such as 1970-02-28.", text=text
+        )
+    latest = today if key == "born" else today + _AHEAD
+    if not _EARLIEST <= day <= latest:
+        raise InputError(
+            "{text} is not between {first} and {last}; check the year.",
+            text=text,
+            first=_EARLIEST.isoformat(),
+            last=latest.isoformat(),
+        )
+    return day.isoformat()
+
+
+def doubtful_days(patient: Patient, today: date) -> str:
+    """Return a sentence for each date of a patient that cannot be right; empty if all are."""
+    sentences = []
+    for key in DAY_FIELDS:
+        try:
+            read_day(key, getattr(patient, key), today)
+        except InputError as error:
+            sentences.append(
+                Message(
+                    "The {what} cannot be right: {reason}", what=_NAMES[key], reason=error.message
+                )
+            )
+    return joined(sentences, " ") if sentences else ""
+
+
+def _parsed(text: str) -> date | None:
+    match = _WRITTEN.fullmatch(text)
+    if match is None:
+        return None
+    year, _, month, day, month_8, day_8 = match.groups()
+    try:
+        return date(int(year), int(month or month_8), int(day or day_8))
+    except ValueError:
+        return None

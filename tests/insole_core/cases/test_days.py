@@ -1,0 +1,66 @@
+"""Dates of a patient's record are days that the calendar has."""
+
+from __future__ import annotations
+
+from datetime import date
+from pathlib import Path
+
+import pytest
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_core.cases.days import doubtful_days, read_day
+from insole_core.errors import InputError
+
+TODAY = date(2026, 11, 22)
+
+
+@pytest.mark.parametrize(
+    ("typed", "day"),
+    [
+        ("1970-02-28", "1970-02-28"),
+        (" 1970-2-8 ", "1970-02-08"),
+        ("1970/02/28", "1970-02-28"),
+        ("1970 2 28", "1970-02-28"),
+        ("19700228", "1970-02-28"),
+        ("2024-02-29", "2024-02-29"),
+        ("", ""),
+    ],
+)
+def test_days_are_stored_as_iso_8601(typed: str, day: str) -> None:
+    assert read_day("born", typed, TODAY) == day
+
+
+@pytest.mark.parametrize(
+    "typed", ["1970-02-30", "1970-13-01", "2023-02-29", "28.2.1970", "1970", "soon", "1970-2/28"]
+)
+def test_what_is_no_day_is_refused_with_an_example(typed: str) -> None:
+    with pytest.raises(InputError, match=r"is no date; write .* such as 1970-02-28"):
+        read_day("born", typed, TODAY)
+
+
+@pytest.mark.parametrize(
+    ("key", "typed"),
+    [("born", "2026-11-23"), ("born", "1879-03-14"), ("visit", "2206-11-22")],
+)
+def test_days_that_cannot_be_meant_are_refused(key: str, typed: str) -> None:
+    with pytest.raises(InputError, match="check the year"):
+        read_day(key, typed, TODAY)
+    assert read_day("visit", "2026-12-01", TODAY) == "2026-12-01"
+
+
+def test_a_case_with_a_nonsense_birth_date_opens_and_says_so(tmp_path: Path) -> None:
+    patient = Patient("Anna Berg", "1970-02-30", "2026-11-20")
+    write_case(CaseRecord(patient), tmp_path / "a.insole")
+    read = read_case(tmp_path / "a.insole").patient
+    assert read == patient
+    assert doubtful_days(read, TODAY) == (
+        "The birth date cannot be right: 1970-02-30 is no date; write year, month and day, such as "
+        "1970-02-28."
+    )
+    assert doubtful_days(Patient("Anna", "1970-02-28", ""), TODAY) == ""
+
+
+def test_the_order_number_is_kept_in_the_case(tmp_path: Path) -> None:
+    write_case(CaseRecord(Patient("Anna", pseudonym="26-7KQ4M")), tmp_path / "a.insole")
+    assert read_case(tmp_path / "a.insole").patient.pseudonym == "26-7KQ4M"

@@ -1,0 +1,446 @@
+"""The results of one command take their places together, whatever interrupts it."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import killed_transaction
+import pytest
+
+from insole_core.errors import InputError, OutputError, UsageError
+from insole_core.export import journal, temporary
+from insole_core.export.atomic import copy_into, replacing_file, replacing_folder, write_text
+from insole_core.export.journal import journals_folder_of_user, settle_interrupted
+from insole_core.export.transaction import Transaction, nothing_foreign
+
+OLD = {
+    "insole.stl": "old",
+    "other disk/sheet.pdf": "old",
+    "session/manifest.json": "old",
+}
+NEW = {
+    "checks.json": "new",
+    "insole.stl": "new",
+    "other disk/sheet.pdf": "new",
+    "session/view.png": "new",
+}
+
+
+@pytest.fixture(autouse=True)
+def state_folder(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The user's folder of journals."""
+    folder = tmp_path_factory.mktemp("state") / "insole-studio"
+    monkeypatch.setattr(journal.platformdirs, "user_state_path", lambda *_a, **_k: folder)
+    return folder
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Path:
+    killed_transaction.prepare(tmp_path / "exports")
+    return tmp_path / "exports"
+
+
+def visible(contents: dict[str, str]) -> dict[str, str]:
+    return {name: text for name, text in contents.items() if ".insole-studio-" not in name}
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_killed_at_any_step_all_is_old_or_all_is_new_after_the_next_start(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, str(killed_transaction.__file__), str(tmp_path / "exports")],
+        capture_output=True, text=True, check=True,
+        env={**os.environ, "XDG_STATE_HOME": str(tmp_path / "state")},
+    )  # fmt: skip
+    outcomes = [json.loads(line) for line in done.stdout.splitlines()]
+    statuses = [status for status, _, _ in outcomes]
+    assert statuses == [-signal.SIGKILL] * (len(outcomes) - 1) + [0]
+    for _, left, settled in outcomes:
+        assert visible(settled) in (OLD, NEW)
+        # A file is never absent, not even for the moment; a folder may be.
+        assert {"insole.stl", "other disk/sheet.pdf"} <= left.keys()
+        assert not any("old-" in name for name in settled)
+    assert visible(outcomes[0][2]) == OLD
+    assert outcomes[-1][2] == outcomes[-1][1] == NEW
+    mixed = [left for _, left, _ in outcomes if visible(left) not in (OLD, NEW)]
+    assert len(mixed) >= 4  # else the kills have missed the moments that matter
+    assert list((tmp_path / "state" / "insole-studio").iterdir()) == []
+
+
+def failing_at(
+    number: int, error: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[], int]:
+    """Let the n-th renaming fail; return how many there were."""
+    calls = 0
+
+    def failing(real: Callable[..., Any]) -> Callable[..., Any]:
+        def call(source: Any, target: Any, **more: Any) -> Any:
+            nonlocal calls
+            calls += 1
+            if calls == number:
+                raise error
+            return real(source, target, **more)
+
+        return call
+
+    for name in ("replace", "rename", "link"):
+        monkeypatch.setattr(os, name, failing(getattr(os, name)))
+    return lambda: calls
+
+
+@pytest.mark.parametrize(
+    "interruption", [OSError(errno.EACCES, "no"), KeyboardInterrupt()], ids=repr
+)
+def test_failure_of_any_rename_leaves_all_as_it_was(
+    place: Path, interruption: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = OutputError if isinstance(interruption, OSError) else KeyboardInterrupt
+    failures = 0
+    for number in range(1, 30):
+        killed_transaction.prepare(place)
+        with monkeypatch.context() as patch:
+            count = failing_at(number, interruption, patch)
+            try:
+                killed_transaction.write(place)
+            except expected:
+                failures += 1
+                assert killed_transaction.contents(place) == OLD
+            else:  # also without a journal, or without a second name of a file
+                assert killed_transaction.contents(place) == NEW
+            if count() < number:
+                break
+    assert failures >= 4
+    assert list(journals_folder_of_user().iterdir()) == []
+
+
+def test_the_place_that_refused_is_named(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    real = os.replace
+
+    def refuse(source: Any, target: Any) -> None:
+        if Path(target).name == "sheet.pdf":
+            raise PermissionError(errno.EACCES, "no", str(source), None, str(target))
+        real(source, target)
+
+    monkeypatch.setattr(os, "replace", refuse)
+    with pytest.raises(OutputError, match=r"sheet\.pdf cannot be written: you may not"):
+        killed_transaction.write(place)
+    assert killed_transaction.contents(place) == OLD
+
+
+def test_what_cannot_be_taken_back_is_settled_by_the_next_start(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        real = os.replace
+
+        def refuse(source: Any, target: Any) -> None:
+            if Path(target).name in ("sheet.pdf", "session") and Path(target).parent != Path():
+                raise PermissionError(errno.EACCES, "open in another program")
+            real(source, target)
+
+        patch.setattr(os, "replace", refuse)
+        with pytest.raises(OutputError):
+            killed_transaction.write(place)
+    assert not (place / "session").exists()
+    settle_interrupted(journals_folder_of_user())
+    assert killed_transaction.contents(place) == NEW
+
+
+def test_a_journal_waits_for_a_disk_that_is_not_there(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(journal, "_make_all", refuse_all)
+        with pytest.raises(OutputError):
+            killed_transaction.write(place)
+    away = (place / "other disk").rename(place.parent / "away")
+    settle_interrupted(journals_folder_of_user())
+    assert visible(killed_transaction.contents(place)) == {
+        n: t for n, t in OLD.items() if "disk" not in n
+    }
+    away.rename(place / "other disk")
+    settle_interrupted(journals_folder_of_user())
+    assert killed_transaction.contents(place) == NEW
+
+
+def refuse_all(_moves: object) -> None:
+    raise journal.NotTakenBack(errno.EACCES, "no")
+
+
+def test_what_took_a_place_after_the_kill_is_kept(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(journal, "_make_all", refuse_all)
+        with pytest.raises(OutputError):
+            killed_transaction.write(place)
+    (place / "checks.json").write_text("newer")
+    settle_interrupted(journals_folder_of_user())
+    assert visible(killed_transaction.contents(place)) == {**OLD, "checks.json": "newer"}
+    assert list(journals_folder_of_user().iterdir()) == []
+
+
+def test_without_a_place_for_the_journal_the_work_is_done(
+    place: Path, state_folder: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    state_folder.write_text("in the way")
+    killed_transaction.write(place)
+    assert killed_transaction.contents(place) == NEW
+    assert "Without a journal" in caplog.text
+
+
+def test_the_journal_of_a_process_that_runs_is_left_alone(state_folder: Path) -> None:
+    state_folder.mkdir()
+    running = state_folder / f".insole-studio-{os.getppid()}-0123456789ab.journal"
+    running.write_text("[")
+    settle_interrupted(state_folder)
+    assert running.exists()
+
+
+@pytest.mark.parametrize("text", ["[", "[1]", '[{"beside": "x"}]', "{}"])
+def test_a_damaged_journal_does_not_keep_the_program_from_starting(
+    state_folder: Path, text: str
+) -> None:
+    state_folder.mkdir()
+    (state_folder / f".insole-studio-{os.getpid()}-0123456789ab.journal").write_text(text)
+    settle_interrupted(state_folder)
+
+
+SPELLINGS = {
+    "same": lambda path: path,
+    "other spelling": lambda path: path.parent / "." / ".." / path.parent.name / path.name,
+    "capitals": lambda path: path.with_name("INSOLE.STL"),
+    "symlink": lambda path: linked(path, os.symlink),
+    "hard link": lambda path: linked(path, os.link),
+}
+
+
+def linked(path: Path, link: Callable[[Path, Path], None]) -> Path:
+    link(path, path.with_name("link.stl"))
+    return path.with_name("link.stl")
+
+
+@pytest.mark.parametrize("spelling", SPELLINGS)
+def test_two_results_of_one_place_are_refused(place: Path, spelling: str) -> None:
+    path = place / "insole.stl"
+    other = SPELLINGS[spelling](path)
+    before = killed_transaction.contents(place)
+    with pytest.raises(UsageError, match="named for two results"), Transaction() as outputs:
+        list(map(outputs.file, (path, other)))
+    assert killed_transaction.contents(place).keys() == before.keys()
+
+
+def test_a_link_stays_one(place: Path) -> None:
+    link = linked(place / "insole.stl", os.symlink)
+    write_text("new", link)
+    assert link.is_symlink()
+    assert (place / "insole.stl").read_text() == "new"
+
+
+@pytest.mark.parametrize("name", [".", "..", "{folder}"])
+def test_the_folder_that_one_works_in_is_not_replaced(
+    tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "here" / "below"
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(folder)
+    with (
+        pytest.raises(OutputError, match="the folder that you work in"),
+        replacing_folder(Path(name.format(folder=folder)), nothing_foreign),
+    ):
+        pytest.fail("nothing may be computed for a place that cannot be written")
+    assert list(tmp_path.iterdir()) == [folder.parent]
+    assert list(folder.parent.iterdir()) == [folder]
+
+
+def test_a_folder_with_anything_in_it_is_not_replaced(place: Path) -> None:
+    with (
+        pytest.raises(
+            OutputError, match=r"holds manifest\.json, which is not part of an earlier result"
+        ),
+        replacing_folder(place / "session"),
+    ):
+        pytest.fail("nothing may be computed for a place that cannot be written")
+    assert killed_transaction.contents(place) == OLD
+
+
+def test_what_came_into_a_folder_meanwhile_is_kept(tmp_path: Path) -> None:
+    (tmp_path / "session").mkdir()
+    with pytest.raises(OutputError, match=r"holds thesis\.txt"):
+        replace_while_somebody_writes(tmp_path / "session")
+    assert killed_transaction.contents(tmp_path) == {"session/thesis.txt": "mine"}
+
+
+def replace_while_somebody_writes(folder: Path) -> None:
+    with replacing_folder(folder) as beside:
+        (beside / "new").touch()
+        (folder / "thesis.txt").write_text("mine")
+
+
+DEAD = 2**22 - 1  # no process: the largest number of Linux, beyond that of macOS
+
+
+def left_file(folder: Path, process: int, age_s: float) -> Path:
+    path = folder / f".insole-studio-{process}-0123456789ab.stl"
+    path.write_text("half")
+    os.utime(path, (time.time() - age_s, time.time() - age_s))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("process", "age_s", "stays"),
+    [
+        (DEAD, 2 * temporary.GRACE_S, False),
+        (os.getpid(), 2 * temporary.GRACE_S, False),  # an earlier process of the same number
+        (DEAD, 0.0, True),
+        (os.getppid(), 2 * temporary.GRACE_S, True),
+    ],
+)
+def test_what_killed_programs_left_is_swept_where_one_writes(
+    tmp_path: Path, process: int, age_s: float, stays: bool
+) -> None:
+    left = left_file(tmp_path, process, age_s)
+    write_text("new", tmp_path / "insole.stl")
+    assert left.exists() == stays
+
+
+def test_a_folder_that_was_left_is_swept(tmp_path: Path) -> None:
+    folder = tmp_path / f".insole-studio-{DEAD}-0123456789ab"
+    (folder / "views").mkdir(parents=True)
+    os.utime(folder, (0, 0))
+    write_text("new", tmp_path / "insole.stl")
+    assert not folder.exists()
+
+
+def test_what_was_left_is_not_copied(tmp_path: Path) -> None:
+    source, target = tmp_path / "draft", tmp_path / "session"
+    (source / "views" / f".insole-studio-{DEAD}-0123456789ab").mkdir(parents=True)
+    left_file(source, DEAD, 0.0)
+    (source / "manifest.json").write_text("m")
+    target.mkdir()
+    copy_into(target, source)
+    found = {path.relative_to(target).as_posix() for path in target.rglob("*")}
+    assert found == {"manifest.json", "views"}
+
+
+@pytest.mark.parametrize(
+    "name", [".insole-studio-old-0123456789ab", f".insole-studio-{DEAD}-mine", ".notes", "a.tmp"]
+)
+def test_only_own_names_are_swept(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("mine")
+    os.utime(tmp_path / name, (0, 0))
+    write_text("new", tmp_path / "insole.stl")
+    assert (tmp_path / name).exists()
+
+
+@pytest.fixture
+def order(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, str]]:
+    """What was synced and renamed, in order."""
+    seen: list[tuple[str, str]] = []
+    fsync, replace = os.fsync, os.replace
+
+    def note_sync(handle: int) -> None:
+        seen.append(("sync", str(Path(f"/proc/self/fd/{handle}").readlink())))
+        fsync(handle)
+
+    def note_replace(source: Any, target: Any) -> None:
+        seen.append(("rename", str(target)))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "fsync", note_sync)
+    monkeypatch.setattr(os, "replace", note_replace)
+    return seen
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="files are named by /proc")
+def test_content_is_synced_before_and_the_folder_after_the_rename(
+    tmp_path: Path, order: list[tuple[str, str]]
+) -> None:
+    with replacing_file(tmp_path / "insole.stl") as beside:
+        beside.write_text("new")
+    assert order == [
+        ("sync", str(beside)),
+        ("rename", str(tmp_path / "insole.stl")),
+        ("sync", str(tmp_path)),
+    ]
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="files are named by /proc")
+def test_everything_in_a_folder_is_synced(tmp_path: Path, order: list[tuple[str, str]]) -> None:
+    with replacing_folder(tmp_path / "session") as beside:
+        (beside / "views").mkdir()
+        (beside / "views" / "a.png").write_text("a")
+        (beside / "manifest.json").write_text("m")
+    synced = [name for kind, name in order if kind == "sync"]
+    parts = (beside / "manifest.json", beside / "views" / "a.png", beside / "views", beside)
+    assert set(synced[:-1]) == {str(part) for part in parts}
+    assert order[-2:] == [("rename", str(tmp_path / "session")), ("sync", str(tmp_path))]
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="files are named by /proc")
+def test_the_journal_is_on_the_disk_before_the_first_rename(
+    place: Path, state_folder: Path, order: list[tuple[str, str]]
+) -> None:
+    killed_transaction.write(place)
+    first = next(i for i, (kind, name) in enumerate(order) if name == str(place / "insole.stl"))
+    assert ("sync", str(state_folder)) in order[:first]
+
+
+@pytest.fixture
+def full_disk(tmp_path: Path) -> Iterator[Path]:
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(disk)]
+    if (
+        sys.platform != "linux"
+        or subprocess.run(mount, check=False, capture_output=True).returncode
+    ):
+        pytest.skip("only root makes a small disk, and not in every container")
+    yield disk
+    subprocess.run(["umount", str(disk)], check=True)
+
+
+def test_a_disk_that_runs_full_names_the_file_that_was_asked_for(full_disk: Path) -> None:
+    (full_disk / "insole.stl").write_text("old")
+    with pytest.raises(OutputError, match=r"disk/sheet\.pdf cannot be written: the disk is full"):
+        fill(full_disk)
+    assert killed_transaction.contents(full_disk) == {"insole.stl": "old"}
+
+
+def fill(disk: Path) -> None:
+    with Transaction() as outputs:
+        outputs.file(disk.parent / "roomy.stl").write_text("new")
+        outputs.file(disk / "insole.stl").write_text("new")
+        write_text("x" * 200_000, outputs.file(disk / "sheet.pdf"))
+
+
+def test_a_full_disk_without_a_name_is_that_with_the_least_room(full_disk: Path) -> None:
+    with pytest.raises(OutputError, match=r"disk/insole\.stl cannot be written: the disk is full"):
+        fill_unnamed(full_disk)
+
+
+def fill_unnamed(disk: Path) -> None:
+    with Transaction() as outputs:
+        outputs.file(disk.parent / "roomy.stl").write_text("new")
+        outputs.file(disk / "insole.stl").write_text("x" * 200_000)
+
+
+@pytest.mark.parametrize("name", ["none.json", "folder"])
+def test_what_cannot_be_read_is_not_blamed_on_the_result(tmp_path: Path, name: str) -> None:
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(InputError, match=f"{name} cannot be read"):
+        copy(tmp_path / name, tmp_path / "insole.stl")
+    assert [path.name for path in tmp_path.iterdir()] == ["folder"]
+
+
+def copy(source: Path, target: Path) -> None:
+    with replacing_file(target) as beside:
+        beside.write_bytes(source.read_bytes())

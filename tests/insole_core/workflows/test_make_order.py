@@ -1,0 +1,320 @@
+"""What goes to the workshop: a pair checked as it is nested, places in the file, and no name."""
+
+from __future__ import annotations
+
+import json
+import re
+import zipfile
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+import pytest
+from read_pdf import bytes_of_pdf, text_of_pdf
+
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.errors import InputError
+from insole_core.foot.foot import Foot
+from insole_core.foot.mesh_file import read_mesh
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign, Pelott
+from insole_core.insole.prescription.prescription_lines import correction_lines, plain_number
+from insole_core.solids.checks import Override
+from insole_core.solids.export_job import ExportJob
+from insole_core.solids.export_rules import ExportRules, read_rules
+from insole_core.solids.nesting import closest_nest
+from insole_core.solids.order_number import new_order_number
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.solids.shop import Block, read_shop
+from insole_core.workflows.clinic_blocks import ClinicBlocks, require_names
+from insole_core.workflows.make_order import OrderChoice, files_of, make_pieces, write_order
+from insole_core.workflows.nameless import require_nameless
+
+SHOP = read_shop()
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+PATIENT = Patient("Ottilia Bergqvist", "1970-02-28", "2026-11-20", "Ottilia limps")
+RESPONSIBLE = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
+SMALL = Block("small", (300.0, 150.0, 40.0))
+RULES = ExportRules(
+    {"watertight": "blocking", "block": "warning", "shoe_height": "warning"},
+    {"shoe_height": 10.0},
+)
+
+
+@pytest.fixture(scope="module")
+def record(left_foot: Foot, right_foot: Foot) -> CaseRecord:
+    pad = Pelott(centre_mm=(12.0, 150.0), author="A. Ek", created_at="2026-11-20")
+    feet = tuple(
+        FootRecord.begun(foot, NOWHERE, InsoleDesign(foot.side, (pad,), grid_mm=2.0))
+        for foot in (left_foot, right_foot)
+    )
+    return CaseRecord(PATIENT, feet, Side.LEFT)
+
+
+def block_of(name: str) -> Block:
+    return next(block for block in SHOP.blocks if block.name == name)
+
+
+def findings_of(record: CaseRecord, **order: object) -> list[dict[str, object]]:
+    pieces = make_pieces(record, OrderChoice(**order), RULES)  # type: ignore[arg-type]
+    return [{f.name: f for f in piece.findings} for piece in pieces]
+
+
+def test_without_a_block_none_is_checked(record: CaseRecord) -> None:
+    (alone,) = findings_of(record)
+    assert set(alone) == {"watertight", "shoe_height"}
+    (alone,) = findings_of(record, block=block_of("EVA single"))
+    assert alone["block"].passed  # type: ignore[attr-defined]
+
+
+def test_a_pair_is_checked_as_it_is_nested(record: CaseRecord) -> None:
+    """Each insole alone fits a block of 150 mm, and both together do not."""
+    (alone,) = findings_of(record, block=SMALL)
+    assert alone["block"].passed  # type: ignore[attr-defined]
+    for found in findings_of(record, both=True, block=SMALL):
+        finding = found["block"]
+        assert finding.blocks  # type: ignore[attr-defined]
+        assert "The pair needs a block of" in finding.sentence  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("kind", ["insole", "block"])
+def test_the_stock_has_a_block_for_an_ordinary_pair(record: CaseRecord, kind: str) -> None:
+    for found in findings_of(record, both=True, kind=kind, block=block_of("EVA pair")):
+        assert found["block"].passed  # type: ignore[attr-defined]
+
+
+@pytest.mark.slow
+def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_path: Path) -> None:
+    choice = OrderChoice(
+        both=True, block=block_of("EVA pair"), checks=True, pseudonym="26-7KQ4M",
+        most_triangles=None,
+    )  # fmt: skip
+    pieces = make_pieces(record, choice, RULES)
+    write_order(pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
+    vertices = read_mesh(tmp_path / "o-pair.stl").mesh.vertices
+    checks = json.loads((tmp_path / "o-pair-checks.json").read_text())
+    for side in ("left", "right"):
+        (worst,) = (f for f in checks[side]["findings"] if f["name"] == "shoe_height")
+        x, y, z = worst["place_mm"]
+        assert f"x = {x:.0f} mm, y = {y:.0f} mm" in worst["sentence"]
+        near = np.linalg.norm(vertices[:, :2] - [x, y], axis=1) < 3
+        assert vertices[near, 2].max() == pytest.approx(z, abs=0.5)
+    text = text_of_pdf(tmp_path / "o-pair-job-sheet.pdf")
+    x, y, _ = worst["place_mm"]
+    assert f"x = {x:.0f} mm, y = {y:.0f} mm" in text.replace("\n", " ")
+    left, _ = closest_nest(*(piece.solid for piece in pieces)).meshes
+    (low, _, _), (high, _, _) = left.bounds_mm
+    assert f"x {low:.1f} " in text
+    assert f" {high:.1f}, y" in text
+
+
+def test_a_turned_part_says_so() -> None:
+    finding = make_finding()
+    half_turn = np.diag([-1.0, -1.0, 1.0, 1.0])
+    half_turn[:3, 3] = (100.0, 300.0, 0.0)
+    moved = finding.moved(half_turn)
+    assert moved.place_mm == (90.0, 280.0, 5.0)
+    assert "x = 90 mm, y = 280 mm" in moved.sentence
+    assert moved.moved(np.linalg.inv(half_turn)).sentence == finding.sentence
+
+
+def make_finding():
+    from insole_core.messages import Message
+    from insole_core.solids.checks import Finding
+
+    place = Message("x = {x_mm:.0f} mm, y = {y_mm:.0f} mm", x_mm=10.0, y_mm=20.0)
+    sentence = Message("{value:.2f} mm high at {place}", value=40.0, place=place)
+    return Finding(
+        "shoe_height", "warning", False, 40.0, 35.0, "mm high", sentence, (10.0, 20.0, 5.0)
+    )
+
+
+@pytest.fixture(params=[".stl", ".3mf", ".obj", ".ply", "text"])
+def suffix(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+def bytes_of(path: Path) -> bytes:
+    """Every byte that whoever gets the file can read, and its name."""
+    content = path.name.encode() + path.read_bytes()
+    if path.suffix == ".pdf":
+        content += bytes_of_pdf(path)
+    if path.suffix == ".3mf":
+        with zipfile.ZipFile(path) as archive:
+            content += b"".join(archive.read(name) for name in archive.namelist())
+            content += "".join(archive.namelist()).encode()
+    return content
+
+
+@pytest.mark.slow
+def test_the_shop_never_gets_the_name(record: CaseRecord, tmp_path: Path, suffix: str) -> None:
+    number = new_order_number(date(2026, 11, 22))
+    choice = OrderChoice(
+        both=True, block=block_of("EVA pair"), suffix=".stl" if suffix == "text" else suffix,
+        ascii_stl=suffix == "text", checks=True, prescription=True, pseudonym=number,
+        relief="engraved", most_triangles=None,
+    )  # fmt: skip
+    pieces = make_pieces(record, choice, RULES)
+    path = tmp_path / f"{number}{choice.suffix}"
+    write_order(pieces, choice, path, shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE)
+    files = files_of(pieces, choice, path, False)
+    own = tmp_path / f"{number}-pair-prescription.pdf"
+    assert set(files) == set(tmp_path.iterdir())
+    for file in set(files) - {own}:
+        held = bytes_of(file).lower()
+        for word in (b"ottilia", b"bergqvist", b"1970-02-28", b"limps"):
+            assert word not in held, file
+        assert number.encode() in bytes_of(file)
+    solid = bytes_of(path.with_name(f"{number}-pair{choice.suffix}"))
+    if suffix == ".stl":
+        assert number.encode() in solid.split(b"Insole Studio")[1][:80]
+    if suffix == ".3mf":
+        assert f'<metadata name="Title">Insole {number}</metadata>'.encode() in solid
+    assert "Ottilia Bergqvist" in text_of_pdf(own)
+
+
+def test_order_numbers_tell_nothing_and_differ() -> None:
+    numbers = {new_order_number(date(2026, 11, 22)) for _ in range(200)}
+    assert len(numbers) == 200
+    assert all(re.fullmatch(r"26-[2-9B-DF-HJ-NP-TV-Y]{5}", number) for number in numbers)
+
+
+@pytest.mark.parametrize(
+    ("what", "change"),
+    [
+        ("pseudonym", {"pseudonym": "Bergqvist"}),
+        ("text on the bottom", {"relief": "engraved", "text": "O. BERGQVIST\nleft"}),
+        ("name of the material", {"material": "EVA for bergqvist"}),
+    ],
+)
+def test_a_name_typed_for_the_shop_is_refused(
+    record: CaseRecord, tmp_path: Path, what: str, change: dict[str, str]
+) -> None:
+    choice = OrderChoice(most_triangles=None)
+    pieces = make_pieces(record, choice, RULES)
+    with pytest.raises(InputError, match=f"The {what} holds the patient's name"):
+        write_order(
+            pieces, replace(choice, **change), tmp_path / "o.stl", shop=SHOP, patient=PATIENT
+        )
+    with pytest.raises(InputError, match="The file name holds the patient's name"):
+        write_order(pieces, choice, tmp_path / "Bergqvist.stl", shop=SHOP, patient=PATIENT)
+    with pytest.raises(InputError, match="The reason for the export holds the patient's name"):
+        write_order(
+            pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT,
+            override=Override("A. Ek", "Mrs Bergqvist wants it", "now"),
+        )  # fmt: skip
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "holds"),
+    [
+        ("Anna Berg", "anna-left", False),
+        ("Anna Berg", "berg_left", True),
+        ("Berg, Anna", "Berg", True),
+        ("Berg, Anna", "Anna", False),
+        ("Eva Ek", "EVA, Shore A 35", False),
+        ("Madonna", "madonna left", True),
+        ("Åsa Öberg", "ÖBERG", True),
+        ("Anna B.", "B left", False),
+        ("", "anything", False),
+    ],
+)
+def test_what_counts_as_the_name(name: str, text: str, holds: bool) -> None:
+    if not holds:
+        require_nameless(Patient(name), {"text": text})
+        return
+    with pytest.raises(InputError, match="must not get"):
+        require_nameless(Patient(name), {"text": text})
+
+
+@pytest.fixture
+def prescribe(record: CaseRecord, tmp_path: Path) -> Callable[..., str]:
+    choice = OrderChoice(
+        prescription=True, job_sheet=False, pseudonym="26-7KQ4M", most_triangles=None
+    )
+    pieces = make_pieces(record, choice, RULES)
+
+    def write(patient: Patient = PATIENT, responsible: Responsible = RESPONSIBLE) -> str:
+        write_order(
+            pieces, choice, tmp_path / "o.stl", shop=SHOP, patient=patient, responsible=responsible
+        )
+        return text_of_pdf(tmp_path / "o-left-prescription.pdf")
+
+    return write
+
+
+def test_the_prescription_names_author_and_maker(prescribe: Callable[..., str]) -> None:
+    text = prescribe()
+    for words in ("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund", "1970-02-28", "26-7KQ4M"):
+        assert words in text
+    assert "{" not in text
+
+
+@pytest.mark.parametrize(
+    ("change", "missing"),
+    [
+        ({"prescriber": " "}, "the prescriber"),
+        ({"maker": ""}, "the maker"),
+        ({"maker_address": ""}, "the maker's address"),
+    ],
+)
+def test_a_prescription_is_not_written_without_what_it_states(
+    prescribe: Callable[..., str], tmp_path: Path, change: dict[str, str], missing: str
+) -> None:
+    with pytest.raises(InputError, match=f"cannot be written without {missing}"):
+        prescribe(responsible=replace(RESPONSIBLE, **change))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_prescription_with_a_nonsense_date_is_not_written(
+    prescribe: Callable[..., str], tmp_path: Path
+) -> None:
+    with pytest.raises(InputError, match="1970-02-30 is no date"):
+        prescribe(patient=replace(PATIENT, born="1970-02-30"))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("value", "decimals", "text"),
+    [
+        (1.92154, 1, "1.9"), (-0.0, 1, "0"), (-0.04, 1, "0"), (6.0, 1, "6"), (0.25, 2, "0.25"),
+        (1e7, 1, "10000000"), (100.0, 0, "100"), (-4.5, 1, "-4.5"),
+    ],
+)  # fmt: skip
+def test_numbers_on_paper_have_the_precision_of_the_tool(
+    value: float, decimals: int, text: str
+) -> None:
+    assert plain_number(value, decimals) == text
+
+
+def test_a_prescription_prints_no_needless_digits() -> None:
+    pad = Pelott(centre_mm=(12.3456, -0.0), height_mm=1.92154, turn_deg=-0.0, egg_ratio=1 / 3)
+    (line,) = correction_lines(InsoleDesign(Side.LEFT, (pad,)))
+    assert "height 1.9 mm" in line
+    assert "centre 12.3, 0 mm" in line
+    assert "turn 0°" in line
+    assert "egg ratio 0.33" in line
+
+
+def test_the_clinics_own_blocks_are_kept(tmp_path: Path) -> None:
+    store = ClinicBlocks(tmp_path / "settings" / "blocks.json")
+    assert store.load() == ()
+    blocks = (Block("Our pair", (350.0, 270.0, 45.0)), Block("Cork", (300.0, 120.0, 20.0)))
+    store.save(blocks)
+    assert store.load() == blocks
+    require_names(blocks, SHOP.blocks)
+    for wrong in ("", "eva PAIR", "Cork"):
+        with pytest.raises(InputError, match="name"):
+            require_names((*blocks, Block(wrong, (1.0, 1.0, 1.0))), SHOP.blocks)
+
+
+def test_a_nested_job_of_the_command_line_is_that_of_the_window(record: CaseRecord) -> None:
+    choice = OrderChoice(both=True, block=block_of("EVA pair"), most_triangles=None)
+    pieces = make_pieces(record, choice, read_rules().only(("watertight",)))
+    job = ExportJob(pieces, SHOP, block=choice.block)
+    nest = closest_nest(*(piece.solid for piece in pieces))
+    for placed, a2b in zip(job.placed(), nest.insole2block, strict=True):
+        np.testing.assert_allclose(placed.insole2file, a2b)

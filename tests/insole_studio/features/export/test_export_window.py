@@ -1,0 +1,415 @@
+"""The stage within the whole window: its dialogs, its own blocks, and what it names the files."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from pytestqt.qtbot import QtBot
+
+import insole_studio
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.solids.shop import Block
+from insole_core.workflows.clinic_blocks import ClinicBlocks
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.export.blocks_dialog import BlocksDialog
+from insole_studio.features.export.order_form import OrderForm
+from insole_studio.features.export.rows import CheckState
+from insole_studio.features.export.stage import ExportStage
+from insole_studio.services.questions import Questions
+from insole_studio.settings import load_settings
+from insole_studio.widgets.fields_dialog import FieldsDialog
+
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+LEFT = Qt.MouseButton.LeftButton
+
+
+class PathGiven(Questions):
+    """The real dialogs, except that of the path."""
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self.answer: Path | None = None
+        self.suggested: list[str] = []
+        self.windows = [window]
+
+    def on(self, window: QWidget) -> PathGiven:
+        self._parent = window
+        self.windows.append(window)
+        return self
+
+    def file_to_write(self, suggestion: str, _kinds: str) -> Path | None:
+        self.suggested.append(suggestion)
+        return self.answer
+
+    name_to_write = file_to_write
+
+
+@pytest.fixture
+def paths_given(app: Application) -> PathGiven:
+    questions = PathGiven(app.window)
+    app.services.messages.questions = questions
+    return questions
+
+
+def case_of(make_foot: Callable[[Side], Foot], patient: Patient) -> CaseRecord:
+    feet = tuple(
+        FootRecord.begun(make_foot(side), NOWHERE, InsoleDesign(side, grid_mm=2.0)) for side in Side
+    )
+    return CaseRecord(patient, feet, Side.LEFT)
+
+
+@pytest.fixture
+def stage(
+    app: Application, paths_given: PathGiven, make_foot: Callable[[Side], Foot], qtbot: QtBot
+) -> Iterator[ExportStage]:
+    app.case.open(case_of(make_foot, Patient("Anna Bergqvist", "1980-01-01")), None)
+    app.features.export.open()
+    built = app.features.export.stage
+    assert built is not None
+    qtbot.waitUntil(lambda: not built.jobs.is_running(), timeout=30_000)
+    yield built
+    app.features.export.close()
+
+
+@pytest.fixture
+def settle(qtbot: QtBot, stage: ExportStage) -> Callable[[], None]:
+    def wait() -> None:
+        qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+
+    return wait
+
+
+def order(stage: ExportStage, **changes: object) -> None:
+    stage.presenter.edit_choice(replace(stage.view.form.choice(), **changes))  # type: ignore[arg-type]
+
+
+def when_asked(kind: type[QDialog], act: Callable[[QDialog], None]) -> None:
+    """Do something with the next modal dialog of a kind."""
+
+    def look() -> None:
+        dialog = QApplication.activeModalWidget()
+        if isinstance(dialog, kind) and dialog.isVisible():
+            try:
+                act(dialog)
+            finally:
+                if dialog.isVisible():  # whatever went wrong, the test does not wait for a user
+                    dialog.reject()
+        else:
+            QTimer.singleShot(50, look)
+
+    QTimer.singleShot(50, look)
+
+
+def test_the_stage_stays_above_the_main_window(app: Application, stage: ExportStage) -> None:
+    assert stage.windowHandle().transientParent() is app.window.windowHandle()
+    features = app.features
+    for feature in (features.capture, features.calibrate, features.compare, features.foot):
+        assert feature.parent() is app.window
+
+
+def test_the_file_dialog_is_over_the_stage(app: Application, stage: ExportStage) -> None:
+    """With the real dialog, as a user gets it."""
+    app.services.messages.questions = Questions(app.window)
+    owners: list[QWidget | None] = []
+
+    def note(dialog: QDialog) -> None:
+        owners.append(dialog.parentWidget())
+        dialog.reject()
+
+    when_asked(QDialog, note)
+    QTest.mouseClick(stage.view.export, LEFT)
+    assert owners == [stage]
+
+
+def test_a_failed_export_is_a_dialog_over_the_stage(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+) -> None:
+    paths_given.answer = tmp_path / "none" / "o.stl"
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    (dialog,) = app.services.messages.dialogs
+    assert dialog.isVisible()
+    assert dialog.parentWidget() is stage
+    assert "its folder does not exist" in dialog.text()
+    assert "its folder does not exist" in stage.view.error.text()
+    dialog.done(0)
+    assert app.services.messages.dialogs == []
+
+
+def test_a_dialog_goes_with_its_window(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    paths_given.answer = tmp_path / "none" / "o.stl"
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    stage.close()
+    qtbot.waitUntil(lambda: app.services.messages.dialogs == [])
+
+
+def calls_of_dialogs() -> Iterator[tuple[str, ast.Call]]:
+    root = Path(insole_studio.__file__).parent
+    for path in root.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call):
+                continue
+            named = ast.unparse(node.func)
+            if named.split(".")[0] in ("QFileDialog", "QMessageBox", "QInputDialog", "ErrorDialog"):
+                yield f"{path.relative_to(root)}:{node.lineno}", node
+
+
+def test_every_dialog_names_the_window_it_belongs_to() -> None:
+    calls = list(calls_of_dialogs())
+    assert len(calls) > 8
+    owners = {"self", "self._parent", "self._window", "over or self._window", "parent"}
+    strays = [
+        where
+        for where, call in calls
+        if not any(
+            ast.unparse(argument) in owners
+            for argument in [*call.args, *(keyword.value for keyword in call.keywords)]
+        )
+    ]
+    assert strays == []
+
+
+def test_the_shop_gets_the_order_number_and_the_case_keeps_it(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+) -> None:
+    number = stage.view.form.pseudonym.placeholderText()
+    order(stage, both=True, block=block_named(stage, "EVA pair"), job_sheet=False)
+    settle()
+    paths_given.answer = tmp_path / f"{number}.stl"
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    assert paths_given.suggested == [f"{number}-pair.stl"]
+    assert "Bergqvist" not in "".join(path.name for path in tmp_path.iterdir())
+    assert app.case.record.patient.pseudonym == number
+    assert stage.view.form.pseudonym.text() == number
+    assert app.features.export.exported is app.case.record
+    order(stage, pseudonym="P-7 / 2", both=False)
+    settle()
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    assert paths_given.suggested[-1] == "P-7_2-left.stl"
+
+
+def test_another_case_takes_nothing_of_the_one_before(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    number = stage.view.form.pseudonym.placeholderText()
+    order(stage, pseudonym="P-7", relief="engraved", text="Left of P-7")
+    settle()
+    form = form_of(app, case_of(make_foot, Patient("Otto Ek")), settle)
+    assert (form.choice().pseudonym, form.choice().text) == ("", "")
+    assert form.pseudonym.placeholderText() != number
+    form = form_of(app, case_of(make_foot, Patient("Otto Ek", pseudonym="P-9")), settle)
+    assert form.choice().pseudonym == "P-9"
+
+
+def form_of(app: Application, record: CaseRecord, settle: Callable[[], None]) -> OrderForm:
+    """The form of the stage, opened again for another case."""
+    app.case.open(record, None)
+    settle()
+    app.window.actions_by_key["export"].trigger()
+    settle()
+    assert app.features.export.stage is not None
+    form: OrderForm = app.features.export.stage.view.form
+    return form
+
+
+def test_a_name_typed_as_a_pseudonym_is_refused(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+) -> None:
+    stage.view.form.pseudonym.setFocus()
+    QTest.keyClicks(stage.view.form.pseudonym, "Bergqvist 7")
+    paths_given.answer = tmp_path / "o.stl"
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    (dialog,) = app.services.messages.dialogs
+    assert "holds the patient's name" in dialog.text()
+    assert list(tmp_path.glob("*.stl")) == []
+    dialog.done(0)
+
+
+def block_named(stage: ExportStage, name: str) -> Block:
+    return next(b for b in stage.presenter._blocks if b.name == name)
+
+
+def sign_of(stage: ExportStage, name: str) -> CheckState:
+    return CheckState(stage.view.check_list.rows[name].sign.property("state"))
+
+
+def test_no_block_fits_nothing(stage: ExportStage) -> None:
+    assert stage.view.form.block.currentData() == ""
+    assert sign_of(stage, "block") is CheckState.OFF
+    assert stage.view.check_list.rows["block"].sentence.text() == "no block is chosen"
+
+
+def test_a_pair_that_does_not_fit_cannot_be_exported(
+    stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    """Each alone fits; what is checked is what would be written."""
+    order(stage, both=True, block=block_named(stage, "EVA single"))
+    settle()
+    assert sign_of(stage, "block") is CheckState.BLOCKING
+    assert "The pair needs a block of" in stage.view.error.text()
+    assert not stage.view.export.isEnabled()
+    assert not stage.view.reason.isVisible()  # no reason makes it fit
+    stage.presenter.show_piece("nest")
+    assert stage.view.summary.text().startswith("Both need")
+    order(stage, both=True, block=block_named(stage, "EVA pair"))
+    settle()
+    assert sign_of(stage, "block") is CheckState.PASSED
+    assert stage.view.error.text() == ""
+    assert stage.view.export.isEnabled()
+
+
+def test_checks_of_the_nest_are_those_of_both(
+    stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    stage.view.rule_edited.emit("shoe_height", "warning", 2.0)
+    order(stage, both=True, block=block_named(stage, "EVA pair"))
+    settle()
+    stage.presenter.show_piece("nest")
+    assert sign_of(stage, "shoe_height") is CheckState.WARNING
+    finding = stage.presenter._findings["shoe_height"]
+    left, right = stage.presenter.pieces
+    spots = [
+        f.spots_mm for piece in (left, right) for f in piece.findings if f.name == finding.name
+    ]
+    assert len(finding.spots_mm) == sum(map(len, spots)) > len(spots[0])
+    assert finding.spots_mm[:, :2].min() > 0
+    stage.view.check_list.rows["shoe_height"].sentence.click()
+    x, y, _ = stage.view.model.scene.camera.focal_mm
+    assert 0 < x < 260  # within the block, whose corner is the origin
+    assert 0 < y < 340
+
+
+def test_a_clinic_makes_names_changes_and_deletes_its_own_blocks(
+    app: Application, stage: ExportStage, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    file = app.services.paths.settings_folder / "blocks.json"
+
+    def make(dialog: QDialog) -> None:
+        assert isinstance(dialog, BlocksDialog)
+        assert dialog.parentWidget() is stage
+        QTest.mouseClick(dialog.add, LEFT)
+        (row,) = dialog.rows
+        QTest.keyClicks(row.name, "EVA pair")  # replaces the proposed name, which is selected
+        assert not dialog.keep.isEnabled()
+        assert "There is a block EVA pair already" in dialog.problem.text()
+        QTest.keyClicks(row.name, " of ours")
+        row.lengths[1].selectAll()
+        QTest.keyClicks(row.lengths[1], "275,5")
+        QTest.mouseClick(dialog.keep, LEFT)
+
+    when_asked(BlocksDialog, make)
+    QTest.mouseClick(stage.view.form.own_blocks, LEFT)
+    settle()
+    ours = Block("EVA pair of ours", (340.0, 275.5, 40.0))
+    assert ClinicBlocks(file).load() == (ours,)
+    assert stage.view.form.choice().block == ours
+
+    def delete(dialog: QDialog) -> None:
+        assert isinstance(dialog, BlocksDialog)
+        QTest.mouseClick(dialog.rows[0].remove, LEFT)
+        QTest.mouseClick(dialog.keep, LEFT)
+
+    when_asked(BlocksDialog, delete)
+    QTest.mouseClick(stage.view.form.own_blocks, LEFT)
+    settle()
+    assert ClinicBlocks(file).load() == ()
+    assert stage.view.form.choice().block is None
+    assert stage.view.form.block.findData(ours.name) == -1
+
+
+def test_blocks_that_cannot_be_read_are_named(
+    app: Application, paths_given: PathGiven, make_foot: Callable[[Side], Foot], qtbot: QtBot
+) -> None:
+    folder = app.services.paths.settings_folder
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "blocks.json").write_text("{")
+    app.case.open(case_of(make_foot, Patient("Anna")), None)
+    app.features.export.open()
+    stage = app.features.export.stage
+    assert stage is not None
+    qtbot.waitUntil(lambda: not stage.jobs.is_running(), timeout=30_000)
+    assert "blocks.json is not valid JSON" in stage.view.error.text()
+    stage.close()
+
+
+def fill(texts: Sequence[str]) -> Callable[[QDialog], None]:
+    """Type into the fields of a dialog one after the other, and accept it."""
+
+    def type_in(dialog: QDialog) -> None:
+        assert isinstance(dialog, FieldsDialog)
+        for line, text in zip(dialog.lines.values(), texts, strict=True):
+            line.clear()
+            QTest.keyClicks(line, text)
+        QTest.mouseClick(dialog.accept_button, LEFT)
+
+    return type_in
+
+
+@pytest.mark.slow
+def test_a_prescription_asks_for_who_prescribes_and_makes(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+) -> None:
+    app.case.apply(Patient(), "Forget the patient")
+    order(stage, prescription=True, job_sheet=False)
+    paths_given.answer = tmp_path / "o.stl"
+    when_asked(FieldsDialog, lambda dialog: dialog.reject())
+    QTest.mouseClick(stage.view.export, LEFT)
+    assert paths_given.suggested == []  # cancelled: nothing is exported
+
+    def refuse_gaps(dialog: QDialog) -> None:
+        assert isinstance(dialog, FieldsDialog)
+        assert dialog.parentWidget() is stage
+        assert not dialog.accept_button.isEnabled()
+        fill(["Anna Bergqvist", "A. Ek", "", "Sula AB", "Gatan 1, Lund"])(dialog)
+
+    when_asked(FieldsDialog, refuse_gaps)
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    assert app.case.record.patient.name == "Anna Bergqvist"
+    assert (tmp_path / "o-left-prescription.pdf").exists()
+    kept = load_settings(app.services.paths.settings_file)
+    assert (kept.author, kept.maker, kept.maker_address) == ("A. Ek", "Sula AB", "Gatan 1, Lund")
+    paths_given.answer = tmp_path / "again.stl"
+    QTest.mouseClick(stage.view.export, LEFT)  # nothing is missing: nothing is asked
+    assert len(paths_given.suggested) == 2
+    settle()

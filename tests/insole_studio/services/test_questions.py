@@ -1,0 +1,137 @@
+"""Names of files to write are complete before it is asked whether a file may be replaced."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from real_dialogs import answering
+
+from insole_core.cases.case_file import read_case, write_case
+from insole_core.cases.case_record import CaseRecord, Patient
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.compare.stage import CompareStage
+from insole_studio.services.file_kinds import case_kinds, complete_name, template_kinds
+from insole_studio.services.questions import Questions
+
+REPORTS = "PDF (*.pdf);;JSON (*.json)"
+
+
+@pytest.mark.parametrize(
+    ("typed", "kinds", "completed"),
+    [
+        ("anna", "Case (*.insole)", "anna.insole"),
+        ("B. Name", "Case (*.insole)", "B. Name.insole"),
+        ("B. Name.insole", "Case (*.insole)", "B. Name.insole"),
+        ("B. Name.INSOLE", "Case (*.insole)", "B. Name.INSOLE"),
+        ("B.", "Case (*.insole)", "B..insole"),
+        (".insole", "Case (*.insole)", ".insole.insole"),
+        ("size 4.5", "STL (*.stl)", "size 4.5.stl"),
+        ("pad", template_kinds(), "pad.insole-template"),
+        ("case.insole", template_kinds(), "case.insole.insole-template"),
+        ("v1.2", REPORTS, "v1.2.pdf"),
+        ("v1.json", REPORTS, "v1.json"),
+        ("scan", "Session or mesh (*.zip *.ply *.stl)", "scan.zip"),
+    ],
+)
+def test_names_are_completed(typed: str, kinds: str, completed: str) -> None:
+    assert complete_name(Path("/d.d") / typed, kinds) == Path("/d.d") / completed
+
+
+def test_the_chosen_kind_completes_the_name() -> None:
+    assert complete_name(Path("/a/v1.2"), REPORTS, "JSON (*.json)") == Path("/a/v1.2.json")
+
+
+@pytest.fixture
+def asking(app: Application) -> Application:
+    """The application with its real dialogs."""
+    app.services.messages.questions = Questions(app.window)
+    app.window.activateWindow()
+    return app
+
+
+def test_the_case_of_another_patient_is_not_overwritten_unasked(
+    asking: Application, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    other = tmp_path / "B. Name.insole"
+    namesake = tmp_path / "B.insole"
+    for path in (other, namesake):
+        write_case(CaseRecord(Patient(name="another")), path)
+    asking.case.open(CaseRecord(Patient(name="B. Name")), None, unsaved=True)
+    with answering(tmp_path / "B. Name", "Keep them", tmp_path / "B. Name 2") as given:
+        asking.window.actions_by_key["save_as"].trigger()
+    settle()
+    assert given.asked == ["These files are there already: B. Name.insole"]
+    assert read_case(other).patient.name == read_case(namesake).patient.name == "another"
+    assert read_case(tmp_path / "B. Name 2.insole").patient.name == "B. Name"
+    assert asking.case.path == tmp_path / "B. Name 2.insole"
+
+
+@pytest.mark.parametrize(
+    ("action", "suffix"),
+    [
+        ("save_as", ".insole"),
+        ("save_template", ".insole-template"),
+        ("save_measures", ".csv"),
+        ("print_outline", ".pdf"),
+    ],
+)
+def test_every_dialog_asks_about_the_completed_name(
+    asking: Application,
+    opened: Application,
+    settle: Callable[[], None],
+    tmp_path: Path,
+    action: str,
+    suffix: str,
+) -> None:
+    there, namesake = tmp_path / f"B. Name{suffix}", tmp_path / f"B{suffix}"
+    there.write_text("old")
+    namesake.write_text("old")
+    with answering(tmp_path / "B. Name", "Replace them") as given:
+        asking.window.actions_by_key[action].trigger()
+    settle()
+    assert given.asked == [f"These files are there already: {there.name}"]
+    assert namesake.read_text() == "old"
+    assert there.read_bytes() != b"old"
+    assert sorted(p.name for p in tmp_path.glob("B*")) == sorted([there.name, namesake.name])
+
+
+def test_the_report_of_a_comparison_is_asked_about_by_its_completed_name(
+    qapp: QApplication, app: Application, tmp_path: Path
+) -> None:
+    (tmp_path / "B. Name.pdf").touch()
+    stage = CompareStage(app.case, dark=False)
+    stage.show()
+    with answering(tmp_path / "B. Name", "Replace them") as given:
+        path = stage._ask_report()
+    stage.close()
+    stage.deleteLater()
+    assert path == tmp_path / "B. Name.pdf"
+    assert given.asked == ["These files are there already: B. Name.pdf"]
+
+
+@pytest.mark.slow
+def test_an_export_asks_about_the_files_that_it_writes(
+    asking: Application, opened: Application, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    for name in ("B.stl", "B. Name.stl", "B. Name-left.stl"):
+        (tmp_path / name).write_text("old")
+    asking.features.export.open()
+    stage = asking.features.export.stage
+    assert stage is not None
+    while stage.jobs.is_running():
+        QApplication.processEvents()
+    with answering(tmp_path / "B. Name", "Replace them") as given:
+        stage.view.export.click()
+    while stage.jobs.is_running():
+        QApplication.processEvents()
+    stage.close()
+    assert given.asked == ["These files are there already: B. Name-left.stl"]
+    assert (tmp_path / "B.stl").read_text() == (tmp_path / "B. Name.stl").read_text() == "old"
+    assert (tmp_path / "B. Name-left.stl").read_bytes() != b"old"
+
+
+def test_kinds_of_cases_name_their_suffix() -> None:
+    assert complete_name(Path("a"), case_kinds()) == Path("a.insole")
