@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.compare.comparison_report import draw_picture
-from insole_core.compare.difference import Difference, table_3
+from insole_core.compare.difference import ComparedMeasure, Difference, foot_rows, part_rows
 from insole_core.export import paper
 
 _FIGURES = {
@@ -39,18 +39,16 @@ def write_report(difference: Difference, names: tuple[str, str], path: Path) -> 
     statistics = difference.statistics
     figures = {text: f"{statistics[key]:.2f} mm" for key, text in _FIGURES.items()}
     figures["compared area"] = f"{statistics['compared_area_mm2'] / 100:.0f} cm²"
-    measures = table_3(difference)
-    shapes = {
-        key.replace("_", " "): f"{value:.1f} mm and {measures['b'][key]:.1f} mm"
-        for key, value in measures["a"].items()
-    }
     what = {
         "first": names[0],
         "second": names[1],
         "laid on the first": _fit_text(difference),
         "date": datetime.now(UTC).date().isoformat(),
     }
-    sections = [("What", what), ("Difference", figures), ("First and second", shapes)]
+    sections = [("What", what), ("Difference", figures)]
+    for title, rows in (("Feet", foot_rows(difference)), ("Compared part", part_rows(difference))):
+        if rows:
+            sections.append((title, {r.key.replace("_", " "): _both(r) for r in rows}))
     paper.write_report("Comparison of two surfaces", sections, picture.getvalue(), path)
 
 
@@ -59,3 +57,8 @@ def _fit_text(difference: Difference) -> str:
     if np.isnan(residual):
         return "as both lie"
     return f"with a residual of {residual:.2f} mm"
+
+
+def _both(row: ComparedMeasure) -> str:
+    first, second = ("–" if value is None else f"{value:.1f} mm" for value in (row.a, row.b))
+    return f"{first} and {second}"

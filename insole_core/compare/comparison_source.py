@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from insole_core.compare.foot_measures import recorded_foot_measures, surface_measures
 from insole_core.compare.one_view import one_view_surface
 from insole_core.errors import ReconstructionError
+from insole_core.foot.measure_table import Measured
 from insole_core.foot.mesh_file import read_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
@@ -26,11 +28,14 @@ class ComparisonSource:
         In its own frame.
     notes
         Assumptions that were made, one sentence each.
+    measures
+        Of a foot, by the names in `DEFINITIONS`; None for anything else.
     """
 
     name: str
     mesh: TriangleMesh
     notes: tuple[str, ...] = ()
+    measures: Measured | None = None
 
 
 def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
@@ -49,16 +54,19 @@ def read_source(path: Path, progress: Progress = SILENT) -> ComparisonSource:
     progress.step(0.0, "Reading {file}", file=path.name)
     if not is_session(path):
         read = read_mesh(path)
-        return ComparisonSource(path.name, read.mesh, tuple(read.notes))
+        measures = surface_measures(read.mesh)
+        return ComparisonSource(path.name, read.mesh, tuple(read.notes), measures)
     session = read_session(path)
+    side = session.manifest.side
     if len(session.views) > 1:
-        return ComparisonSource(path.name, reconstruct(session, "fused", progress).mesh)
+        mesh = reconstruct(session, "fused", progress).mesh
+        return ComparisonSource(path.name, mesh, measures=recorded_foot_measures(mesh, side))
     try:
-        return ComparisonSource(
-            path.name, reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh
-        )
+        mesh = reconstruct(session, "fused", progress.part(0.0, 0.5)).mesh
     except ReconstructionError:
         mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
+    else:
+        return ComparisonSource(path.name, mesh, measures=recorded_foot_measures(mesh, side))
     return ComparisonSource(
         path.name, mesh, ("One view without a reference system: taken as a thing on a table.",)
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,11 +11,16 @@ import numpy as np
 from insole_core.compare.best_fit import Fit
 from insole_core.compare.seen_surface import Grid, facing, grid_over, height_map
 from insole_core.errors import InputError
+from insole_core.foot.measure_table import Measured
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 
 PITCH_MM = 1.0
 _LEAST_AREA_MM2 = 100.0
+FOOT_MEASURES = ("foot_length", "ball_width", "heel_width", "arch_height")
+"""Of a foot, by the names in `insole_core.foot.measures.DEFINITIONS`."""
+PART_MEASURES = ("length", "heel_width", "forefoot_width", "arch_height")
+"""Of the compared part of an insole, a mould or anything else."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,12 +35,15 @@ class Difference:
         NaN where nothing was seen.
     fit
         Pose of b relative to a.
+    feet
+        Measures of a and of b, where they are feet.
     """
 
     grid: Grid
     heights_a_mm: FloatArray
     heights_b_mm: FloatArray
     fit: Fit
+    feet: tuple[Measured | None, Measured | None] = (None, None)
 
     @cached_property
     def signed_mm(self) -> FloatArray:
@@ -104,15 +113,56 @@ def measure_difference(
     return difference
 
 
-def table_3(difference: Difference) -> dict[str, dict[str, float]]:
-    """Measure length, widths and arch height of both, mm; in the frame of an insole or a foot.
+@dataclass(frozen=True)
+class ComparedMeasure:
+    """One measure of both surfaces, mm; None where a surface has none."""
 
-    Heights count on the side that faces the ground; widths are those of the compared surface.
+    key: str
+    a: float | None
+    b: float | None
+
+
+def table_3(difference: Difference) -> dict[str, dict[str, float]]:
+    """Return the measures of both surfaces, mm, as the thesis compares them.
 
     Returns
     -------
     dict
-        The measures by name, for "a" and "b".
+        By name, for "a" and "b": of a foot those of `FOOT_MEASURES` that its scan carries, of
+        anything else those of `PART_MEASURES`.
+    """
+    parts = _part_measures(difference)
+    return {
+        name: parts[name]
+        if foot is None
+        else {key: value for key in FOOT_MEASURES if (value := foot[key]) is not None}
+        for name, foot in zip("ab", difference.feet, strict=True)
+    }
+
+
+def foot_rows(difference: Difference) -> list[ComparedMeasure]:
+    """Return the measures of the feet among both surfaces; none when neither is a foot."""
+    return _rows(difference, FOOT_MEASURES, of_feet=True)
+
+
+def part_rows(difference: Difference) -> list[ComparedMeasure]:
+    """Return the measures of the compared part of what is no foot."""
+    return _rows(difference, PART_MEASURES, of_feet=False)
+
+
+def _rows(difference: Difference, keys: Sequence[str], *, of_feet: bool) -> list[ComparedMeasure]:
+    table = table_3(difference)
+    a, b = (
+        table[name] if (foot is not None) is of_feet else {}
+        for name, foot in zip("ab", difference.feet, strict=True)
+    )
+    return [ComparedMeasure(key, a.get(key), b.get(key)) for key in keys if key in {**a, **b}]
+
+
+def _part_measures(difference: Difference) -> dict[str, dict[str, float]]:
+    """Measure the compared part of both, in the frame of an insole or a foot.
+
+    Heights count on the side that faces the ground; widths are those of the compared surface.
     """
     rows = np.flatnonzero(np.isfinite(difference.signed_mm).any(axis=1))
     first, last = rows.min(), rows.max()

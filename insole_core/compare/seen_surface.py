@@ -81,21 +81,26 @@ def facing(mesh: TriangleMesh) -> FloatArray:
     if it stands on a flat base (insole, block, mould) or is as flat as an insole; otherwise it is a
     foot, whose sole faces down.
     """
-    areas = np.linalg.norm(np.cross(*_sides(mesh)), axis=1)
-    mean = (areas[:, None] * mesh.triangle_normals).sum(axis=0) / areas.sum()
-    if np.linalg.norm(mean) > _ONE_SIDED:
+    mean = _mean_normal(mesh)
+    if is_one_sided(mesh):
         return np.asarray(mean / np.linalg.norm(mean))
     height = np.ptp(mesh.vertices[:, 2])
-    stands = _has_flat_base(mesh, areas)
+    stands = _has_flat_base(mesh)
     return np.array([0.0, 0.0, 1.0 if stands or height < _FOOT_HEIGHT_MM else -1.0])
 
 
-def _sides(mesh: TriangleMesh) -> tuple[FloatArray, FloatArray]:
-    a, b, c = (mesh.vertices[mesh.triangles[:, corner]] for corner in range(3))
-    return b - a, c - a
+def is_one_sided(mesh: TriangleMesh) -> bool:
+    """Return whether a surface is open, so that its triangles tell the side to compare."""
+    return float(np.linalg.norm(_mean_normal(mesh))) > _ONE_SIDED
 
 
-def _has_flat_base(mesh: TriangleMesh, areas: FloatArray) -> bool:
+def _mean_normal(mesh: TriangleMesh) -> FloatArray:
+    areas = mesh.triangle_areas_mm2
+    return np.asarray(areas @ mesh.triangle_normals / areas.sum())
+
+
+def _has_flat_base(mesh: TriangleMesh) -> bool:
+    areas = mesh.triangle_areas_mm2
     heights = mesh.vertices[mesh.triangles, 2]
     lowest = (heights < mesh.vertices[:, 2].min() + _BASE_MM).all(axis=1)
     downward = mesh.triangle_normals[:, 2] < -STEEPEST

@@ -13,7 +13,7 @@ import numpy as np
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import Landmarks
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, at_origin, level
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
 
@@ -147,11 +147,12 @@ def levelled(foot: Foot) -> Foot:
     InputError
         When nothing faces the ground.
     """
-    found = level(foot.mesh, foot.side, np.eye(4))
+    found = level(foot.even, foot.side, np.eye(4))
+    step = at_origin(foot.mesh, found.source2insole)
     return replace(
         foot,
-        mesh=foot.mesh.transformed(found.source2insole),
-        source2insole=found.source2insole @ foot.source2insole,
+        mesh=foot.mesh.transformed(step),
+        source2insole=step @ foot.source2insole,
         length_mm=found.length_mm,
     )
 

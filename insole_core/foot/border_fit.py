@@ -29,7 +29,8 @@ _OUTLYING_TOUCH_MM, _OUTLYING = 1.0, 2.0
 _ROUNDS = 4
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
-_ARC = 0.2
+_SUMMIT_MM = 1.0  # depth of the strips about whose middle an arc is fitted
+_ARC = 0.3
 """Share of its radius, to either side of its outermost point, in which a border is like an arc."""
 USUAL_MM = 12.0
 """Distance from its usual position at which an end must lie one millimetre farther out."""
@@ -101,18 +102,25 @@ class BorderFit:
         pull = 0.0 if usual_mm is None else USUAL_MM**-2
         aside = self.across_mm - (usual_mm or 0.0)
         rated = np.where(counts, self.reach_mm - pull * aside**2, -np.inf)
-        best = int(rated.argmax())
         if bend_mm is None:
+            best = int(rated.argmax())
             return Extremum(float(self.across_mm[best]), float(self.reach_mm[best]), best)
-        away = self.across_mm - self.across_mm[best]
-        near = counts & (np.abs(away) <= _ARC * bend_mm)
-        bend, weights, way = 0.5 / bend_mm + pull, 1 / self.deviation_mm[near], away[near]
+        highest = np.maximum(rated - rated[counts].max() + _SUMMIT_MM, 0.0)
+        middle = float(highest @ self.across_mm / highest.sum())
+        away = self.across_mm - middle
+        window = np.maximum(1 - (away / (_ARC * bend_mm)) ** 2, 0.0)
+        near = counts & (window > 0)
+        if near.sum() < 3:
+            near = counts
+        bend, way = 0.5 / bend_mm + pull, away[near]
+        weights = np.maximum(window[near], _LEAST_WEIGHT) / self.deviation_mm[near]
         rows = np.column_stack([weights, weights * way])
         height, slope = np.linalg.lstsq(rows, weights * (rated[near] + bend * way**2))[0]
         ahead = float(np.clip(slope / (2 * bend), way.min(), way.max()))
-        reach = height + slope * ahead - bend * ahead**2 + pull * (aside[best] + ahead) ** 2
+        across = middle + ahead
+        reach = height + slope * ahead - bend * ahead**2 + pull * (across - (usual_mm or 0.0)) ** 2
         strip = int(np.where(counts, np.abs(away - ahead), np.inf).argmin())
-        return Extremum(float(self.across_mm[best]) + ahead, float(reach), strip)
+        return Extremum(across, float(reach), strip)
 
 
 @dataclass(frozen=True)

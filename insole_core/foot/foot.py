@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import inverse
 from insole_core.memo import Memo
 
 _KEPT = 2  # so that two variants of a prescription do not evict each other's results
@@ -37,3 +39,15 @@ class Foot:
     length_mm: float
     notes: tuple[str, ...] = ()
     derived: Memo = field(default_factory=lambda: Memo(_KEPT), init=False, repr=False)
+
+    @property
+    def even(self) -> EvenSurface:
+        """Evenly spread points of the surface, mm, insole frame.
+
+        They are the same points of the surface in whatever pose the foot is.
+        """
+        return self.derived.get("even", (), self._spread)
+
+    def _spread(self) -> EvenSurface:
+        scan = self.mesh.transformed(inverse(self.source2insole))
+        return EvenSurface.of(scan).transformed(self.source2insole)

@@ -11,10 +11,11 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_proportions import check_length, check_proportions
-from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, level
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM, LevelFoot, at_origin, is_cut_behind, level
 from insole_core.foot.pose import Pose, find_poses, poses_as_it_lies, surface_points
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rotation_angle_deg
@@ -24,7 +25,6 @@ Frame = Literal["reference", "unknown"]
 
 _CLEAR = 1.25
 """Least ratio of the two dissimilarities at which the shape determines the side."""
-_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
 _NO_FOOT = 0.6
 """Dissimilarity from which on the surface is not a foot."""
 
@@ -100,25 +100,64 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     else:
         poses, inside_out = _near_frame(mesh, points), False
-    asked, other = (_best(mesh, points, poses, s) for s in (side, side.other))
+    even = EvenSurface.of(mesh)
+    asked, other = (_best(even, points, poses, s) for s in (side, side.other))
     if asked.pose.side_dissimilarity > _CLEAR * other.pose.side_dissimilarity:
         if not force:
             raise SideMismatchError(side, _reason(other))
         # The directions of ground and toes follow from the shape, whatever the side.
-        asked = _best(mesh, points, _as_it_lies(points, other.foot.source2insole), side)
+        asked = _best(even, points, _as_it_lies(points, other.foot.source2insole), side)
     found = asked.foot
-    placed = mesh.transformed(found.source2insole)
+    source2insole = at_origin(mesh, found.source2insole)
+    placed = even.transformed(source2insole)
+    standing = mesh.transformed(source2insole)
     if frame == "unknown":
         check_length(found.length_mm)
         if not force:
-            check_proportions(placed, found.length_mm)
+            check_proportions(standing, found.length_mm)
     notes = (
         _side_note(asked, other),
         *_pose_notes(asked, frame),
         *_rear_notes(placed),
         *_surface_notes(scraps, inside_out),
     )
-    return Foot(side, placed, found.source2insole, found.length_mm, notes)
+    foot = Foot(side, standing, source2insole, found.length_mm, notes)
+    foot.derived.get("even", (), lambda: placed)
+    return foot
+
+
+def recognised_foot(mesh: TriangleMesh) -> Foot | None:
+    """Place a surface of which nothing is known, if it is clearly a left or a right foot.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+
+    Returns
+    -------
+    Foot or None
+        None for what looks like no foot, tells no side, or faces into the foot as an insole does.
+    """
+    whole, _ = without_scraps(mesh)
+    points = surface_points(whole)
+    try:
+        poses = _foot_poses(whole, points)
+    except InputError:
+        return None
+    if _outside_out(whole, poses[0].source2rough)[1]:
+        return None
+    even = EvenSurface.of(whole)
+    try:
+        found = sorted(
+            (_best(even, points, poses, side) for side in Side),
+            key=lambda candidate: candidate.pose.side_dissimilarity,
+        )
+    except InputError:
+        return None
+    nearest, other = (candidate.pose.side_dissimilarity for candidate in found)
+    if other < _CLEAR * nearest:
+        return None
+    return place_foot(mesh, found[0].side, frame="unknown")
 
 
 def _foot_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
@@ -159,10 +198,10 @@ def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     return held if held and held[0].side_dissimilarity < poses[0].side_dissimilarity else poses
 
 
-def _best(mesh: TriangleMesh, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
+def _best(surface: EvenSurface, points: FloatArray, poses: list[Pose], side: Side) -> _Candidate:
     """Level the surface as a foot of one side, and rate its similarity in the levelled pose."""
     rough = next(pose for pose in poses if pose.side is side)
-    foot = level(mesh, side, rough.source2rough, rough.covered)
+    foot = level(surface, side, rough.source2rough, rough.covered)
     levelled = next(
         pose
         for pose in poses_as_it_lies(points, foot.source2insole)
@@ -221,11 +260,8 @@ def _pose_notes(found: _Candidate, frame: Frame) -> Iterator[str]:
         yield "The tip of the 2nd toe does not stand out; the foot axis runs to its usual place."
 
 
-def _rear_notes(mesh: TriangleMesh) -> Iterator[str]:
-    """Warn of a rear that was cut off: a heel is round from above, so its end is narrow."""
-    x, y, z = mesh.vertices.T
-    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < reach)]) for reach in _REAR_MM)
-    if end > _BLUNT * rear:
+def _rear_notes(surface: EvenSurface) -> Iterator[str]:
+    if is_cut_behind(surface.points):
         yield (
             "The heel is missing, or cut off behind; lengths and everything placed from the heel"
             " are guesses. Scan the foot again with its heel."

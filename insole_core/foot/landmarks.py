@@ -16,9 +16,11 @@ import numpy as np
 
 from insole_core.foot.border_fit import UsualBorder
 from insole_core.foot.foot import Foot
+from insole_core.foot.levelling import is_cut_behind
+from insole_core.foot.outermost import ramp
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
 from insole_core.foot.sole_surface import LowFoot, SoleSurface
-from insole_core.foot.toe_end import End
+from insole_core.foot.toe_end import GUESS, SURE, End
 from insole_core.geometry.arrays import FloatArray
 
 HEADS = tuple(f"metatarsal_head_{number}" for number in range(1, 6))
@@ -46,7 +48,9 @@ _MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0), 50.0)
 _LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0), 50.0)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # least height of a clear arch
-_SURE, _LIKELY, _GUESS = 0.95, 0.7, 0.3
+_OF_HEEL = ("pternion", "heel_medial", "heel_lateral")
+_FACET_MM2, _COARSE = (8.0, 40.0), 0.35  # of a plane facet about an end, and the confidence then
+_LIKELY = 0.7  # confidence of a place by proportions, of that of the places around it
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +66,15 @@ class Landmark:
         "shape" or "hand".
     deviation_mm
         Standard deviation of an outermost point in its direction, where contours give it.
+    is_coarse
+        Whether the triangles about an outermost point are too large to tell where it is.
     """
 
     point: FloatArray
     confidence: float
     origin: str = "shape"
     deviation_mm: float | None = None
+    is_coarse: bool = False
 
 
 Landmarks: TypeAlias = Mapping[str, Landmark]
@@ -115,8 +122,10 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
         "heel_lateral": sole.support(_LATERAL, _HEEL, _USUAL_HEEL, _HEEL_BORDER),
         **_ball(sole, pternion),
     }
+    if is_cut_behind(foot.even.points):
+        ends |= {name: replace(ends[name], confidence=GUESS) for name in _OF_HEEL}
     for name, end in ends.items():
-        yield name, _landmark(sole, end)
+        yield name, _landmark(foot, sole, end)
     middle = (ends["heel_medial"].point + ends["heel_lateral"].point) / 2
     heel = sole.on_sole(
         np.array([middle[0], sole.back_mm + float(np.mean(_HEEL)) * foot.length_mm])
@@ -127,14 +136,18 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     for name, head in zip(HEADS, heads, strict=True):
         yield name, Landmark(sole.to_insole(head), _LIKELY * _least(ends, "metatarsale"))
     for name, tip in zip(TOE_TIPS, sole.toe_tips(), strict=True):
-        yield name, _landmark(sole, tip)
+        yield name, _landmark(foot, sole, tip)
     apex, rise = _arch_apex(sole, heel, heads[0])
-    yield "arch_apex", Landmark(sole.to_insole(apex), _SURE if rise > _ARCH_RISE_MM else _GUESS)
+    yield "arch_apex", Landmark(sole.to_insole(apex), SURE if rise > _ARCH_RISE_MM else GUESS)
     yield from _axes(foot)
 
 
-def _landmark(sole: SoleSurface, end: End) -> Landmark:
-    return Landmark(sole.to_insole(end.point), end.confidence, deviation_mm=end.deviation_mm)
+def _landmark(foot: Foot, sole: SoleSurface, end: End) -> Landmark:
+    point = sole.to_insole(end.point)
+    coarse = float(ramp(foot.even.facet_mm2(point), _FACET_MM2))
+    confidence = min(end.confidence, SURE - (SURE - _COARSE) * coarse)
+    is_coarse = coarse > 0 and confidence < end.confidence
+    return Landmark(point, confidence, deviation_mm=end.deviation_mm, is_coarse=is_coarse)
 
 
 def _along_foot_axis(foot: Foot) -> SoleSurface:

@@ -12,8 +12,10 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.errors import InputError
+from insole_core.foot.outermost import reach
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
@@ -30,6 +32,7 @@ _BALL_BAND = 0.68
 _BAND = 0.02
 _PATCH, _PATCH_END, _PATCH_DEPTH_MM = 0.03, 4.0, 12.0
 _ROUNDS, _AT_REST_DEG = 40, 0.002
+_REAR_MM, _BLUNT = (6.0, 40.0), 0.7  # the end of a heel, and the heel; share of its width
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,13 +54,13 @@ class LevelFoot:
 
 
 def level(
-    mesh: TriangleMesh, side: Side, source2rough: FloatArray, covered: float = 1.0
+    surface: EvenSurface, side: Side, source2rough: FloatArray, covered: float = 1.0
 ) -> LevelFoot:
     """Find the insole frame of a foot of roughly known pose.
 
     Parameters
     ----------
-    mesh : mm, source frame
+    surface : mm, source frame
     side
     source2rough : (4, 4) float64, mm
         To a frame with the toes towards +y and the sole towards -z, accurate to some 15 degrees.
@@ -73,54 +76,59 @@ def level(
     InputError
         When nothing faces the ground.
     """
-    surface = _low_part(mesh, source2rough)
-    pose = source2rough
-    for _ in range(_ROUNDS):
-        marks = _Marks(surface, side, pose, covered)
-        step = marks.frame()
-        pose = step @ pose
-        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+    low = _low_part(surface, source2rough)
+    for with_toe in (True, False):
+        pose, at_rest = _settled(low, side, source2rough, covered, with_toe)
+        if at_rest:
             break
-    marks = _Marks(surface, side, pose, covered)
-    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.vertices[:, 2].min()]))
+    marks = _Marks(low, side, pose, covered, with_toe)
+    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.points[:, 2].min()]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
 
 
-@dataclass(frozen=True, eq=False)
-class _Surface:
-    """The surface on which the marks are found, source frame."""
+def _settled(
+    low: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+) -> tuple[FloatArray, bool]:
+    """Iterate the pose, and return whether it came to rest.
 
-    vertices: FloatArray
-    normals: FloatArray
-    areas: FloatArray
+    Where the 2nd toe hardly stands out, it is found in one pose and lost in the next one.
+    """
+    for _ in range(_ROUNDS):
+        step = _Marks(low, side, pose, covered, with_toe).frame()
+        pose = step @ pose
+        if rotation_angle_deg(step[:3, :3]) < _AT_REST_DEG:
+            return pose, True
+    return pose, False
 
 
-def _low_part(mesh: TriangleMesh, source2rough: FloatArray) -> _Surface:
+def _low_part(surface: EvenSurface, source2rough: FloatArray) -> EvenSurface:
     """Leave out the leg, with a margin for a tilt of the pose."""
-    height = mesh.vertices @ source2rough[2, :3]
-    low = height < height.min() + 2 * OUTLINE_HEIGHT_MM
-    return _Surface(mesh.vertices[low], mesh.vertex_normals[low], mesh.vertex_areas[low])
+    height = surface.points @ source2rough[2, :3]
+    return surface.part(height < height.min() + 2 * OUTLINE_HEIGHT_MM)
 
 
 class _Marks:
     """The positions of heel, heads and toe in the current pose."""
 
-    def __init__(self, surface: _Surface, side: Side, pose: FloatArray, covered: float) -> None:
+    def __init__(
+        self, surface: EvenSurface, side: Side, pose: FloatArray, covered: float, with_toe: bool
+    ) -> None:
         self.side = side
-        self.covered = covered
-        self.vertices = transform(pose, surface.vertices)
-        low = self.vertices[:, 2] < self.vertices[:, 2].min() + OUTLINE_HEIGHT_MM
-        self.outline = self.vertices[low]
+        self.with_toe = with_toe and covered >= 1
+        self.points = transform(pose, surface.points)
+        low = self.points[:, 2] < self.points[:, 2].min() + OUTLINE_HEIGHT_MM
+        self.outline = self.points[low]
         sole = low & (surface.normals @ pose[2, :3] < -0.5)
-        self.sole = self.vertices[sole]
-        self.sole_areas = surface.areas[sole]
+        self.sole = self.points[sole]
+        self.sole_areas = surface.area_mm2[sole]
         if not sole.any():
             raise InputError(
                 "The surface has no sole: nothing of it faces the ground;"
                 " check that the scan shows the foot from below."
             )
-        self.back = float(self.outline[:, 1].min())
-        self.length = float(np.ptp(self.outline[:, 1])) / covered
+        y, area_mm2 = self.outline[:, 1], surface.area_mm2[low]
+        self.back = -reach(-y, area_mm2)
+        self.length = (reach(y, area_mm2) - self.back) / covered
 
     def borders(self, share: float) -> tuple[float, float]:
         """Return medial and lateral x of the outline at a share of the length."""
@@ -151,10 +159,10 @@ class _Marks:
         usual = np.array(
             [medial + _SECOND_TOE_ACROSS * (lateral - medial), self.back + self.length]
         )
-        if self.covered < 1:
+        if not self.with_toe:
             return usual, False
         search = _SECOND_TOE_REACH * abs(lateral - medial)
-        x = pulp_line(self.sole, self.length, usual, search)
+        x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def height(self, xy: FloatArray) -> float:
@@ -181,3 +189,33 @@ class _Marks:
 
     def _y(self, share: float) -> float:
         return self.back + share * self.length
+
+
+def at_origin(mesh: TriangleMesh, source2insole: FloatArray) -> FloatArray:
+    """Move a frame so that the lowest vertex lies at z = 0, and the rearmost low one at y = 0.
+
+    Parameters
+    ----------
+    mesh : mm, source frame
+    source2insole : (4, 4) float64, mm
+
+    Returns
+    -------
+    (4, 4) float64, mm
+    """
+    y, z = (mesh.vertices @ source2insole[1:3, :3].T + source2insole[1:3, 3]).T
+    low = z < z.min() + OUTLINE_HEIGHT_MM
+    return rigid(np.eye(3), np.array([0.0, -y[low].min(), -z.min()])) @ source2insole
+
+
+def is_cut_behind(points: FloatArray) -> bool:
+    """Return whether the rear is missing: a heel is round from above, so its end is narrow.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm, insole frame
+        Evenly spread over the foot.
+    """
+    x, y, z = points.T
+    end, rear = (np.ptp(x[(z < OUTLINE_HEIGHT_MM) & (y < depth)]) for depth in _REAR_MM)
+    return bool(end > _BLUNT * rear)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.measures import DEFINITIONS
+from insole_core.foot.measures import DEFINITIONS, NOT_MARKED
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 
@@ -47,11 +47,24 @@ class MeasureRow:
         return 100 * self.difference / mean if mean else None
 
 
-def measure_table(measures: Mapping[Side, Measured]) -> list[MeasureRow]:
-    """Return a row for each measure that at least one foot has, in the order of `DEFINITIONS`."""
+def measure_table(
+    measures: Mapping[Side, Measured], *, with_missing: bool = False
+) -> list[MeasureRow]:
+    """Return a row for each measure that at least one foot has, in the order of `DEFINITIONS`.
+
+    Parameters
+    ----------
+    measures
+        Of each foot, by name.
+    with_missing
+        Whether to list also what was not scanned of any foot.
+    """
     left, right = measures.get(Side.LEFT, {}), measures.get(Side.RIGHT, {})
     rows = (MeasureRow(key, left.get(key), right.get(key)) for key in DEFINITIONS)
-    return [row for row in rows if row.left is not None or row.right is not None]
+    listed = DEFINITIONS.keys() - NOT_MARKED if with_missing else set()
+    return [
+        row for row in rows if row.left is not None or row.right is not None or row.key in listed
+    ]
 
 
 def table_csv(rows: Iterable[MeasureRow]) -> str:

@@ -6,24 +6,32 @@ scanned has no measure: it is None, and `MISSING` says why.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import TOE_TIPS, Landmarks
+from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.rear_axes import Axis
+from insole_core.foot.tape import tape_length
+from insole_core.foot.toe_end import GUESS
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.plane_section import boundary_crossings, section_segments
+from insole_core.geometry.weighted import weighted_quantile
 from insole_core.messages import Message, joined
 
 _FOOTPRINT_MM = 5.0  # height of the unloaded sole that touches the ground under load
 _FOOTING_MM = 12.0
 _TOE_GAP = 0.07  # share of the length ahead of the heads, where the toeless footprint ends
 _INSTEP = 0.5
-_BAND_MM = 3.0
-_LEAST_DORSAL_MM, _SUMMIT_MM, _FACES_UP = 25.0, 3.0, 0.6
+_LEAST_DORSAL_MM = 25.0
+_RIM_MM, _MOST_CUT_OFF = 3.0, 0.03  # beside the edge of a scan, and share of a footprint there
+_PROPORTION = 0.22  # confidence of a place between guessed ones
+_SPOT_MM, _LEAST_SPOT = 8.0, 0.5  # about a landmark, and share of it that must be scanned
 _SHOE_ALLOWANCE_MM = 15.0
+FOOTINGS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
 PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
 
 
@@ -71,16 +79,33 @@ DEFINITIONS = {
     "shoe_size_us": Definition("", "men's: the English size and one"),
     "mondopoint": Definition("mm", "foot length, rounded up to 5 mm"),
 }
+_NO_LENGTH = "the heel or the toes were not scanned"
+_NO_BALL = "the sides of the ball were not scanned"
+_NO_SOLE = "the sole was not scanned under heel, ball and arch"
 MISSING = {
+    "foot_length": _NO_LENGTH,
+    "ball_width": _NO_BALL,
+    "ball_width_across": _NO_BALL,
+    "ball_length": "the heel or the medial side of the ball was not scanned",
+    "heel_width": "the sides of the heel were not scanned",
     "ball_girth": "the back of the foot was not scanned",
     "instep_height": "the back of the foot was not scanned",
+    "arch_height": _NO_SOLE,
     "arch_height_index": "the back of the foot was not scanned",
+    "arch_index": _NO_SOLE,
     "navicular_height": "the navicular is not marked",
     "rearfoot_angle_deg": "the back of the heel or the leg was not scanned",
     "achilles_angle_deg": "the leg was not scanned",
     "achilles_lean_deg": "the leg was not scanned, or the scan does not stand upright",
+    "forefoot_angle_deg": _NO_SOLE,
+    "shoe_size_eu": _NO_LENGTH,
+    "shoe_size_uk": _NO_LENGTH,
+    "shoe_size_us": _NO_LENGTH,
+    "mondopoint": _NO_LENGTH,
 }
 
+NOT_MARKED = frozenset({"navicular_height"})
+"""Measures that are missing until the user marks a place, whatever was scanned."""
 
 _LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
@@ -127,7 +152,9 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
         ]
         if seen_badly:
             found[name] = Message(
-                "seen in part only, and continued by the usual shape: {places}",
+                "the surface is too coarse there: {places}"
+                if any(landmarks[mark].is_coarse for mark in stands_on)
+                else "seen in part only, and continued by the usual shape: {places}",
                 places=joined(seen_badly, " and "),
             )
     for name, deviation_mm in deviations_mm(landmarks).items():
@@ -153,24 +180,23 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
         Keys and units as in `DEFINITIONS`; None for what was not scanned (see `MISSING`).
     """
     at = _Along(foot, landmarks)
-    length = at.length_mm
-    instep = at.dorsal_height(_INSTEP * length)
-    tibiale, fibulare = at["metatarsale_tibiale"], at["metatarsale_fibulare"]
-    size_mm = length + _SHOE_ALLOWANCE_MM
-    english = size_mm / _ENGLISH_MM - 25
-    return {
-        "foot_length": length,
-        "ball_width": float(np.hypot(*(tibiale - fibulare)[:2])),
-        "ball_width_across": float(tibiale[0] - fibulare[0]),
-        "ball_length": float(tibiale[1] - at["pternion"][1]),
-        "heel_width": float(at["heel_medial"][0] - at["heel_lateral"][0]),
-        "ball_girth": at.girth(tibiale, fibulare),
-        "instep_height": instep,
-        "arch_height": float(at.over_ground(at["arch_apex"][None])[0]),
-        "arch_height_index": None if instep is None else instep / at.heel_to_first_head_mm,
-        "arch_index": at.arch_index(),
+    measures = {
+        **at.lengths(),
+        **at.heights(),
         "navicular_height": float(at["navicular"][2]) if "navicular" in landmarks else None,
         **_angles(foot, landmarks),
+    }
+    if not at.is_on_sole(FOOTINGS):
+        measures["forefoot_angle_deg"] = None
+    measures |= _sizes(measures["foot_length"])
+    return {name: measures[name] for name in DEFINITIONS}
+
+
+def _sizes(length: float | None) -> dict[str, float | None]:
+    if length is None:
+        return dict.fromkeys(("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint"))
+    english = (length + _SHOE_ALLOWANCE_MM) / _ENGLISH_MM - 25
+    return {
         "shoe_size_eu": shoe_size_eu(length),
         "shoe_size_uk": round(2 * english) / 2,
         "shoe_size_us": round(2 * english) / 2 + 1,
@@ -188,16 +214,15 @@ class _Along:
 
     def __init__(self, foot: Foot, landmarks: Landmarks) -> None:
         heel, toe = landmarks["pternion"].point, landmarks["toe_tip_2"].point
-        mirror = np.array([foot.side.medial_sign, 1.0, 1.0])
-        x, y = (toe - heel)[:2] * mirror[:2] / np.hypot(*(toe - heel)[:2])
-        turn = np.array([[y, -x, 0.0], [x, y, 0.0], [0.0, 0.0, 1.0]])
-        self.vertices = (foot.mesh.vertices * mirror) @ turn.T
-        self._upward = foot.mesh.vertex_normals[:, 2]
-        self._faces_ground = self._upward < 0
-        self._plantar_area = foot.mesh.vertex_areas * -self._upward
-        self._points = {
-            name: np.asarray(turn @ (mark.point * mirror)) for name, mark in landmarks.items()
-        }
+        mirror = np.diag([foot.side.medial_sign, 1.0, 1.0])
+        x, y = ((toe - heel) @ mirror)[:2] / np.hypot(*(toe - heel)[:2])
+        self._turn = np.array([[y, -x, 0.0], [x, y, 0.0], [0.0, 0.0, 1.0]]) @ mirror
+        self._landmarks, self._mesh, even = landmarks, foot.mesh, foot.even
+        plantar = (even.normals[:, 2] < 0) & (even.points[:, 2] < OUTLINE_HEIGHT_MM)
+        self._sole = even.points[plantar] @ self._turn.T
+        self._sole_mm2 = even.area_mm2[plantar] * -even.normals[plantar, 2]
+        self._sole_rim_mm = even.rim_mm[plantar]
+        self._points = {name: self._turn @ mark.point for name, mark in landmarks.items()}
 
     def __getitem__(self, name: str) -> FloatArray:
         return self._points[name]
@@ -211,63 +236,112 @@ class _Along:
     def heel_to_first_head_mm(self) -> float:
         return float(self["metatarsal_head_1"][1] - self["pternion"][1])
 
+    def lengths(self) -> dict[str, float | None]:
+        """Return the measures between outermost points; None where one of them was not seen."""
+        tibiale, fibulare = self["metatarsale_tibiale"], self["metatarsale_fibulare"]
+        heel, tip = _ends("foot_length", self._landmarks)
+        lengths = {
+            "foot_length": (self.length_mm, (heel, tip)),
+            "ball_width": (np.hypot(*(tibiale - fibulare)[:2]), _BALL),
+            "ball_width_across": (tibiale[0] - fibulare[0], _BALL),
+            "ball_length": (tibiale[1] - self[heel][1], _STANDS_ON["ball_length"]),
+            "heel_width": (
+                self["heel_medial"][0] - self["heel_lateral"][0],
+                _STANDS_ON["heel_width"],
+            ),
+        }
+        found = {n: float(v) if self._is_seen(ends) else None for n, (v, ends) in lengths.items()}
+        return {**found, "ball_girth": self._girth() if self._is_seen(_BALL) else None}
+
+    def heights(self) -> dict[str, float | None]:
+        """Return the measures of arch and instep; None where sole or back were not scanned."""
+        has_length = self._is_seen(_ends("foot_length", self._landmarks))
+        instep = self._dorsal_height(_INSTEP * self.length_mm) if has_length else None
+        arch = float(self.over_ground(self["arch_apex"][None])[0])
+        return {
+            "instep_height": instep,
+            "arch_height": arch if self.is_on_sole((*FOOTINGS, "arch_apex")) else None,
+            "arch_height_index": None if instep is None else instep / self.heel_to_first_head_mm,
+            "arch_index": self._arch_index() if self.is_on_sole(FOOTINGS) else None,
+        }
+
+    def is_on_sole(self, names: Sequence[str]) -> bool:
+        """Return whether the heel and the sole about landmarks were scanned."""
+        known = all(self._landmarks[name].confidence > _PROPORTION for name in names)
+        return known and self._is_seen(["pternion"]) and all(map(self._is_spot, names))
+
+    def _is_seen(self, ends: Sequence[str]) -> bool:
+        return all(self._landmarks[name].confidence > GUESS for name in ends)
+
+    def _is_spot(self, name: str) -> bool:
+        scanned_mm2 = float(self._sole_mm2[self._near(name, _SPOT_MM)].sum())
+        return scanned_mm2 > _LEAST_SPOT * np.pi * _SPOT_MM**2
+
     def over_ground(self, points: FloatArray) -> FloatArray:
         """Compute the heights (n,) over the plane through heel, 1st and 5th head."""
-        corner, first, fifth = (
-            self._footing(name)
-            for name in ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
-        )
+        corner, first, fifth = (self._footing(name) for name in FOOTINGS)
         up = np.cross(first - corner, fifth - corner)
         up = up / np.linalg.norm(up) * np.sign(up[2])
         return np.asarray((points - corner) @ up)
 
+    def _near(self, name: str, reach_mm: float) -> BoolArray:
+        return np.asarray(np.hypot(*(self._sole[:, :2] - self[name][:2]).T) < reach_mm)
+
     def _footing(self, name: str) -> FloatArray:
         """Return the lowest point (3,) of the sole about a landmark, but for 1 % of noise."""
         point = self[name]
-        near = np.hypot(*(self.vertices[:, :2] - point[:2]).T) < _FOOTING_MM
-        z = self.vertices[near & self._faces_ground, 2]
-        return np.array([*point[:2], np.quantile(z, 0.01) if len(z) else point[2]])
+        near = self._near(name, _FOOTING_MM)
+        if not near.any():
+            return point
+        lowest = weighted_quantile(self._sole[near, 2], self._sole_mm2[near], 0.01)
+        return np.array([*point[:2], lowest])
 
-    def dorsal_height(self, from_heel_mm: float) -> float | None:
-        """Return the height of a section over the ground; None where only the sole was scanned."""
+    def _dorsal_height(self, from_heel_mm: float) -> float | None:
+        """Return the height of a section over the ground; None where its top was not scanned."""
+        ahead = self._turn[1]
         y = float(self["pternion"][1]) + from_heel_mm
-        section = np.abs(self.vertices[:, 1] - y) < _BAND_MM
-        return float(self.vertices[section, 2].max()) if self._has_back(section) else None
-
-    def girth(self, tibiale: FloatArray, fibulare: FloatArray) -> float | None:
-        """Return the length of a tape round the vertical section through two points."""
-        across = (tibiale - fibulare)[:2] / np.hypot(*(tibiale - fibulare)[:2])
-        ahead = (self.vertices[:, :2] - fibulare[:2]) @ np.array([-across[1], across[0]])
-        section = np.abs(ahead) < _BAND_MM
-        if not self._has_back(section):
+        section = section_segments(self._mesh, y * ahead, ahead).reshape(-1, 3)
+        if len(section) == 0:
             return None
-        points = self.vertices[section]
-        return float(ConvexHull(np.column_stack([points[:, :2] @ across, points[:, 2]])).area)
+        top = section[section[:, 2].argmax()]
+        away = np.linalg.norm(boundary_crossings(self._mesh, y * ahead, ahead) - top, axis=1)
+        if top[2] < _LEAST_DORSAL_MM or away.min(initial=np.inf) < _RIM_MM:
+            return None
+        return float(top[2])
 
-    def _has_back(self, section: BoolArray) -> bool:
-        """Return whether a section goes round the foot: part of it faces upwards at its top."""
-        if section.sum() < 3:
-            return False
-        top = float(self.vertices[section, 2].max())
-        summit = section & (self.vertices[:, 2] > top - _SUMMIT_MM) & (self._upward > _FACES_UP)
-        return bool(summit.any()) and top > _LEAST_DORSAL_MM
+    def _girth(self) -> float | None:
+        """Return the length of a tape round the vertical section through two points.
 
-    def arch_index(self) -> float:
-        """Compute the index of Cavanagh & Rodgers 1987 on the part of the sole near the ground."""
+        None where the tape would have to bridge a part that was not scanned.
+        """
+        tibiale, fibulare = self["metatarsale_tibiale"], self["metatarsale_fibulare"]
+        across = self._turn.T @ [*(tibiale - fibulare)[:2], 0.0]
+        across /= np.linalg.norm(across)
+        up = np.array([0.0, 0.0, 1.0])
+        origin = self._turn.T @ fibulare
+        section = section_segments(self._mesh, origin, np.cross(across, up))
+        return tape_length(np.stack([section @ across, section[..., 2]], axis=-1))
+
+    def _arch_index(self) -> float | None:
+        """Compute the index of Cavanagh & Rodgers 1987 on the part of the sole near the ground.
+
+        None where this part ends at the edge of the scan.
+        """
         touches = self._touching()
-        y, area = self.vertices[touches, 1], self._plantar_area[touches]
-        if len(y) == 0:
-            return 0.0
+        y, area_mm2 = self._sole[touches, 1], self._sole_mm2[touches]
+        cut_off = area_mm2 @ (self._sole_rim_mm[touches] < _RIM_MM)
+        if len(y) == 0 or cut_off > _MOST_CUT_OFF * area_mm2.sum():
+            return None
         start, third = float(y.min()), float(np.ptp(y)) / 3
         middle = (y >= start + third) & (y < start + 2 * third)
-        return float(area[middle].sum() / area.sum())
+        return float(area_mm2[middle].sum() / area_mm2.sum())
 
     def _touching(self) -> BoolArray:
         (x5, y5), (x1, y1) = (self[f"metatarsal_head_{n}"][:2] for n in (5, 1))
-        line = np.interp(self.vertices[:, 0], [x5, x1], [y5, y1])
-        toeless = self.vertices[:, 1] < line + _TOE_GAP * self.length_mm
-        low = self.over_ground(self.vertices) < _FOOTPRINT_MM
-        return np.asarray(toeless & low & self._faces_ground)
+        line = np.interp(self._sole[:, 0], [x5, x1], [y5, y1])
+        toeless = self._sole[:, 1] < line + _TOE_GAP * self.length_mm
+        low = self.over_ground(self._sole) < _FOOTPRINT_MM
+        return np.asarray(toeless & low)
 
 
 def _angles(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:

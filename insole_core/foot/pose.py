@@ -18,7 +18,7 @@ from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.side_similarity import lower_side, side_dissimilarity
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.sampling import sample_triangles
+from insole_core.geometry.sampling import area_samples
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, transform
 
@@ -72,7 +72,7 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
     """
     poses = [
         pose
-        for up in _up_directions(mesh)
+        for up in _up_directions(mesh, points)
         for rotation in _both_ways(points, up)
         for pose in _turned(points, rotation)
     ]
@@ -81,18 +81,13 @@ def find_poses(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:
 
 def surface_points(mesh: TriangleMesh) -> FloatArray:
     """Sample some thousand points (n, 3), mm, evenly over a surface."""
-    samples = sample_triangles(mesh, float(np.sqrt(mesh.area_mm2 / _SAMPLES)))
-    # Small triangles have a point each, which is more than needed: one every n mm2 is enough.
-    area = np.cumsum(samples.area_mm2)
-    picks = np.searchsorted(area, (np.arange(_SAMPLES) + 0.5) * area[-1] / _SAMPLES)
-    return np.asarray(samples.points[np.unique(np.minimum(picks, len(area) - 1))])
+    return area_samples(mesh, mesh.area_mm2 / _SAMPLES)[0]
 
 
-def _up_directions(mesh: TriangleMesh) -> Iterator[FloatArray]:
+def _up_directions(mesh: TriangleMesh, points: FloatArray) -> Iterator[FloatArray]:
     """Return unit vectors that may point to the back of the foot."""
     yield from _faces(mesh.vertices)
-    centred = mesh.vertices - mesh.vertices.mean(axis=0)
-    main = np.linalg.svd(centred[:: max(1, len(centred) // 5000)], full_matrices=False)[2]
+    main = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
     yield from main
     yield from -main
 

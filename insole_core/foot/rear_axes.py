@@ -74,9 +74,9 @@ def _axis(foot: Foot, heights_mm: tuple[float, float], turned: float) -> Axis | 
     middles = np.arange(*heights_mm, _SLICE_MM)[seen] + _SLICE_MM / 2
     if len(seen) < _LEAST_SLICES or np.ptp(middles) < 0.6 * np.diff(heights_mm)[0]:
         return None
-    x, z = foot.mesh.vertices[back][:, [0, 2]].T
+    x, z = foot.even.points[back][:, [0, 2]].T
     rows = np.stack([np.ones_like(z), z, sideways, z * sideways], axis=1)
-    line, off = _robust_fit(rows, x, foot.mesh.vertex_areas[back])
+    line, off = _robust_fit(rows, x, foot.even.area_mm2[back])
     along = np.polyfit(middles, rear_mm[seen], 1)
     lower, upper = (
         np.array([line[0] + line[1] * height, np.polyval(along, height), height])
@@ -105,12 +105,12 @@ def _robust_fit(
 def _back(
     foot: Foot, heights_mm: tuple[float, float], turned: float
 ) -> tuple[IndexArray, FloatArray, IndexArray, FloatArray]:
-    """Find the vertices on the back of the sections.
+    """Find the points on the back of the sections.
 
     Returns
     -------
     back : (n,) int64
-        Index of the vertices.
+        Index of the points.
     sideways : (n,) float64
         Sideways part of their normals.
     section : (n,) int64
@@ -118,7 +118,7 @@ def _back(
     rear_mm : (sections,) float64
         Rearmost y of each section, NaN where its back was not measured from side to side.
     """
-    points, normals = foot.mesh.vertices, foot.mesh.vertex_normals
+    points, normals = foot.even.points, foot.even.normals
     level = np.hypot(normals[:, 0], normals[:, 1])
     sideways = np.divide(normals[:, 0], level, out=np.ones_like(level), where=level > 0.3)
     count = len(np.arange(*heights_mm, _SLICE_MM))

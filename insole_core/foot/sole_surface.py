@@ -6,31 +6,31 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from insole_core.foot.border_fit import USUAL_MM, UsualBorder, fit_border
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
+from insole_core.foot.outermost import Border, cap, ramp, reach
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
-from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.contour_constraints import ContourConstraints
-from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.transforms import rotation_about
+from insole_core.geometry.weighted import weighted_quantile
 
 _END_DEPTH_MM = 3.0  # points this near to the outermost one belong to the end
-_OUTERMOST = 3  # points whose mean is the outermost one: one alone may be noise
-_TURNING = 0.1  # below this cosine the border does not turn towards its end
-_WHOLE, _SEEN = 0.97, 0.9  # cosine against the direction from which on the end itself was measured
+_CAP_MM = 1.5  # depth of the cap whose middle is the place of the outermost point
+_TURNING = (0.05, 0.15)  # cosine from which on the border turns towards its end
+_WHOLE = (0.87, 0.97)  # cosine against the direction from which on the end itself was measured
 _TURN = 0.4  # before the last measured cosine, over which the border is continued
-_MOST_MM = 6.0
+_MOST_MM, _CONTINUED = 6.0, 0.35  # how far an end is continued at most, and its confidence then
 _BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
-_STRIP_MM, _EVENED_STRIPS, _FRAYED_STRIPS = 2.0, 1.2, 2.5
 _LEAST_POINTS = 6
-_NORMAL_ROUNDS = 4
+_FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
+_FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
+_EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
 _FACING = -0.5
 _TOE_ACROSS = (0.23, 0.44, 0.165, 0.145, 0.145)
@@ -39,6 +39,8 @@ _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
 _TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
 _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
+_TO_TOES = 0.95  # share of the length that a scan with toes covers
+_MERGED = 0.45  # greatest confidence of a toe that does not stand out from the others
 
 _USUAL_LENGTH_MM = 240.0
 _REAR_MM = 14.0
@@ -58,37 +60,31 @@ class LowFoot:
     Parameters
     ----------
     foot
-    points, normals : (n, 3) float64
-        Without the frayed borders of the mesh.
-    toe_points, toe_normals : (m, 3) float64
-        With the borders, and with smoothed normals. Beside the foot a border lies a millimetre or
-        two off; before the toes it is all that was measured of their tips.
+    whole
+        Evenly spread, with the frayed borders of an open surface. Beside the foot a border lies a
+        millimetre or two off; before the toes it is all that was measured of their tips.
+    inner
+        Without these borders.
     touches
         Contour constraints, if there are any.
     """
 
     foot: Foot
-    points: FloatArray
-    normals: FloatArray
-    toe_points: FloatArray
-    toe_normals: FloatArray
+    whole: Border
+    inner: Border
     touches: ContourConstraints | None
 
     @staticmethod
     def of(foot: Foot) -> LowFoot:
         """Cut the lower part out of a foot."""
-        mesh = foot.mesh
-        low = mesh.vertices[:, 2] < OUTLINE_HEIGHT_MM
-        keep = low & ~_near_border(mesh)
-        keep = keep if keep.sum() > low.sum() / 2 else low
-        return LowFoot(
-            foot,
-            mesh.vertices[keep],
-            mesh.vertex_normals[keep],
-            mesh.vertices[low],
-            smoothed_normals(mesh, _NORMAL_ROUNDS)[low],
-            None if mesh.touches is None else _low_touches(mesh.touches),
-        )
+        even = foot.even
+        low = even.points[:, 2] < OUTLINE_HEIGHT_MM
+        whole = Border(even.points, even.normals, even.area_mm2).part(low)
+        inner = whole.weighted(ramp(even.rim_mm[low], _FRAYED_MM))
+        if len(inner.points) < len(whole.points) / 2:
+            inner = whole
+        touches = foot.mesh.touches
+        return LowFoot(foot, whole, inner, None if touches is None else _low_touches(touches))
 
 
 class SoleSurface:
@@ -105,20 +101,18 @@ class SoleSurface:
         mirror = np.diag([low.foot.side.medial_sign, 1.0, 1.0])
         self._low, self._yaw_deg = low, yaw_deg
         self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
-        self.points = low.points @ self._insole2sole.T
-        self.normals = low.normals @ self._insole2sole.T
-        self.back_mm = float(self.points[:, 1].min())
+        self._inner = low.inner.turned(self._insole2sole)
+        self._whole = low.whole.turned(self._insole2sole)
+        self.back_mm = -reach(-self._inner.points[:, 1], self._inner.area_mm2)
         self.length_mm = low.foot.length_mm
-        self._toes = low.toe_points @ self._insole2sole.T
-        self._toe_normals = low.toe_normals @ self._insole2sole.T
         self._touches = None if low.touches is None else self._turned(low.touches)
-        facing = self.normals[:, 2] < _FACING
+        facing = self._inner.normals[:, 2] < _FACING
         facing = facing if facing.any() else np.ones(len(facing), dtype=bool)
-        self._sole = self.points[facing]
+        self._sole = self._inner.part(facing)
 
     @cached_property
     def _tree(self) -> cKDTree:
-        return cKDTree(self._sole[:, :2])
+        return cKDTree(self._sole.points[:, :2])
 
     def along(self, way: FloatArray) -> SoleSurface:
         """Return the same part with +y in another direction (3,), given in this sole frame."""
@@ -133,10 +127,16 @@ class SoleSurface:
         return np.asarray(point @ self._insole2sole)
 
     def on_sole(self, xy: FloatArray) -> FloatArray:
-        """Return the point (3,) of the sole above (x, y): the median about it, or the nearest."""
+        """Return the point (3,) of the sole above (x, y): on the plane fitted to it, or nearest."""
         near = self._tree.query_ball_point(xy, _PATCH_MM)
-        z = self._sole[near, 2] if near else self._sole[self._tree.query(xy)[1]][2:]
-        return np.array([xy[0], xy[1], float(np.median(z))])
+        if len(near) < _LEAST_POINTS:
+            return np.array([*xy, self._sole.points[self._tree.query(xy)[1]][2]])
+        away = self._sole.points[near] - [*xy, 0.0]
+        weights = self._sole.area_mm2[near] * (1 - (away[:, :2] ** 2).sum(axis=1) / _PATCH_MM**2)
+        rows = np.column_stack([np.ones(len(away)), away[:, :2]])
+        normal = rows.T @ (weights[:, None] * rows) + weights.sum() * np.diag([0.0, 0.1, 0.1])
+        height = np.linalg.solve(normal, rows.T @ (weights * away[:, 2]))[0]
+        return np.array([*xy, height])
 
     def support(
         self,
@@ -166,15 +166,16 @@ class SoleSurface:
         End
             mm, sole frame.
         """
-        share = (self.points[:, 1] - self.back_mm) / self.length_mm
-        region = (share >= shares[0]) & (share <= shares[1])
-        region = region if region.any() else np.ones(len(share), dtype=bool)
+        inside_mm = (self._shares - shares[0]).clip(max=shares[1] - self._shares) * self.length_mm
+        region = self._inner.weighted(ramp(inside_mm, _EDGE_MM))
+        region = region if len(region.points) else self._inner
         usual = None
         if usual_share is not None:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
-        points, normals = self.points[region], self.normals[region]
-        end = _end(points, normals, towards, _BORDER_RADIUS_MM, usual)
+        end = _end(region, towards, _BORDER_RADIUS_MM, usual)
+        if usual_share is not None and self._front_mm - end.point[1] < _FRONT_MM:
+            return replace(end, confidence=GUESS)  # the scan ends before the border turns back
         if border is None:
             return end
         if usual_share is None:
@@ -182,6 +183,15 @@ class SoleSurface:
             return self._touched(end, towards, (x - _REAR_MM, x + _REAR_MM), border)
         low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
         return self._touched(end, towards, (low, high), border, middle)
+
+    @cached_property
+    def _front_mm(self) -> float:
+        return reach(self._inner.points[:, 1], self._inner.area_mm2)
+
+    @property
+    def _shares(self) -> FloatArray:
+        """(n,) y of the inner points in shares of the length, from the heel."""
+        return np.asarray((self._inner.points[:, 1] - self.back_mm) / self.length_mm)
 
     def _turned(self, touches: ContourConstraints) -> ContourConstraints:
         turn = self._insole2sole.T
@@ -198,7 +208,7 @@ class SoleSurface:
         """Refine an end by the contours; unchanged in position where they do not determine it."""
         if self._touches is None:
             return end
-        surface = ContourConstraints(self._toes, self._toe_normals)
+        surface = ContourConstraints(self._whole.points, self._whole.normals)
         scaled = border.scaled(self.length_mm / _USUAL_LENGTH_MM)
         fit = fit_border(surface, self._touches, direction, between_mm, scaled)
         trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
@@ -213,66 +223,64 @@ class SoleSurface:
 
     def toe_tips(self) -> list[End]:
         """Find the five tips, medial to lateral, mm, sole frame; a guess where no toe was found."""
-        share = (self.points[:, 1] - self.back_mm) / self.length_mm
-        ball = self.points[np.abs(share - 0.68) < 0.03]
-        ball = ball if len(ball) else self.points
+        ball = self._inner.points[np.abs(self._shares - 0.68) < 0.03]
+        ball = ball if len(ball) else self._inner.points
         lateral, medial = float(ball[:, 0].min()), float(ball[:, 0].max())
         width = medial - lateral
         tips: list[End] = []
-        for across, reach, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
+        for across, ahead, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
             # Beyond the 2nd, a toe lies about one toe's width beside the previous one.
             from_x = medial if len(tips) < 2 else float(tips[-1].point[0])
-            usual = np.array([from_x - across * width, self.back_mm + reach * self.length_mm])
+            usual = np.array([from_x - across * width, self.back_mm + ahead * self.length_mm])
             tips.append(self._toe_tip(usual, search * width))
         return tips
 
     def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
-        guess = End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
-        x = pulp_line(self._sole, self.length_mm, usual, search_mm)
-        if x is None:
-            return guess
-        toe = np.abs(self._toes[:, 0] - x) < _TOE_HALF_MM
-        toe &= self._toes[:, 1] > usual[1] - _BAND * self.length_mm
-        points = self._toes[toe]
-        if len(points) == 0:
-            return guess
+        x = pulp_line(self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm)
+        merged = x is None
+        middle, half_mm = (usual[0], search_mm / 2) if x is None else (x, _TOE_HALF_MM)
+        across, along, _ = self._whole.points.T
+        toe = (np.abs(across - middle) < half_mm) & (along > usual[1] - _BAND * self.length_mm)
+        if not toe.any():
+            return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
+        tip = find_toe_end(self._whole.part(toe))
+        if merged and self._front_mm < self.back_mm + _TO_TOES * self.length_mm:
+            return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
         ahead = np.array([0.0, 1.0, 0.0])
-        tip = find_toe_end(
-            points, self._toe_normals[toe], _outermost(points, points[:, 1], ahead, None)
-        )
-        depth = points[:, 1] - points[:, 1].max() + _END_DEPTH_MM
-        tip.point[0] = np.average(points[:, 0], weights=np.maximum(depth, 0.0))
         between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
-        return self._touched(tip, ahead, between, TOE_BORDER)
+        tip = self._touched(tip, ahead, between, TOE_BORDER)
+        return replace(tip, confidence=min(tip.confidence, _MERGED)) if merged else tip
 
 
 def _end(
-    points: FloatArray,
-    normals: FloatArray,
-    direction: FloatArray,
-    radius_mm: float,
-    usual_mm: float | None = None,
+    border: Border, direction: FloatArray, radius_mm: float, usual_mm: float | None = None
 ) -> End:
     """Find the outermost point of a part of the surface, continued where its normals fall short.
 
     `radius_mm` is that of the usual border; `usual_mm` is the usual position of the end across the
     direction, which decides where a border is nearly straight and frayed.
     """
-    along, facing = points @ direction, normals @ direction
-    top = float(np.sort(along)[-_OUTERMOST:].mean())
+    points, area_mm2 = border.points, border.area_mm2
+    along, facing = points @ direction, border.normals @ direction
+    top = reach(along, area_mm2)
     near = along > top - _END_DEPTH_MM
-    faced = float(np.quantile(facing[near], 0.9))
-    if faced >= _WHOLE:
-        usual_mm = None  # the border itself was measured, which is the best evidence
-    place = points[_outermost(points, along, direction, usual_mm)].copy()
-    if faced >= _SEEN or faced < _TURNING or near.sum() < _LEAST_POINTS:
-        reach, confidence = top, SURE
-    else:
+    faced = weighted_quantile(facing[near], area_mm2[near], 0.9)
+    short = 1 - float(ramp(faced, _WHOLE))
+    rated = along
+    if usual_mm is not None:  # the border itself, where it was measured, is the best evidence
+        across = points @ np.array([-direction[1], direction[0], 0.0])
+        rated = along - short * ((across - usual_mm) / USUAL_MM) ** 2
+    place = cap(points, rated, area_mm2, _CAP_MM)
+    turning = float(ramp(faced, _TURNING)) if near.sum() >= _LEAST_POINTS else 0.0
+    end_mm, confidence = top, GUESS + (SURE - GUESS) * turning
+    short *= turning
+    if short > 0:
         last = (along > top - 2 * _END_DEPTH_MM) & (facing > max(faced - _TURN, 0.1))
-        reach, place[2] = _round_end(points[last], normals[last], direction, radius_mm)
-        reach = float(np.clip(reach, top, top + _MOST_MM))
-        confidence = SURE - (SURE - GUESS) * (reach - top) / _MOST_MM
-    return End(place + (reach - place @ direction) * direction, confidence)
+        round_mm, height = _round_end(points[last], border.normals[last], direction, radius_mm)
+        end_mm += short * float(np.clip(round_mm - top, 0.0, _MOST_MM))
+        place[2] += short * (height - place[2])
+        confidence = min(confidence, SURE - (SURE - _CONTINUED) * (end_mm - top) / _MOST_MM)
+    return End(place + (end_mm - place @ direction) * direction, confidence)
 
 
 def _round_end(
@@ -298,38 +306,6 @@ def _round_end(
     return float(reach), float(height)
 
 
-def _outermost(
-    points: FloatArray, along: FloatArray, direction: FloatArray, usual_mm: float | None
-) -> int:
-    """Return the index of the point at the summit of the border's smoothed profile."""
-    across = points @ np.array([-direction[1], direction[0], 0.0])
-    strip = np.floor((across - across.min()) / _STRIP_MM).astype(int)
-    profile = np.full(strip.max() + 1, -np.inf)
-    np.maximum.at(profile, strip, along)
-    profile[~np.isfinite(profile)] = profile[np.isfinite(profile)].min()
-    if usual_mm is None:
-        profile = gaussian_filter1d(profile, _EVENED_STRIPS, mode="nearest")
-    else:
-        profile = gaussian_filter1d(profile, _FRAYED_STRIPS, mode="nearest")
-        middle = across.min() + (np.arange(len(profile)) + 0.5) * _STRIP_MM
-        profile = profile - ((middle - usual_mm) / USUAL_MM) ** 2
-    away = np.abs(strip - int(profile.argmax()))
-    inside = np.flatnonzero(away <= away.min())
-    return int(inside[along[inside].argmax()])
-
-
 def _low_touches(touches: ContourConstraints) -> ContourConstraints:
     low = touches.points[:, 2] < OUTLINE_HEIGHT_MM
     return ContourConstraints(touches.points[low], touches.normals[low])
-
-
-def _near_border(mesh: TriangleMesh) -> BoolArray:
-    """Return which vertices (n,) lie within two edges of the boundary of an open surface."""
-    return _grown(_grown(mesh.links.is_boundary, mesh.triangles), mesh.triangles)
-
-
-def _grown(chosen: BoolArray, triangles: IndexArray) -> BoolArray:
-    """Add the vertices of all triangles that touch a chosen vertex."""
-    grown = chosen.copy()
-    grown[triangles[chosen[triangles].any(axis=1)]] = True
-    return grown

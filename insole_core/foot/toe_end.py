@@ -11,19 +11,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
 
-from insole_core.geometry.arrays import FloatArray, IndexArray
+from insole_core.foot.outermost import Border, cap, ramp, reach
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.weighted import weighted_quantile
 
 SURE, GUESS = 0.95, 0.3
 _LEAST = 0.05
 _RADIUS_MM, _RADIUS_SPREAD_MM = 10.0, 2.5  # of the cross-section, and its standard deviation
 _BEND_MM, _HALF_MM = 9.0, 5.0  # radius of the outline from above, and half of the width used
 _SLOPE = 0.3  # standard deviation of the outline's slant
-_STRIP_MM = 2.0
+_SUMMIT_MM = 1.0  # depth of the part about whose middle the tip is fitted
 _DEPTH_MM, _END_DEPTH_MM = 6.0, 3.0  # depth behind the outline of the tip, and of the end
-_FACING, _WHOLE = 0.15, 0.97  # cosine against straight ahead: of a tip, of a whole end
-_BEYOND_MM = 1.0  # least height above the end up to which a whole tip was measured
+_FACING, _WHOLE = 0.15, (0.9, 0.97)  # cosine against straight ahead: of a tip, of a whole end
+_BEYOND_MM = (0.0, 2.0)  # height above the end up to which a whole tip was measured
 _LESS_MM, _MOST_MM = 1.0, 6.0  # how far the circle may end before and beyond the outline
 _NOISE_MM, _PATCH_MM2 = 0.5, 25.0  # noise of a point, and the area over which it is the same
 _ROUNDS, _FIRST_ROUNDS, _STEP_MM, _ROBUST = 12, 3, 3.0, 2.5
@@ -50,58 +51,54 @@ class End:
     deviation_mm: float | None = None
 
 
-def find_toe_end(points: FloatArray, normals: FloatArray, summit: int) -> End:
+def find_toe_end(toe: Border) -> End:
     """Find the tip of one toe.
 
     Parameters
     ----------
-    points, normals : (n, 3) float64, mm
-        Of the toe; ahead = +y.
-    summit
-        Index of the foremost point, about which the tip is fitted.
+    toe
+        Its surface; ahead = +y.
 
     Returns
     -------
     End
         A guess at the summit when there are too few points.
     """
-    aside = points[:, 0] - points[summit, 0]
-    shell, top = _shell(aside, points[:, 1], normals[:, 1])
-    place = points[summit].copy()
-    if len(shell) < _LEAST_POINTS:
+    aside = toe.points[:, 0] - _middle(toe, _SUMMIT_MM)[0]
+    near = np.abs(aside) < _HALF_MM
+    shell, aside = toe.part(near), aside[near]
+    top = reach(shell.points[:, 1], shell.area_mm2)
+    depth = top - _slope(aside) - shell.points[:, 1]
+    kept = (depth < _DEPTH_MM) & (shell.normals[:, 1] > _FACING)
+    place = _middle(toe, _END_DEPTH_MM)
+    if kept.sum() < _LEAST_POINTS:
         return End(place, GUESS)
-    along, z = points[shell, 1], points[shell, 2]
-    fitted = _fit(aside[shell], along, z, top)
-    if _is_whole(normals[shell, 1][along > top - _END_DEPTH_MM], z, fitted.height_mm):
-        place[1] = top
-        return End(place, SURE)
-    place[1] = np.clip(fitted.reach_mm, top - _LESS_MM, top + _MOST_MM)
-    place[2] = np.clip(fitted.height_mm, z.min(), z.max() + _MOST_MM)
-    confidence = SURE - _DOUBT * max(fitted.deviation_mm - _CERTAIN_MM, 0.0)
-    return End(place, float(np.clip(confidence, _LEAST, SURE)))
+    shell = shell.part(kept)
+    fitted = _fit(shell, aside[kept], top)
+    short = 1 - _wholeness(shell, fitted.height_mm, top)
+    z = shell.points[:, 2]
+    height = float(np.clip(fitted.height_mm, z.min(), z.max() + _MOST_MM))
+    ahead = float(np.clip(fitted.reach_mm - top, -_LESS_MM, _MOST_MM))
+    place[1:] = top + short * ahead, place[2] + short * (height - place[2])
+    doubt = short * _DOUBT * max(fitted.deviation_mm - _CERTAIN_MM, 0.0)
+    return End(place, float(np.clip(SURE - doubt, _LEAST, SURE)))
 
 
-def _outermost(strip: IndexArray, along: FloatArray) -> FloatArray:
-    """Return the greatest value of each strip; a strip without points gets the least of them."""
-    profile = np.full(strip.max() + 1, -np.inf)
-    np.maximum.at(profile, strip, along)
-    profile[~np.isfinite(profile)] = profile[np.isfinite(profile)].min()
-    return profile
+def _middle(toe: Border, depth_mm: float) -> FloatArray:
+    return cap(toe.points, toe.points[:, 1], toe.area_mm2, depth_mm)
 
 
-def _shell(aside: FloatArray, along: FloatArray, facing: FloatArray) -> tuple[IndexArray, float]:
-    """Return the tip's points about the summit, and the smoothed outline's value there."""
-    near = np.flatnonzero(np.abs(aside) < _HALF_MM)
-    strip = np.floor((aside[near] + _HALF_MM) / _STRIP_MM).astype(int)
-    outline = gaussian_filter1d(_outermost(strip, along[near]), 1.0, mode="nearest")
-    kept = (along[near] > outline[strip] - _DEPTH_MM) & (facing[near] > _FACING)
-    return near[kept], float(outline[int(_HALF_MM / _STRIP_MM)])
+def _slope(aside: FloatArray) -> FloatArray:
+    """Return how far the usual outline falls behind its tip."""
+    return np.asarray(aside**2 / (2 * _BEND_MM))
 
 
-def _is_whole(facing: FloatArray, z: FloatArray, height_mm: float) -> bool:
-    """Return whether the surface faces ahead and was measured past the height of its end."""
-    turned = len(facing) > 0 and float(np.quantile(facing, 0.9)) >= _WHOLE
-    return turned and height_mm < float(np.quantile(z, _WHOLE)) - _BEYOND_MM
+def _wholeness(shell: Border, height_mm: float, top: float) -> float:
+    """Return to what degree a tip faces ahead and was measured past the height of its end."""
+    end = shell.part(shell.points[:, 1] > top - _END_DEPTH_MM)
+    turned = weighted_quantile(end.normals[:, 1], end.area_mm2, 0.9)
+    above = weighted_quantile(shell.points[:, 2], shell.area_mm2, 0.97) - height_mm
+    return float(ramp(turned, _WHOLE) * ramp(above, _BEYOND_MM))
 
 
 @dataclass(frozen=True)
@@ -113,18 +110,19 @@ class _RoundEnd:
     deviation_mm: float
 
 
-def _fit(aside: FloatArray, along: FloatArray, z: FloatArray, top: float) -> _RoundEnd:
+def _fit(shell: Border, aside: FloatArray, top: float) -> _RoundEnd:
     """Fit a circle to the cross-section of a tip whose outline is bent and slanted.
 
     Robust least squares (Geman & McClure) with a prior on the radius, the slant and the bend; the
     unknowns are centre (along, z), radius, slant and bend.
     """
+    _, along, z = shell.points.T
     radius, bend = _RADIUS_MM, 1 / _BEND_MM
     usual = np.array([0.0, 0.0, radius, 0.0, bend])
     information = np.array([1e3, 1e3, _RADIUS_SPREAD_MM, _SLOPE, bend / 2]) ** -2.0
     known = np.array([top - radius, np.median(z) + radius / 2, radius, 0.0, bend])
     patches = max(4.0, 2 * _HALF_MM * max(float(np.ptp(z)), 3.0) / _PATCH_MM2)
-    share = patches / len(z) / _NOISE_MM**2
+    shares = patches * shell.area_mm2 / shell.area_mm2.sum() / _NOISE_MM**2
     for number in range(_ROUNDS):
         ahead = along - known[3] * aside + known[4] * aside**2 / 2 - known[0]
         above = z - known[1]
@@ -132,10 +130,10 @@ def _fit(aside: FloatArray, along: FloatArray, z: FloatArray, top: float) -> _Ro
         off = distance - known[2]
         out, up = ahead / distance, above / distance
         rows = np.column_stack([-out, -up, -np.ones_like(off), -out * aside, out * aside**2 / 2])
-        weights = np.full(len(off), share)
+        weights = shares
         if number >= _FIRST_ROUNDS:
             spread = max(1.48 * float(np.median(np.abs(off))), 0.2)
-            weights /= (1 + (off / spread / _ROBUST) ** 2) ** 2
+            weights = shares / (1 + (off / spread / _ROBUST) ** 2) ** 2
         normal = rows.T @ (rows * weights[:, None]) + np.diag(information)
         change = np.linalg.solve(normal, information * (usual - known) - rows.T @ (weights * off))
         known = known + np.clip(change, -_STEP_MM, _STEP_MM)

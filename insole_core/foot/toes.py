@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from insole_core.foot.outermost import reach
 from insole_core.geometry.arrays import FloatArray, IntArray
 
 _STRIP_MM = 1.5
@@ -18,7 +19,7 @@ _ROUNDS = 30
 
 
 def pulp_line(
-    sole: FloatArray, length_mm: float, tip: FloatArray, search_mm: float
+    sole: FloatArray, area_mm2: FloatArray, length_mm: float, tip: FloatArray, search_mm: float
 ) -> float | None:
     """Find x of the lowest line of one toe.
 
@@ -26,6 +27,7 @@ def pulp_line(
     ----------
     sole : (n, 3) float64, mm
         Points that face the ground; toes towards +y.
+    area_mm2 : (n,) float64
     length_mm
         Of the foot.
     tip : (2,) float64, mm
@@ -48,7 +50,7 @@ def pulp_line(
     if len(summits) == 0:
         return None
     best = summits[np.abs(x[summits] - tip[0]).argmin()]
-    return _summit(sole[near], float(x[best]), search_mm / 2)
+    return _summit(sole[near], area_mm2[near], float(x[best]), search_mm / 2)
 
 
 def _summits(heights: FloatArray, prominence: float) -> IntArray:
@@ -69,13 +71,15 @@ def _prominence(heights: FloatArray, at: int) -> float:
     return float(heights[at] - max(heights[low : at + 1].min(), heights[at:high].min()))
 
 
-def _summit(points: FloatArray, x: float, reach_mm: float) -> float:
-    """Return the mean x of the lowest points about x; with strips alone it would jump."""
+def _summit(points: FloatArray, area_mm2: FloatArray, x: float, reach_mm: float) -> float:
+    """Return the mean x of the lowest part about x; with strips alone it would jump."""
     for _ in range(_ROUNDS):
         away = np.clip(np.abs(points[:, 0] - x) / reach_mm, 0, 1)
-        floor = points[away < 1, 2].min()
-        low = np.maximum(floor + _SUMMIT_MM - points[:, 2], 0.0)
-        x = float(np.average(points[:, 0], weights=low * (1 - away**2) ** 2))
+        near = away < 1
+        lift = -points[near, 2]
+        low = np.maximum(lift - reach(lift, area_mm2[near]) + _SUMMIT_MM, 0.0)
+        weights = area_mm2[near] * low * (1 - away[near] ** 2) ** 2
+        x = float(weights @ points[near, 0] / weights.sum())
     return x
 
 

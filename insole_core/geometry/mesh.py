@@ -93,7 +93,8 @@ class TriangleMesh:
     def transformed(self, a2b: FloatArray) -> TriangleMesh:
         """Transform the mesh by `a2b` (4, 4), rigid, from frame a to frame b."""
         touches = None if self.touches is None else self.touches.transformed(a2b)
-        return replace(self, vertices=transform(a2b, self.vertices), touches=touches)
+        mesh = replace(self, vertices=transform(a2b, self.vertices), touches=touches)
+        return mesh._knowing(self, {"links", "triangle_areas_mm2"} & self.__dict__.keys())
 
     def moved(self, vertices: FloatArray) -> TriangleMesh:
         """Return a mesh of the same triangles with other vertices (n, 3), mm; drop all else."""

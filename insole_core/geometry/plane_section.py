@@ -21,7 +21,8 @@ def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray)
     Returns
     -------
     (k, 2, 3) float64, mm, frame of the mesh
-        End points of one segment for each triangle that crosses the plane, in no particular order.
+        Start and end of one segment for each triangle that crosses the plane, in no particular
+        order, counter-clockwise round the inside as seen from the side to which the normal points.
     """
     height = (mesh.vertices - origin) @ normal
     above = height >= 0
@@ -31,7 +32,27 @@ def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray)
     lonely = above[cut].sum(axis=1) == 1
     alone = np.where(lonely[:, None], above[cut], ~above[cut]).argmax(axis=1)
     corner = cut[np.arange(len(cut))[:, None], (alone[:, None] + np.arange(3)) % 3]
-    first, others = corner[:, :1], corner[:, 1:]
+    first, others = corner[:, :1], np.where(lonely[:, None], corner[:, 1:], corner[:, :0:-1])
     share = height[first] / (height[first] - height[others])
     start, end = mesh.vertices[first], mesh.vertices[others]
     return np.asarray(start + share[..., None] * (end - start))
+
+
+def boundary_crossings(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray) -> FloatArray:
+    """Find where the boundary of an open mesh crosses a plane: the ends of its section.
+
+    Parameters
+    ----------
+    origin, normal : (3,) float64
+        As of `section_segments`.
+
+    Returns
+    -------
+    (k, 3) float64, mm, frame of the mesh
+    """
+    edges, sharing = mesh.links.edges
+    start, end = np.moveaxis(mesh.vertices[edges[sharing == 1]], 1, 0)
+    from_start, from_end = (start - origin) @ normal, (end - origin) @ normal
+    cut = (from_start >= 0) != (from_end >= 0)
+    share = from_start[cut] / (from_start[cut] - from_end[cut])
+    return np.asarray(start[cut] + share[:, None] * (end - start)[cut])

@@ -9,6 +9,9 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 
+_STEPS = (0.7548776662466927, 0.5698402909980532)
+"""Of the additive sequence R2 (Roberts 2018), which fills a square evenly."""
+
 
 @dataclass(frozen=True, eq=False)
 class SurfaceSamples:
@@ -55,12 +58,41 @@ def sample_triangles(mesh: TriangleMesh, pitch_mm: float) -> SurfaceSamples:
     count = columns * rows
     triangle = np.repeat(np.arange(len(count)), count)
     index = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    v = (index // columns[triangle] + 0.5) / rows[triangle]
+    middle = (index // columns[triangle] + 0.5) / rows[triangle]
+    v = middle - 1 / (12 * rows[triangle] ** 2 * (1 - middle))  # centroid of the row
     u = (index % columns[triangle] + 0.5) / columns[triangle] * (1 - v)
     points = (
         corners[triangle, 0] + u[:, None] * edges[triangle, 0] + v[:, None] * edges[triangle, 1]
     )
-    return SurfaceSamples(points, triangle, (twice_area / count)[triangle] * (1 - v))
+    return SurfaceSamples(points, triangle, (twice_area / count)[triangle] * (1 - middle))
+
+
+def area_samples(mesh: TriangleMesh, area_mm2: float) -> tuple[FloatArray, IntArray]:
+    """Sample a mesh so that every point represents the same area.
+
+    Neither time nor memory grow with the triangles by more than their areas; the points do not
+    depend on the winding of the triangles.
+
+    Parameters
+    ----------
+    area_mm2
+        Largest area of one point.
+
+    Returns
+    -------
+    points : (n, 3) float64, mm
+    triangle : (n,) int64
+        Index of the triangle of each point.
+    """
+    reached = np.cumsum(mesh.triangle_areas_mm2)
+    count = max(int(np.ceil(reached[-1] / area_mm2)), 1)
+    steps = (np.arange(count) + 0.5) * (reached[-1] / count)
+    triangle = np.minimum(np.searchsorted(reached, steps), len(reached) - 1)
+    a, b, c = np.moveaxis(mesh.vertices[np.sort(mesh.triangles[triangle], axis=1)], 1, 0)
+    u, v = (np.arange(1, count + 1)[:, None] * np.array(_STEPS) % 1.0).T
+    beyond = u + v > 1
+    u, v = np.where(beyond, 1 - u, u), np.where(beyond, 1 - v, v)
+    return np.asarray(a + u[:, None] * (b - a) + v[:, None] * (c - a)), triangle
 
 
 def _longest_edge_first(corners: FloatArray) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -21,15 +21,17 @@ from insole_core.compare.comparison_report import (
     span_mm,
 )
 from insole_core.compare.comparison_source import ComparisonSource, read_source
-from insole_core.compare.difference import Difference, table_3
+from insole_core.compare.difference import Difference
 from insole_core.errors import InputError, UsageError
 from insole_core.export.atomic import replacing_file
 from insole_core.export.ply import write_ply
+from insole_core.foot.measures import measure
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.insole_builder import InsoleBuilder
 
 REPORT_SUFFIXES = (".pdf", ".json", ".png", ".ply")
@@ -59,8 +61,6 @@ class Compared:
         Limit of the colour scale.
     picture : (height, width, 3) uint8, RGB
         The signed and the absolute map.
-    measures
-        Thesis table 3, of "a" and "b".
     """
 
     difference: Difference
@@ -68,7 +68,6 @@ class Compared:
     signed_mm: FloatArray
     span_mm: float
     picture: ByteArray
-    measures: dict[str, dict[str, float]]
 
 
 def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> ComparisonSource:
@@ -99,7 +98,8 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
         raise InputError("The case has no such foot; open or capture one first.")
     name = f"{foot.side} {wanted.kind}"
     if wanted.kind == "foot":
-        return ComparisonSource(name, foot.foot.mesh)
+        measures = measure(foot.foot, landmarks_of(foot))
+        return ComparisonSource(name, foot.foot.mesh, measures=measures)
     _, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
     return ComparisonSource(name, solid)
 
@@ -129,6 +129,7 @@ def compare_sources(
     difference = compare_surfaces(
         a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.8)
     )
+    difference = replace(difference, feet=(a.measures, b.measures))
     progress.step(0.8, "Drawing the difference")
     surface, signed = difference_surface(difference)
     drawn = io.BytesIO()
@@ -141,7 +142,6 @@ def compare_sources(
         signed,
         span_mm(difference),
         np.asarray(picture, np.uint8),
-        table_3(difference),
     )
 
 

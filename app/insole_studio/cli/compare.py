@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -15,7 +16,7 @@ from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.compare.comparison import Alignment
-    from insole_core.geometry.mesh import TriangleMesh
+    from insole_core.compare.comparison_source import ComparisonSource
 
 NAME = "compare"
 _ALIGNMENTS: dict[str, Literal["best", "none", "dots"]] = {
@@ -72,9 +73,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         a = _read(arguments.a, progress.part(0.0, 0.2))
         b = _read(arguments.b, progress.part(0.2, 0.4))
         difference = compare_surfaces(
-            a, b, _alignment(arguments.align),
+            a.mesh, b.mesh, _alignment(arguments.align),
             median_pixels=arguments.median, progress=progress.part(0.4, 0.9),
         )  # fmt: skip
+        difference = replace(difference, feet=(a.measures, b.measures))
         progress.step(0.9, "Writing the report")
         text = json.dumps(report_json(difference), indent=1, allow_nan=False)
         write_text(text + "\n", report)
@@ -114,10 +116,10 @@ def _alignment(given: str | Path) -> Alignment:
     return read_picked_points(given) if isinstance(given, Path) else _ALIGNMENTS[given]
 
 
-def _read(path: Path, progress: Progress) -> TriangleMesh:
+def _read(path: Path, progress: Progress) -> ComparisonSource:
     from insole_core.compare.comparison_source import read_source
 
     source = read_source(path, progress)
     for note in source.notes:
         print(f"{path.name}: {note}", file=sys.stderr)
-    return source.mesh
+    return source

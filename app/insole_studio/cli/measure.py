@@ -124,7 +124,7 @@ def report(foot: Foot) -> dict[str, Any]:
             for name, mark in landmarks.items()
         },
         "confidence": {name: round(mark.confidence, 2) for name, mark in landmarks.items()},
-        "uncertain": doubts(landmarks),
+        "uncertain": {n: t for n, t in doubts(landmarks).items() if measures[n] is not None},
         "deviation_mm": {name: round(v, 2) for name, v in deviations_mm(landmarks).items()},
         "not_measured": {n: MISSING[n] for n, v in measures.items() if v is None},
         "definitions": {n: d.text for n, d in DEFINITIONS.items() if measures[n] is not None},

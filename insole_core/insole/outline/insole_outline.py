@@ -156,12 +156,16 @@ def _shortened(whole: FloatArray, heads: FloatArray, length_mm: float) -> FloatA
     slope = float(np.clip(ahead / max(across, 1.0), -_STEEPEST, _STEEPEST))
     edge_mm = float((heads[:, 1] - slope * heads[:, 0]).min()) - _BEHIND_HEADS_MM
     edge_mm = max(edge_mm, _SHORTEST * length_mm)
-    behind = np.flatnonzero(whole[:, 1] < edge_mm + slope * whole[:, 0])
+    ahead_mm = whole[:, 1] - edge_mm - slope * whole[:, 0]
+    behind = np.flatnonzero(ahead_mm < 0)
     if len(behind) == len(whole):
         return whole
     gap = int(np.diff(behind).argmax())
-    medial, lateral = whole[behind[[gap, gap + 1]]]
-    front = _bow(medial, lateral)
+    inside = behind[[gap, gap + 1]]
+    outside = inside + np.array([1, -1])
+    share = ahead_mm[inside] / (ahead_mm[inside] - ahead_mm[outside])
+    medial, lateral = whole[inside] + share[:, None] * (whole[outside] - whole[inside])
+    front = np.stack([medial, *_bow(medial, lateral), lateral])
     cut = evenly_spread(np.insert(whole[behind], gap + 1, front, axis=0), len(whole))
     return _rounded(cut, medial, lateral)
 

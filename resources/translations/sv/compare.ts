@@ -48,12 +48,20 @@
             <translation>Jämförd yta</translation>
         </message>
         <message>
+            <source>Compared part</source>
+            <translation>Jämförd del</translation>
+        </message>
+        <message>
             <source>Difference in 3-D</source>
             <translation>Skillnad i 3-D</translation>
         </message>
         <message>
             <source>Difference maps</source>
             <translation>Skillnadskartor</translation>
+        </message>
+        <message>
+            <source>Feet</source>
+            <translation>Fötter</translation>
         </message>
         <message>
             <source>First, A</source>

@@ -1888,6 +1888,14 @@
             <translation>foten är avskuren vid djupbildens kant ({edges}); vrid sensorn eller flytta den bakåt</translation>
         </message>
         <message>
+            <source>the heel or the medial side of the ball was not scanned</source>
+            <translation>hälen eller trampdynans mediala sida skannades inte</translation>
+        </message>
+        <message>
+            <source>the heel or the toes were not scanned</source>
+            <translation>hälen eller tårna skannades inte</translation>
+        </message>
+        <message>
             <source>the key "{twice}" stands twice in one object; keep one.</source>
             <translation>nyckeln ”{twice}” står två gånger i ett objekt; behåll en.</translation>
         </message>
@@ -1948,12 +1956,28 @@
             <translation>sökningen begränsad till ett område</translation>
         </message>
         <message>
+            <source>the sides of the ball were not scanned</source>
+            <translation>trampdynans sidor skannades inte</translation>
+        </message>
+        <message>
+            <source>the sides of the heel were not scanned</source>
+            <translation>hälens sidor skannades inte</translation>
+        </message>
+        <message>
             <source>the simulation with seed {seed}</source>
             <translation>simuleringen med frö {seed}</translation>
         </message>
         <message>
+            <source>the sole was not scanned under heel, ball and arch</source>
+            <translation>fotsulan skannades inte under häl, trampdyna och fotvalv</translation>
+        </message>
+        <message>
             <source>the square of the board is more likely {likely_mm} mm than {square_mm:g} mm, so measure it and give its true side</source>
             <translation>brädets ruta är troligare {likely_mm} mm än {square_mm:g} mm, så mät den och ange dess verkliga sida</translation>
+        </message>
+        <message>
+            <source>the surface is too coarse there: {places}</source>
+            <translation>ytan är för grov där: {places}</translation>
         </message>
         <message>
             <source>the {count} markers that were pointed at cannot be seen at these places from anywhere; check which marker is which</source>

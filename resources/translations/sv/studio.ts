@@ -1632,6 +1632,10 @@
             <translation>markörer {seen} av {wanted}</translation>
         </message>
         <message>
+            <source>not scanned</source>
+            <translation>inte skannat</translation>
+        </message>
+        <message>
             <source>right</source>
             <translation>höger</translation>
         </message>

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.plane_section import section_segments
+from insole_core.geometry.plane_section import boundary_crossings, section_segments
 
 TETRAHEDRON = TriangleMesh(
     np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 6.0, 0.0], [0.0, 0.0, 8.0]]),
@@ -35,3 +35,25 @@ def test_every_point_lies_in_an_oblique_plane_and_on_the_body() -> None:
 def test_a_plane_beside_the_body_cuts_nothing(side: float) -> None:
     origin = np.array([0.0, 0.0, 4.0 + 10 * side])
     assert section_segments(TETRAHEDRON, origin, np.array([0.0, 0.0, 1.0])).shape == (0, 2, 3)
+
+
+@pytest.mark.parametrize("height", [0.5, 4.0, 7.5])
+def test_segments_run_counter_clockwise_round_the_inside(height: float) -> None:
+    up = np.array([0.0, 0.0, 1.0])
+    segments = section_segments(TETRAHEDRON, np.array([0.0, 0.0, height]), up)
+    start, end = segments[:, 0] - segments.mean(axis=(0, 1)), segments[:, 1] - segments[:, 0]
+    assert (np.cross(start, end)[:, 2] > 0).all()
+    below = section_segments(TETRAHEDRON, np.array([0.0, 0.0, height]), -up)
+    assert (
+        np.cross(below[:, 0] - below.mean(axis=(0, 1)), below[:, 1] - below[:, 0])[:, 2] < 0
+    ).all()
+
+
+def test_the_boundary_of_an_open_mesh_crosses_the_plane_where_its_section_ends() -> None:
+    opened = TriangleMesh(TETRAHEDRON.vertices, TETRAHEDRON.triangles[:-1])
+    origin, up = np.array([0.0, 0.0, 4.0]), np.array([0.0, 0.0, 1.0])
+    ends = boundary_crossings(opened, origin, up)
+    assert len(boundary_crossings(TETRAHEDRON, origin, up)) == 0
+    points = section_segments(opened, origin, up).reshape(-1, 3)
+    for end in ends:
+        assert (np.linalg.norm(points - end, axis=1) < 1e-9).sum() == 1

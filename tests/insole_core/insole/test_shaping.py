@@ -149,7 +149,9 @@ EVERYTHING = (
 
 def test_mirrored_design_of_a_mirrored_foot_gives_the_mirrored_insole(left_foot):
     mesh = replace(left_foot.mesh, vertices=left_foot.mesh.vertices * [-1, 1, 1]).flipped()
-    right_foot = Foot(Side.RIGHT, mesh, np.eye(4), left_foot.length_mm)
+    mirror = np.diag([-1.0, 1.0, 1.0, 1.0])
+    source2insole = mirror @ left_foot.source2insole @ mirror
+    right_foot = Foot(Side.RIGHT, mesh, source2insole, left_foot.length_mm)
     design = InsoleDesign(Side.LEFT, EVERYTHING)
     left = build_insole(left_foot, design).contact
     right = build_insole(right_foot, mirrored(design)).contact

@@ -113,3 +113,22 @@ def test_failures_leave_nothing_behind(
     assert run(["compare", *pair, "--report", str(tmp_path / "d.json"), *words]) == code
     assert sentence in last_line(capsys)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow
+def test_a_foot_has_the_measures_that_measure_tells(tmp_path: Path) -> None:
+    mesh = build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(1), cell_mm=4.0).mesh
+    meshes = {"whole": mesh, "low": mesh.part(mesh.vertices[:, 2] < 35)}
+    known = {}
+    for name, part in meshes.items():
+        write_stl(part, tmp_path / f"{name}.stl")
+        call = ["measure", str(tmp_path / f"{name}.stl"), "--side", "right"]
+        assert run([*call, "--report", str(tmp_path / f"{name}.json")]) == 0
+        known[name] = json.loads((tmp_path / f"{name}.json").read_text())["measures"]
+    files = [str(tmp_path / f"{name}.stl") for name in meshes]
+    assert run(["compare", *files, "--report", str(tmp_path / "difference.json")]) == 0
+    found = json.loads((tmp_path / "difference.json").read_text())["measures"]
+    for which, name in zip("ab", meshes, strict=True):
+        assert found[which].keys() == {"foot_length", "ball_width", "heel_width", "arch_height"}
+        for key, value in found[which].items():
+            assert value == pytest.approx(known[name][key], abs=0.001), key

@@ -68,7 +68,7 @@ def move_landmark(app: Application, name: str, onto: tuple[float, float]) -> Non
 @pytest.mark.parametrize(
     ("name", "beyond", "step_mm", "named"),
     [
-        ("metatarsal_head_5", "metatarsal_head_1", (9.0, -6.0), "1st head and 5th head"),
+        ("metatarsal_head_5", "metatarsal_head_1", (5.0, -6.0), "1st head and 5th head"),
         ("heel_centre", "metatarsal_head_2", (0.0, 10.0), "heel centre and 1st head"),
     ],
 )
@@ -100,7 +100,7 @@ def test_what_needs_the_landmarks_says_that_they_stand_wrong(
 ) -> None:
     act(opened, "tool_key_point")
     x, y, _ = shown_points(opened.case)["metatarsal_head_1"]
-    move_landmark(opened, "metatarsal_head_5", (x + 9.0, y - 6.0))
+    move_landmark(opened, "metatarsal_head_5", (x + 5.0, y - 6.0))
     record = opened.case.record
     opened.services.messages.questions.path = tmp_path / "t.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")

@@ -12,6 +12,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
+from round_foot import round_foot
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient, ScanSource
@@ -480,8 +481,11 @@ def test_the_author_is_stamped_and_remembered(opened: Application) -> None:
     assert opened.settings.author == "Dr Ek"
 
 
-def test_the_table_shows_both_feet(two_feet: Application) -> None:
-    act(two_feet, "copy_measures")
+def test_the_table_shows_both_feet(app: Application) -> None:
+    for side in Side:
+        source = ScanSource("mesh", "/nowhere.ply", "0" * 64)
+        app.case.apply(FootRecord.begun(round_foot(side), source), "Add")
+    act(app, "copy_measures")
     head, first, *_ = QApplication.clipboard().text().splitlines()
     assert head == "measure,unit,left,right,difference,percent"
     left, right = (float(number) for number in first.split(",")[2:4])

@@ -149,7 +149,11 @@ def test_a_click_alone_changes_nothing(opened: Application, view: SceneView) -> 
     assert len(opened.case.history) == 0
 
 
-def test_double_click_takes_a_point_away_and_adds_one(opened: Application, view: SceneView) -> None:
+def test_double_click_takes_a_point_away_and_adds_one(
+    opened: Application, view: SceneView, settle: Callable[[], None]
+) -> None:
+    opened.window.resize(1280, 800)  # so that a point may lie between two others
+    settle()
     count = len(view.handles)
     QTest.mouseDClick(view.surface, LEFT, pos=pixel(view, 6))
     assert len(view.handles) == count - 1

@@ -11,6 +11,7 @@ from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScroller, QToolButton
+from round_foot import round_foot
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
@@ -285,8 +286,11 @@ def test_contours_and_wireframe_come_and_go(opened: Application) -> None:
 
 
 def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
-    opened: Application, settle: Callable[[], None], tmp_path: Path, make_foot: object
+    opened: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
+    assert opened.case.record.source is not None
+    opened.case.open_foot(round_foot(Side.LEFT), opened.case.record.source)
+    settle()
     act(opened, "tool_pelott")
     foot = opened.stage.foot.scene
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 10.0, 150.0))
@@ -295,7 +299,7 @@ def test_a_template_of_the_left_foot_is_mirrored_for_the_right(
     opened.services.messages.questions.path = tmp_path / "bar.insole-template"  # type: ignore[attr-defined]
     act(opened, "save_template")
     assert opened.case.record.source is not None
-    opened.case.open_foot(make_foot(Side.RIGHT), opened.case.record.source)  # type: ignore[operator]
+    opened.case.open_foot(round_foot(Side.RIGHT), opened.case.record.source)
     settle()
     act(opened, "apply_template")
     copied = last(opened)
@@ -379,6 +383,8 @@ def test_the_place_of_the_pointer_is_that_of_the_release(
 
 
 def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_path: Path) -> None:
+    assert opened.case.record.source is not None
+    opened.case.open_foot(round_foot(Side.LEFT), opened.case.record.source)
     act(opened, "copy_measures")
     copied = QApplication.clipboard().text()
     assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent"

@@ -267,7 +267,7 @@ class ComparePresenter:
         self._panel.show_has_result(True)
         self._panel.show_result(compared.surface, coloring, above)
         self._panel.show_picture(compared.picture)
-        self._panel.show_figures(figure_rows(compared.difference, compared.measures))
+        self._panel.show_figures(figure_rows(compared.difference))
         self._panel.show_tab(1)
         self._show_buttons()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from insole_core.compare.difference import Difference
+from insole_core.compare.difference import Difference, foot_rows, part_rows
 from insole_studio.texts import localised, tr
 
 FILE, FOLDER = "file", "folder"
@@ -37,6 +37,8 @@ STATISTICS: dict[str, Callable[[], str]] = {
     "signed_mean": lambda: tr("Mean, signed"),
 }
 MEASURES: dict[str, Callable[[], str]] = {
+    "foot_length": lambda: tr("Foot length"),
+    "ball_width": lambda: tr("Ball width"),
     "length": lambda: tr("Length"),
     "heel_width": lambda: tr("Heel width"),
     "forefoot_width": lambda: tr("Forefoot width"),
@@ -44,17 +46,13 @@ MEASURES: dict[str, Callable[[], str]] = {
 }
 
 
-def figure_rows(
-    difference: Difference, measures: dict[str, dict[str, float]]
-) -> tuple[FigureRow, ...]:
+def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
     """Return the rows of the table: statistics of the difference, then measures of both surfaces.
 
     Parameters
     ----------
     difference
         The computed difference.
-    measures
-        Measures of table 3 of the thesis, by surface ("a", "b") and name.
     """
     statistics = difference.statistics
     fit = difference.fit.residual_mm
@@ -66,11 +64,15 @@ def figure_rows(
     rows.append(FigureRow(tr("Compared area"), f"{statistics['compared_area_mm2'] / 100:.0f} cm²"))
     if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
         rows.append(FigureRow(tr("Residual of the fit"), f"{localised(fit, '.2f')} mm"))
-    rows.append(FigureRow(tr("Measures"), "A", "B"))
-    rows += [
-        FigureRow(
-            text(), f"{localised(measures['a'][key])} mm", f"{localised(measures['b'][key])} mm"
-        )
-        for key, text in MEASURES.items()
-    ]
+    for heading, measures in (
+        (tr("Feet"), foot_rows(difference)),
+        (tr("Compared part"), part_rows(difference)),
+    ):
+        if measures:
+            rows.append(FigureRow(heading, "A", "B"))
+            rows += [FigureRow(MEASURES[m.key](), _mm(m.a), _mm(m.b)) for m in measures]
     return tuple(rows)
+
+
+def _mm(value: float | None) -> str:
+    return "–" if value is None else f"{localised(value)} mm"

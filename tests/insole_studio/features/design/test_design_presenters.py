@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from round_foot import round_foot
 
 from insole_core.cases.case_record import (
     Annotations,
@@ -135,6 +136,9 @@ def open_foot(case: Case, make_foot: Any) -> Callable[[], None]:
     return open_it
 
 
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+
+
 def add_pelott(case: Case, **values: Any) -> Pelott:
     assert case.record.design is not None
     pad = Pelott(centre_mm=(0.0, 150.0), **values)
@@ -164,9 +168,9 @@ class TestPatient:
         assert len(case.history) == 1
 
     def test_measures_and_distances_are_listed(
-        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any
+        self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        open_foot()
+        case.open_foot(round_foot(Side.LEFT), NOWHERE)
         points = (KeyPoint("Heel", (0.0, 0.0, 0.0)), KeyPoint("Arch", (30.0, 40.0, 0.0)))
         case.apply(Annotations(points), "Mark")
         measures = {m.name: m for m in view.shown["show_measures"][0]}
@@ -180,13 +184,10 @@ class TestPatient:
         assert measures["Arch height"].unit == "mm"
 
     def test_two_feet_are_measured_beside_each_other(
-        self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any
+        self, view: Any, case: Case, presenter: PatientPresenter
     ) -> None:
-        open_foot()
-        right = FootRecord.begun(
-            make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere.ply", "0" * 64)
-        )
-        case.apply(right, "Add")
+        case.open_foot(round_foot(Side.LEFT), NOWHERE)
+        case.apply(FootRecord.begun(round_foot(Side.RIGHT), NOWHERE), "Add")
         assert view.shown["show_feet"] == (Side.RIGHT, [Side.LEFT, Side.RIGHT])
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
         left, right, difference, percent = measures["Foot length"]
@@ -198,6 +199,22 @@ class TestPatient:
         case.apply(Annotations(points), "Mark")
         measures = {m.name: m.values for m in view.shown["show_measures"][0]}
         assert measures["Heel – Arch"] == ("", "50.0", "", "")
+
+    def test_what_was_not_scanned_has_no_number_and_is_not_compared(
+        self, view: Any, case: Case, presenter: PatientPresenter
+    ) -> None:
+        case.open_foot(round_foot(Side.LEFT, cut_mm=60.0), NOWHERE)
+        alone = {m.name: m for m in view.shown["show_measures"][0]}
+        for name, reason in (("Foot length", "toes"), ("Ball girth", "back of the foot")):
+            assert (alone[name].values, alone[name].unit) == (("not scanned",), "")
+            assert reason in alone[name].tip
+        assert float(alone["Heel width"].values[0]) > 50
+        assert "Navicular height" not in alone  # it waits for a mark, not for a scan
+        case.apply(FootRecord.begun(round_foot(Side.RIGHT), NOWHERE), "Add")
+        both = {m.name: m.values for m in view.shown["show_measures"][0]}
+        left, right, *compared = both["Foot length"]
+        assert (left, compared) == ("–", ["", ""])
+        assert float(right.removeprefix("≈ ")) == pytest.approx(250.0, abs=0.5)
 
     def test_a_side_and_a_variant_are_chosen(
         self, view: Any, case: Case, presenter: PatientPresenter, open_foot: Any, make_foot: Any

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
-from insole_core.foot.measures import DEFINITIONS, doubts, measure
+from insole_core.foot.measures import DEFINITIONS, MISSING, doubts, measure
 from insole_core.geometry.side import Side
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.features.design.rows import Measure
@@ -14,6 +14,7 @@ from insole_studio.features.design.tools.key_point_tool import distances
 from insole_studio.texts import tr, translate_core_message
 
 _ABOUT = "≈"  # precedes an uncertain value; the tooltip gives the reason
+_NONE = "–"  # in the narrow columns of two feet, where the scan shows no value
 _NAMES: dict[str, Callable[[], str]] = {
     "foot_length": lambda: tr("Foot length"),
     "ball_width": lambda: tr("Ball width"),
@@ -39,16 +40,19 @@ _NAMES: dict[str, Callable[[], str]] = {
 
 def table_of(record: CaseRecord) -> list[MeasureRow]:
     """Return the measures of all feet of a case as table rows."""
-    return measure_table({f.side: measure(f.foot, landmarks_of(f)) for f in record.feet})
+    return measure_table(_measured(record))
 
 
 def measures_of(record: CaseRecord) -> list[Measure]:
-    """Return all measures the scans allow: of one foot, or of both with their asymmetry."""
+    """Return all measures: of one foot, or of both with their asymmetry."""
     if not record.feet:
         return []
-    both = len(record.feet) == 2
     doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in record.feet}
-    return [_measure(row, both, doubtful) for row in table_of(record)]
+    return [_measure(row, doubtful) for row in measure_table(_measured(record), with_missing=True)]
+
+
+def _measured(record: CaseRecord) -> dict[Side, dict[str, float | None]]:
+    return {foot.side: measure(foot.foot, landmarks_of(foot)) for foot in record.feet}
 
 
 def distances_of(record: CaseRecord) -> list[Measure]:
@@ -64,21 +68,45 @@ def distances_of(record: CaseRecord) -> list[Measure]:
     return rows
 
 
-def _measure(row: MeasureRow, both: bool, doubtful: Mapping[Side, Mapping[str, str]]) -> Measure:
-    doubt = {side: reasons[row.key] for side, reasons in doubtful.items() if row.key in reasons}
+def _measure(row: MeasureRow, doubtful: Mapping[Side, Mapping[str, str]]) -> Measure:
+    """Put a row into words.
+
+    Parameters
+    ----------
+    row
+    doubtful
+        Why measures are uncertain, by the sides that the case has.
+    """
+    both = len(doubtful) == 2
     decimals = 2 if "index" in row.key else 1
-    left, right = (
-        f"{_ABOUT} {_number(value, decimals)}" if side in doubt else _number(value, decimals)
-        for side, value in ((Side.LEFT, row.left), (Side.RIGHT, row.right))
-    )
+    found = {side: value for side, value in _sides(row).items() if side in doubtful}
+    doubt = [
+        doubtful[s][row.key] for s, v in found.items() if v is not None and row.key in doubtful[s]
+    ]
+    missing = [MISSING[row.key]] if None in found.values() else []
+    texts = [
+        _side_text(value, row.key in doubtful[s], decimals, both) for s, value in found.items()
+    ]
+    if both:
+        texts += [_number(row.difference, decimals, "+"), _number(row.percent, 0, "+")]
     name = _NAMES[row.key]() if row.key in _NAMES else row.key
     unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
-    values: tuple[str, ...] = (left or right,)
-    if both:
-        values = (left, right, _number(row.difference, decimals, "+"), _number(row.percent, 0, "+"))
-    said = map(translate_core_message, (DEFINITIONS[row.key].text, *dict.fromkeys(doubt.values())))
-    tip = "\n".join(said)
-    return Measure(name, values, unit, tip, row.key)
+    if not both and missing:
+        unit = ""
+    said = (DEFINITIONS[row.key].text, *dict.fromkeys((*doubt, *missing)))
+    tip = "\n".join(map(translate_core_message, said))
+    return Measure(name, tuple(texts), unit, tip, row.key)
+
+
+def _sides(row: MeasureRow) -> dict[Side, float | None]:
+    return {Side.LEFT: row.left, Side.RIGHT: row.right}
+
+
+def _side_text(value: float | None, is_doubtful: bool, decimals: int, both: bool) -> str:
+    if value is None:
+        return _NONE if both else tr("not scanned")
+    number = _number(value, decimals)
+    return f"{_ABOUT} {number}" if is_doubtful else number
 
 
 def _number(value: float | None, decimals: int, sign: str = "") -> str:
