@@ -161,7 +161,7 @@
         </message>
         <message>
             <source>Ball girth</source>
-            <translation>Trampdyneomfång</translation>
+            <translation>Trampdynans omfång</translation>
         </message>
         <message>
             <source>Ball length</source>
@@ -169,11 +169,11 @@
         </message>
         <message>
             <source>Ball width</source>
-            <translation>Trampdynebredd</translation>
+            <translation>Trampdynans bredd</translation>
         </message>
         <message>
             <source>Ball width across</source>
-            <translation>Trampdynebredd tvärs</translation>
+            <translation>Trampdynans bredd tvärs</translation>
         </message>
         <message>
             <source>Base</source>
@@ -585,7 +585,7 @@
         </message>
         <message>
             <source>Extrinsic turns the whole insole, intrinsic leaves its rim as it is</source>
-            <translation>Extrinsisk vrider hela inlägget, intrinsisk lämnar dess kant som den är</translation>
+            <translation>Extern vrider hela inlägget, intern lämnar dess kant som den är</translation>
         </message>
         <message>
             <source>Find landmarks anew</source>

@@ -119,13 +119,12 @@ def _side_text(row: MeasureRow, value: float | None, is_doubtful: bool, both: bo
 
 
 def _angle(row: MeasureRow, value: float, both: bool) -> str:
-    """Say an angle without a sign: to which side it is, shortened in the narrow columns of both."""
+    """Say an angle without a sign: to which side it is, below it in the narrow columns of both."""
     number, definition = _number(abs(value), _decimals(row)), DEFINITIONS[row.key]
     word = definition.positive if value > 0 else definition.negative
-    said = _SHORT_SIDES if both else _SIDES
-    is_zero = round(value, _decimals(row)) == 0
-    degrees = number if both else f"{number}°"
-    return degrees if is_zero else f"{degrees} {said[word]()}"
+    if round(value, _decimals(row)) == 0:
+        return number if both else f"{number}°"
+    return f"{number}\n{_SHORT_SIDES[word]()}" if both else f"{number}° {_SIDES[word]()}"
 
 
 def _decimals(row: MeasureRow) -> int:
