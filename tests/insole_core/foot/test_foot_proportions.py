@@ -36,7 +36,10 @@ def heel_half(foot: TriangleMesh) -> TriangleMesh:
 
 
 NO_FEET: dict[str, tuple[Shape, str]] = {
-    "box": (lambda _: own(make.box((90, 240, 60)).subdivide().subdivide()), "no proportions of a foot"),
+    "box": (
+        lambda _: own(make.box((90, 240, 60)).subdivide().subdivide()),
+        "no proportions of a foot",
+    ),
     "plate of 5 mm": (lambda _: own(make.box((90, 240, 5))), "no proportions of a foot: 2.."),
     "capsule": (lambda _: own(make.capsule(180, 35)), "no proportions of a foot"),
     "heel half": (heel_half, "no proportions of a foot"),
