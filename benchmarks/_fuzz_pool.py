@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import importlib
 import io
 import json
 import os
+import pkgutil
 import resource
 import select
 import shutil
@@ -76,6 +78,19 @@ class _Running:
     pipe: int
     started: float
     said: bytearray = field(default_factory=bytearray)
+
+
+def preload() -> None:
+    """Import now what every process would import for itself."""
+    import insole_core
+    import insole_studio.acquisition
+    import insole_studio.cli
+
+    for package in (insole_core, insole_studio.acquisition, insole_studio.cli):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
+    for name in ("matplotlib.pyplot", "trimesh.exchange.load", "scipy.spatial", "reportlab.pdfgen"):
+        importlib.import_module(name)
 
 
 def run_trials(trials: Iterable[Trial], at_once: int = 2) -> Iterator[Outcome]:

@@ -44,6 +44,7 @@ from benchmarks._fuzz_pool import (
     MOST_SECONDS_WITH_PROGRESS,
     Expected,
     Trial,
+    preload,
     run_command,
     run_trials,
 )
@@ -60,7 +61,9 @@ def main() -> None:
     only = [name for name in os.environ.get("FUZZ_ONLY", "").split(",") if name]
     sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     start = time.perf_counter()
-    _preload()
+    preload()
+    samples.foot()
+    samples.design()
     counts: Counter[tuple[str, str]] = Counter()
     slowest: dict[str, float] = {}
     largest: dict[str, float] = {}
@@ -100,24 +103,6 @@ def main() -> None:
     print(f"seed {seed}, {time.perf_counter() - start:.0f} s")
     if any(counts[family, fault] for family in families for fault in FAULTS):
         raise SystemExit(1)
-
-
-def _preload() -> None:
-    """Import now what every process would import for itself."""
-    import importlib
-    import pkgutil
-
-    import insole_core
-    import insole_studio.acquisition
-    import insole_studio.cli
-
-    for package in (insole_core, insole_studio.acquisition, insole_studio.cli):
-        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
-            importlib.import_module(module.name)
-    for name in ("matplotlib.pyplot", "trimesh.exchange.load", "scipy.spatial", "reportlab.pdfgen"):
-        importlib.import_module(name)
-    samples.foot()
-    samples.design()
 
 
 def _trials(seed: int, only: list[str]) -> Iterator[Trial]:
@@ -608,7 +593,7 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
     mutations = _sampled(json_mutations(samples.device_values(), "any"), rng, 200)
     mutations += byte_mutations(json.dumps(samples.device_values()).encode(), rng, 10, 6)
     for what, content, expected in mutations:
-        make = partial(_recording, content, None)
+        make = partial(write_recording, content, None)
         unused = not what.startswith(("reg_info.zero_plane_info.", "const_shift", "serial"))
         yield Trial(
             "recording",
@@ -622,11 +607,14 @@ def _recordings(rng: random.Random) -> Iterator[Trial]:
             b"P5 640 480 65535\n" + bytes(900), rng, 4, 4
         ):
             yield Trial(
-                "recording", f"{name}: {what}", partial(_recording, None, (name, content)), _import
+                "recording",
+                f"{name}: {what}",
+                partial(write_recording, None, (name, content)),
+                _import,
             )
 
 
-def _recording(device: bytes | None, other: tuple[str, bytes] | None, folder: Path) -> None:
+def write_recording(device: bytes | None, other: tuple[str, bytes] | None, folder: Path) -> None:
     files = {
         "INDEX.txt": b"d-1.000000-5.pgm\nr-1.000000-5.ppm\n",
         "d-1.000000-5.pgm": b"P5 640 480 65535\n" + bytes(640 * 480 * 2),
@@ -852,10 +840,10 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
         "\udc80",
         "--",
         "../in",
-        "/dev/full",
         "/dev/zero",
         "/proc/self/mem",
         "in",
+        "in/pipe",
         "in/none",
         "in/f.ply",
         "in/s.zip",
@@ -867,7 +855,7 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
             if call[at].startswith("--"):
                 continue
             is_output = call[at].startswith("out/")
-            for word in rng.sample([w for w in bad if not (is_output and "in" in w)], 5):
+            for word in rng.sample([w for w in bad if not (is_output and _is_elsewhere(w))], 5):
                 changed = [*call[:at], word, *call[at + 1 :]]
                 refuse = (
                     word in ("nan", "inf", "-inf")
@@ -908,9 +896,15 @@ def _command_lines(rng: random.Random) -> Iterator[Trial]:
         )
 
 
+def _is_elsewhere(word: str) -> bool:
+    """Return whether a word names what a trial must not replace: inputs, and devices."""
+    return word.startswith(("/", "..", "in")) and word not in ("inf", "in/pipe")
+
+
 def _files(folder: Path) -> None:
     from insole_core.export.ply import write_ply
 
+    os.mkfifo(folder / "pipe")
     (folder / "s.zip").write_bytes(samples.SESSION)
     (folder / "d.json").write_text(json.dumps(samples.design_values()))
     write_ply(samples.foot_mesh(), folder / "f.ply")
