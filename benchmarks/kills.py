@@ -38,7 +38,7 @@ import numpy as np
 
 from benchmarks import _fuzz_samples as samples
 from benchmarks._fuzz_mutations import entries_of
-from benchmarks._fuzz_pool import fingerprint, preload, run_command
+from benchmarks._fuzz_pool import fingerprint, preload, run_command, stay_within
 from benchmarks._measure import print_table
 from insole_core.errors import InsoleError
 from insole_core.export.atomic import write_text
@@ -116,7 +116,7 @@ def main() -> None:
     counts: Counter[tuple[str, str]] = Counter()
     slowest: dict[str, float] = {}
     with tempfile.TemporaryDirectory(prefix="kills-") as root:
-        _stay_within(Path(root))
+        stay_within(Path(root))
         preload()
         with ProcessPoolExecutor(2, multiprocessing.get_context("fork")) as pool:
             jobs = {
@@ -138,21 +138,12 @@ def main() -> None:
         raise SystemExit(1)
 
 
-def _stay_within(root: Path) -> None:
-    """Let the product keep its own files and temporary ones below a folder, not in the user's."""
-    for variable in ("HOME", "TMPDIR", *(f"XDG_{k}_HOME" for k in ("CONFIG", "DATA", "STATE"))):
-        folder = root / "user" / variable
-        folder.mkdir(parents=True)
-        os.environ[variable] = str(folder)
-    tempfile.tempdir = os.environ["TMPDIR"]
-
-
 def _tried(
     name: str, root: Path, kills: int, seed: int, until: float
 ) -> tuple[float, Counter[str]]:
     """Try one command; return how long it takes undisturbed, and count kinds and outcomes."""
     counts: Counter[str] = Counter()
-    _stay_within(root / name)
+    stay_within(root / name)
     before, seconds, attempts = _prepared(name, root / name, kills, random.Random(f"{seed} {name}"))
     for kind, what, attempt in attempts:
         if time.monotonic() > until:
