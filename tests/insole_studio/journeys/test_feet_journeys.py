@@ -77,10 +77,11 @@ def take_notice(app: Application) -> None:
 
 
 @pytest.fixture
-def scan(make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
-    """A mesh file of a foot."""
+def scan(app: Application, make_foot: MakeFoot, tmp_path: Path) -> Callable[[Side], Path]:
+    """A mesh file of a foot as simple as a plate, which is opened all the same."""
 
     def write(side: Side) -> Path:
+        app.services.messages.questions.anyway = True  # type: ignore[attr-defined]
         path = tmp_path / f"{side}.ply"
         write_ply(make_foot(side).mesh, path)
         return path

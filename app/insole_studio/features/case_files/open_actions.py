@@ -10,6 +10,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_placement import SideMismatchError
+from insole_core.foot.foot_proportions import ProportionsError
 from insole_core.foot.mesh_file import UnitError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
@@ -176,6 +177,9 @@ class OpenActions:
                 chosen = questions.which_side_after_all(str(error), side)
                 if chosen is not None:
                     self._open_mesh(path, ScanAnswer(chosen, unit), force=chosen is side)
+            elif isinstance(error, ProportionsError):
+                if questions.open_anyway(str(error)):
+                    self._open_mesh(path, answer, force=True)
             elif isinstance(error, UnitError):
                 self._open_mesh(path, questions.about_scan(path, str(error)))
             else:
