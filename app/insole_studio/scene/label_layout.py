@@ -12,6 +12,7 @@ GAP_PX = 11.0
 _ROW = 1.15
 _ROWS = 9
 _ASIDE_PX = (0.0, 26.0, 60.0)
+_CLEAR_PX = 4.0
 _END_ON = 0.8
 """Cosine of the angle to the line of sight from which on a direction cannot be told in the image."""
 
@@ -73,6 +74,33 @@ def is_across_view(places: FloatArray, look: ViewTransform) -> BoolArray:
     directions = places - places.mean(axis=0)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     return np.abs(directions @ look.back) < _END_ON
+
+
+def moved_clear(
+    places: FloatArray, half_px: FloatArray, gaps_mm: FloatArray, look: ViewTransform
+) -> FloatArray:
+    """Move words around a thing outwards until none of them touches it, however small it is seen.
+
+    Parameters
+    ----------
+    places : (n, 3) float64
+        The middles of the words.
+    half_px : (n, 2) float64
+        Half of their widths and heights.
+    gaps_mm : (n,) float64
+        How far the middles are from the thing.
+
+    Returns
+    -------
+    (n, 3) float64
+    """
+    outwards = places - places.mean(axis=0)
+    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    seen = np.abs(np.stack([outwards @ look.right, outwards @ look.up], axis=1))
+    needed_px = (seen * half_px).sum(axis=1) + _CLEAR_PX
+    shown_px = gaps_mm * np.linalg.norm(seen, axis=1) / look.mm_per_px
+    missing_mm = np.maximum(needed_px - shown_px, 0.0) * look.mm_per_px
+    return places + missing_mm[:, None] * outwards
 
 
 def moved_into_image(places: FloatArray, half_px: FloatArray, look: ViewTransform) -> FloatArray:

@@ -15,7 +15,7 @@ from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.label_layout import is_across_view, moved_into_image
+from insole_studio.scene.label_layout import is_across_view, moved_clear, moved_into_image
 from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view_camera import ViewTransform
@@ -376,9 +376,10 @@ class Painter:
         """Write the directions that can be told in this view, whole and beside the thing."""
         places, words = np.array(self._directions[0]).reshape(-1, 3), self._directions[1]
         if look is not None and words:
-            kept = is_across_view(places, look)
+            kept, gaps = is_across_view(places, look), np.repeat(WORD_GAP_MM, 2)
+            places = moved_clear(places, _half_sizes_px(words), gaps, look)[kept]
             words = [word for word, is_kept in zip(words, kept, strict=True) if is_kept]
-            places = moved_into_image(places[kept], _half_sizes_px(words), look)
+            places = moved_into_image(places, _half_sizes_px(words), look)
         if words == self._written[1] and np.array_equal(places, self._written[0]):
             return
         self._written = (places, words)
