@@ -25,6 +25,7 @@ from insole_core.insole.prescription.design import InsoleDesign, Pelott, Posting
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.autosave import Recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
+from insole_studio.scene.name_label import NameLabel
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
 
@@ -172,6 +173,25 @@ def test_one_correction_is_copied_mirrored(two_feet: Application) -> None:
     assert isinstance(mirrored, Pelott)
     assert mirrored.centre_mm == pytest.approx((5.0, 150.0), abs=0.1)
     assert two_feet.case.selection == mirrored.id
+
+
+@pytest.mark.parametrize("model", ["insole", "foot"])
+def test_the_names_of_two_feet_stand_clear_of_the_word_for_the_toes(
+    two_feet: Application, model: str, settle: Settle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel = getattr(two_feet.stage, model)
+    names: list[NameLabel] = []
+    monkeypatch.setattr(panel, "show_names", names.extend)
+    act(two_feet, "beside_foot")
+    settle()
+    look = panel.scene.look
+    places, words = panel.scene.painter._directions
+    (toes,) = look.pixels_of(places[words.index("Toes")])
+    assert len(names) == 2
+    for name in names:
+        (middle,) = look.pixels_of(name.place_mm)
+        assert toes[1] - middle[1] >= 22, "half of a name and half of a word, px"
+        assert middle[1] > 13, "the whole name is in the picture"
 
 
 def test_undo_goes_across_the_feet(two_feet: Application, settle: Settle) -> None:

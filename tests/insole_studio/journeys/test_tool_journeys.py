@@ -147,6 +147,20 @@ def test_landmarks_are_confirmed_and_found_anew(opened: Application) -> None:
     assert len(opened.case.history) == 2
 
 
+def test_both_handles_of_the_posting_are_seen_and_dragged_from_behind(
+    opened: Application, foot: SceneView
+) -> None:
+    act(opened, "tool_posting")
+    act(opened, "look_posterior")
+    places = {h.name: pixel(foot, *h.position_mm) for h in foot.handles}
+    apart = places["rearfoot"] - places["forefoot"]
+    assert abs(apart.x()) > 20, "one handle is not on the other, px"
+    for name, angle in (("rearfoot", "rearfoot_deg"), ("forefoot", "forefoot_deg")):
+        drag(foot, places[name], places[name] - QPoint(0, 30))
+        assert getattr(last(opened), angle) > 0
+        places = {h.name: pixel(foot, *h.position_mm) for h in foot.handles}
+
+
 def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -> None:
     line = metatarsal_line(opened.case.record)
     assert line is not None

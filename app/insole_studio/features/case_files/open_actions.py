@@ -101,8 +101,16 @@ class OpenActions:
         self._services.jobs.cancel(CHANNEL)
 
     def open_example(self) -> None:
-        """Open the example case that ships with the product."""
-        self.open_path(resource_path(EXAMPLE))
+        """Open a copy of the example that ships with the product, which no window locks or saves."""
+
+        def read(progress: Progress) -> CaseRecord:
+            progress.step(0.0, tr("Opening the case"))
+            return read_case(resource_path(EXAMPLE))
+
+        def opened(record: CaseRecord) -> None:
+            self._case.open(record, None)
+
+        self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
     def take_scan(self, scanned: ScannedFoot) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design."""
