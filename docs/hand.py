@@ -192,7 +192,11 @@ class Keys(Hand):
         self.settle()
 
     def _strike(self, key: Qt.Key, modifiers: Qt.KeyboardModifier) -> None:
-        active = QApplication.activeWindow() or self.window
+        active = QApplication.activeWindow()
+        if active is None:  # no window manager gives it back after a menu
+            active = self.window
+            active.activateWindow()
+            QTest.qWaitForWindowActive(active)
         QTest.keyClick(active.windowHandle(), key, modifiers)
         QApplication.processEvents()
 
