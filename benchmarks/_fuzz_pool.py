@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import importlib
 import io
 import json
+import math
 import os
+import pkgutil
 import resource
 import select
 import shutil
@@ -78,12 +81,49 @@ class _Running:
     said: bytearray = field(default_factory=bytearray)
 
 
-def run_trials(trials: Iterable[Trial], at_once: int = 2) -> Iterator[Outcome]:
-    """Run trials in processes forked from this one, which has imported all they need."""
+def preload() -> None:
+    """Import now what every process would import for itself."""
+    import insole_core
+    import insole_studio.acquisition
+    import insole_studio.cli
+
+    for package in (insole_core, insole_studio.acquisition, insole_studio.cli):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
+    for name in ("matplotlib.pyplot", "trimesh.exchange.load", "scipy.spatial", "reportlab.pdfgen"):
+        importlib.import_module(name)
+
+
+def stay_within(root: Path) -> None:
+    """Let the product keep its own files and temporary ones below a folder, not in the user's."""
+    for variable in (
+        "HOME",
+        "TMPDIR",
+        *(f"XDG_{kind}_HOME" for kind in ("CONFIG", "DATA", "STATE")),
+    ):
+        folder = root / "user" / variable
+        folder.mkdir(parents=True)
+        os.environ[variable] = str(folder)
+    tempfile.tempdir = os.environ["TMPDIR"]
+
+
+def run_trials(
+    trials: Iterable[Trial], at_once: int = 2, until: float = math.inf
+) -> Iterator[Outcome]:
+    """Run trials in processes forked from this one, which has imported all they need.
+
+    Parameters
+    ----------
+    until
+        Time of the monotonic clock after which no other trial is begun.
+    """
     waiting, running = iter(trials), dict[int, _Running]()
     base = _peak_bytes(resource.RUSAGE_SELF)
     while True:
         while len(running) < at_once and (trial := next(waiting, None)) is not None:
+            if time.monotonic() > until:
+                yield Outcome(trial, "none", "", 0, 0, ("not tried",))
+                continue
             pid, one = _fork(trial)
             running[pid] = one
         if not running:
@@ -93,7 +133,7 @@ def run_trials(trials: Iterable[Trial], at_once: int = 2) -> Iterator[Outcome]:
             one = running[pid]
             done, status, usage = os.wait4(pid, os.WNOHANG)
             seconds = time.monotonic() - one.started
-            if not done and seconds > 3 * one.trial.most_seconds:
+            if not done and seconds > 6 * one.trial.most_seconds:
                 os.kill(pid, signal.SIGKILL)
             if done:
                 del running[pid]

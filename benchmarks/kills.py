@@ -7,190 +7,249 @@ Each command first writes its results; then it runs again in a copy of that fold
 - finds the disk full after so many bytes.
 
 After the next start of the product all results must be there, whole, and all of the earlier run or
-all of the later one, and nothing else in the folder may have changed. The numbers must be 0.
-``KILLS=50`` asks for fewer random kills.
+all of the later one, and nothing else in the folder may have changed. Unfinished results may stay
+beside them within the grace time of the product; once they are older, the next result that is
+written there must sweep them. The faults must be 0.
+
+``KILLS=50`` asks for fewer random kills, ``KILLS_ONLY=design,capture`` for some commands. Whatever
+was not tried after nine minutes is counted as a fault too.
 """
 
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 import random
 import resource
 import shutil
 import signal
-import subprocess
-import sys
 import tempfile
 import time
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks import _fuzz_samples as samples
-from benchmarks._fuzz_pool import fingerprint, run_command
-from benchmarks._measure import print_table
+import numpy as np
 
-FAULTS = ("lost", "half-written", "mixed", "others changed", "left over")
-_LONGEST_S = 120.0
+from benchmarks import _fuzz_samples as samples
+from benchmarks._fuzz_mutations import entries_of
+from benchmarks._fuzz_pool import fingerprint, preload, run_command, stay_within
+from benchmarks._measure import print_table
+from insole_core.errors import InsoleError
+from insole_core.export.atomic import write_text
+from insole_core.export.ply import write_ply
+from insole_core.export.temporary import GRACE_S, is_temporary
+from insole_studio.acquisition.unfinished_captures import holding_target
+
+FAULTS = (
+    "lost", "half-written", "mixed", "others changed", "left over", "not swept", "traceback",
+    "hang", "wrongly accepted", "not tried",
+)  # fmt: skip
+_KINDS = ("random", "step", "full")
+_LONGEST_S = 60.0
+_MOST_S = 540.0
 _STEPS = ("replace", "rename", "link", "unlink", "rmdir")
 _BYTES = (0, 1000, 20_000, 100_000)
+_DONE, _REFUSED, _TRACEBACK = 0, 1, 3
+_OWN = {"said.txt", "steps.txt"}
 
 
 @dataclass(frozen=True)
 class Command:
     """A writing command; its words name files of a folder, and `outputs` what it writes there."""
 
-    name: str
-    words: tuple[str, ...]
+    words: str
     outputs: tuple[str, ...]
 
 
-COMMANDS = (
-    Command(
-        "design",
-        (
-            "design",
-            "foot.ply",
-            "--side",
-            "left",
-            "--out",
-            "i.stl",
-            "--checks",
-            "c.json",
-            "--job-sheet",
-            "s.pdf",
-            "--prescription",
-            "d.json",
-            "--prescription-paper",
-            "p.pdf",
-        ),
+COMMANDS = {
+    "simulate": Command("simulate simulated --seed 1 --ideal", ("simulated",)),
+    "capture": Command("--emulate s.zip capture --out captured --frames 1", ("captured",)),
+    "capture zip": Command(
+        "--emulate s.zip capture --out captured.zip --frames 1", ("captured.zip",)
+    ),
+    "design": Command(
+        "design foot.ply --side left --out i.stl --checks c.json --job-sheet s.pdf --prescription "
+        "d.json --prescription-paper p.pdf --prescriber A --maker B --maker-address C",
         ("i.stl", "c.json", "s.pdf", "p.pdf"),
     ),
-    Command(
-        "reconstruct",
-        ("reconstruct", "s.zip", "--out", "f.ply", "--report", "r.json"),
-        ("f.ply", "r.json"),
+    "reconstruct": Command("reconstruct s.zip --out f.ply --report r.json", ("f.ply", "r.json")),
+    "measure": Command(
+        "measure foot.ply --side left --report m.json --csv m.csv", ("m.json", "m.csv")
     ),
-    Command(
-        "measure",
-        ("measure", "foot.ply", "--side", "left", "--report", "m.json", "--csv", "m.csv"),
-        ("m.json", "m.csv"),
+    "compare": Command(
+        "compare foot.ply foot.ply --report c.json --surface c.ply --picture c.png --paper c.pdf "
+        "--align none",
+        ("c.json", "c.ply", "c.png", "c.pdf"),
     ),
-    Command(
-        "compare",
-        (
-            "compare",
-            "foot.ply",
-            "foot.ply",
-            "--report",
-            "c.json",
-            "--surface",
-            "c.ply",
-            "--picture",
-            "c.png",
-            "--align",
-            "none",
-        ),
-        ("c.json", "c.ply", "c.png"),
+    "import-fakenect": Command("import-fakenect recording --out imported", ("imported",)),
+    "calibrate session": Command(
+        "calibrate session s.zip --out session --sensors sensors", ("session",)
     ),
-    Command(
-        "calibrate session", ("calibrate", "session", "s.zip", "--out", "session"), ("session",)
+    "calibrate session zip": Command(
+        "calibrate session s.zip --out t.zip --sensors sensors", ("t.zip",)
     ),
-    Command(
-        "calibrate session zip", ("calibrate", "session", "s.zip", "--out", "t.zip"), ("t.zip",)
+    "calibrate distortion": Command(
+        "calibrate distortion walls --serial {serial} --sensors sensors --report d.html d.json",
+        ("sensors/{serial}", "d.html"),
     ),
-    Command(
-        "import-fakenect", ("import-fakenect", "recording", "--out", "imported"), ("imported",)
+    "calibrate reference": Command(
+        "calibrate reference --report r.html r.json", ("r.html", "r.json")
     ),
-    Command(
-        "capture",
-        ("--emulate", "s.zip", "capture", "--out", "captured", "--frames", "1"),
-        ("captured",),
+    "evaluate noise": Command(
+        "evaluate noise walls/1 --report n.html n.json", ("n.html", "n.json")
     ),
-    Command(
-        "capture zip",
-        ("--emulate", "s.zip", "capture", "--out", "captured.zip", "--frames", "1"),
-        ("captured.zip",),
-    ),
-    Command(
-        "calibrate reference",
-        ("calibrate", "reference", "--report", "r.html", "r.json"),
-        ("r.html", "r.json"),
-    ),
-    Command("simulate", ("simulate", "simulated", "--seed", "1", "--ideal"), ("simulated",)),
-)
+}
 
 
 def main() -> None:
-    rng = random.Random(int(os.environ.get("FUZZ_SEED", "1")))
-    per_command = -(-int(os.environ.get("KILLS", "200")) // len(COMMANDS))
+    seed = int(os.environ.get("FUZZ_SEED", "1"))
+    only = [name for name in os.environ.get("KILLS_ONLY", "").split(",") if name]
+    names = [name for name in COMMANDS if not only or name in only]
+    kills = -(-int(os.environ.get("KILLS", "200")) // len(names))
+    started = time.monotonic()
     counts: Counter[tuple[str, str]] = Counter()
-    with tempfile.TemporaryDirectory(prefix="kills-") as name:
-        for command in COMMANDS:
-            before = _first_run(command, Path(name))
-            for what, outcome in _attempts(command, before, per_command, rng):
-                counts[command.name, what.split(":")[0]] += 1
-                counts[command.name, outcome] += 1
-                if outcome in FAULTS:
-                    print(f"{outcome}: {command.name}: {what}", flush=True)
-    head = ["command", "random", "step", "full", "old", "new", *FAULTS]
-    rows = [[c.name, *(counts[c.name, key] for key in head[1:])] for c in COMMANDS]
+    slowest: dict[str, float] = {}
+    with tempfile.TemporaryDirectory(prefix="kills-") as root:
+        stay_within(Path(root))
+        preload()
+        with ProcessPoolExecutor(2, multiprocessing.get_context("fork")) as pool:
+            jobs = {
+                name: pool.submit(_tried, name, Path(root), kills, seed, started + _MOST_S)
+                for name in names
+            }
+            for name, job in jobs.items():
+                slowest[name], tried = job.result()
+                for key, number in tried.items():
+                    counts[name, key] += number
+                print(f"{name}: tried, {time.monotonic() - started:.0f} s", flush=True)
+    head = ["command", *_KINDS, "old", "new", *FAULTS]
+    rows = [[name, *(counts[name, key] for key in head[1:])] for name in names]
     total = ["all", *(sum(row[column] for row in rows) for column in range(1, len(head)))]
-    print_table(head, [*rows, total])
-    if any(counts[c.name, fault] for c in COMMANDS for fault in FAULTS):
+    seconds = [*(f"{slowest[name]:.1f}" for name in names), ""]
+    print_table([*head, "seconds"], [[*r, s] for r, s in zip([*rows, total], seconds, strict=True)])
+    print(f"seed {seed}, {time.monotonic() - started:.0f} s")
+    if any(counts[name, fault] for name in names for fault in FAULTS):
         raise SystemExit(1)
 
 
-def _first_run(command: Command, root: Path) -> Path:
-    folder = root / command.name
+def _tried(
+    name: str, root: Path, kills: int, seed: int, until: float
+) -> tuple[float, Counter[str]]:
+    """Try one command; return how long it takes undisturbed, and count kinds and outcomes."""
+    counts: Counter[str] = Counter()
+    stay_within(root / name)
+    before, seconds, attempts = _prepared(name, root / name, kills, random.Random(f"{seed} {name}"))
+    for kind, what, attempt in attempts:
+        if time.monotonic() > until:
+            counts["not tried"] += 1
+            continue
+        outcome, said = attempt()
+        counts[kind] += 1
+        counts[outcome] += 1
+        if outcome in FAULTS:
+            print(f"{outcome}: {name}: {kind}: {what}: {said}", flush=True)
+    shutil.rmtree(before.parent)
+    return seconds, counts
+
+
+Attempt = Callable[[], tuple[str, str]]
+
+
+def _prepared(
+    name: str, root: Path, kills: int, rng: random.Random
+) -> tuple[Path, float, list[tuple[str, str, Attempt]]]:
+    """Return the folder after a first run, the time of a second one, and all ways to disturb it.
+
+    They are in random order, so that a lack of time leaves out none of a kind.
+    """
+    command = _named(COMMANDS[name])
+    before = root / "before"
+    _fill(before)
+    first = _run(command, before, _nothing)
+    if first.code != _DONE:
+        raise RuntimeError(f"{name} failed by itself: {first.said}")
+    for output in command.outputs:
+        _age(before / output)
+    with _copy(before) as folder:
+        seconds = _run(command, folder, _count_steps).seconds
+        steps = int((folder / "steps.txt").read_text())
+
+    def attempt(trap: Callable[[], None], after_s: float | None = None) -> Attempt:
+        return lambda: _outcome(command, before, trap, after_s)
+
+    attempts: list[tuple[str, str, Attempt]] = []
+    for number in range(kills):
+        moment = seconds * (rng.uniform(0.0, 1.0) if number % 2 else rng.uniform(0.85, 1.05))
+        what = f"{moment:.2f} s of {seconds:.2f} s"
+        attempts.append(("random", what, attempt(_nothing, moment)))
+    for step in range(1, steps + 1):
+        for late in (False, True):
+            what = f"{step} of {steps}{' done' if late else ''}"
+            attempts.append(("step", what, attempt(_trap(step, late))))
+    attempts += [("full", f"{most} bytes", attempt(_full_disk(most))) for most in _BYTES]
+    rng.shuffle(attempts)
+    return before, seconds, attempts
+
+
+def _named(command: Command) -> Command:
+    serial = samples.session_values("views/left/sensor.json")["serial"]
+    return Command(
+        command.words.format(serial=serial),
+        tuple(output.format(serial=serial) for output in command.outputs),
+    )
+
+
+def _fill(folder: Path) -> None:
+    """Write the inputs of all commands, and a file of somebody else."""
+    from benchmarks.fuzz import write_recording
+
     folder.mkdir()
     (folder / "keep.txt").write_text("of somebody else")
     (folder / "s.zip").write_bytes(samples.SESSION)
     (folder / "d.json").write_text(json.dumps(samples.design_values()))
-    from benchmarks.fuzz import _recording
-    from insole_core.export.ply import write_ply
-
     write_ply(samples.foot_mesh(), folder / "foot.ply")
-    _recording(None, None, folder)
-    code, _ = _run(command, folder, _nothing)
-    if code != 0:
-        raise RuntimeError(f"{command.name} failed by itself: {(folder / 'said.txt').read_text()}")
-    for output in command.outputs:
-        _age(folder / output)
-    return folder
+    write_recording(None, None, folder)
+    _write_sensors(folder / "sensors")
+    _write_walls(folder / "walls")
+
+
+def _write_sensors(store: Path) -> None:
+    """Write the calibrations that the session was recorded with, as if they were made here."""
+    entries = dict(entries_of(samples.SESSION))
+    for name, content in entries.items():
+        folder, _, file = name.rpartition("/")
+        if file in ("sensor.json", "correction.npz"):
+            serial = json.loads(entries[f"{folder}/sensor.json"])["serial"]
+            (store / serial).mkdir(parents=True, exist_ok=True)
+            (store / serial / file).write_bytes(content)
+
+
+def _write_walls(folder: Path) -> None:
+    """Write raw depth of walls at several distances, with noise."""
+    import cv2
+
+    noise = np.random.default_rng(1)
+    rows, columns = np.mgrid[-1:1:480j, -1:1:640j]
+    for number, raw in enumerate((560, 620, 680, 740, 800, 860)):
+        wall = folder / str(number)
+        wall.mkdir(parents=True)
+        for frame in range(2):
+            depth = raw + 9 * rows + 5 * columns + noise.normal(0, 0.6, rows.shape)
+            cv2.imwrite(str(wall / f"depth_{frame:03d}.png"), np.round(depth).astype(np.uint16))
 
 
 def _age(path: Path) -> None:
     """Make an earlier result differ from a later one, which may be the same to the last byte."""
-    with (path / "manifest.json" if path.is_dir() else path).open("ab") as file:
+    names = ("manifest.json", "sensor.json")
+    found = (path / name for name in names) if path.is_dir() else [path]
+    with next(file for file in found if file.exists()).open("ab") as file:
         file.write(b"\n")
-
-
-def _attempts(
-    command: Command, before: Path, count: int, rng: random.Random
-) -> Iterator[tuple[str, str]]:
-    def attempt(
-        what: str, trap: Callable[[], None], after_s: float | None = None
-    ) -> tuple[str, str]:
-        with _copy(before) as folder:
-            _run(command, folder, trap, after_s)
-            return what, _verdict(command, before, folder)
-
-    with _copy(before) as folder:
-        _code, seconds = _run(command, folder, _count_steps)
-        steps = int((folder / "steps.txt").read_text())
-    for number in range(count):
-        moment = seconds * (rng.uniform(0.0, 1.0) if number % 2 else rng.uniform(0.85, 1.05))
-        yield attempt(f"random: {moment:.2f} s of {seconds:.2f} s", _nothing, moment)
-    for step in range(1, steps + 1):
-        for late in (False, True):
-            yield attempt(f"step: {step} of {steps}{' done' if late else ''}", _trap(step, late))
-    for most in _BYTES:
-        yield attempt(f"full: after {most} bytes", _full_disk(most))
 
 
 @contextmanager
@@ -201,41 +260,66 @@ def _copy(before: Path) -> Iterator[Path]:
         yield folder
 
 
+@dataclass(frozen=True)
+class _Ended:
+    code: int
+    seconds: float
+    said: str = ""
+
+
 def _run(
     command: Command, folder: Path, trap: Callable[[], None], kill_after_s: float | None = None
-) -> tuple[int, float]:
-    """Run the command in a process of its own; return its exit code and how long it took."""
+) -> _Ended:
+    """Run the command in a process of its own."""
     started = time.monotonic()
+    killed = False
     pid = os.fork()
     if pid == 0:
-        code = 1
-        try:
-            os.setpgid(0, 0)
-            os.chdir(folder)
-            os.environ["XDG_DATA_HOME"] = str(folder.parent / "data")
-            said = os.open("said.txt", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-            os.dup2(said, 1)
-            os.dup2(said, 2)
-            trap()
-            run_command(list(command.words))
-            code = 0
-        except BaseException as error:  # noqa: BLE001 - the exit code tells it
-            os.write(2, repr(error).encode(errors="replace")) if trap is _nothing else None
-        finally:
-            if _taken:
-                Path("steps.txt").write_text(str(_taken[0]))
-            os._exit(code)
+        _work(command, folder, trap)
     while True:
         done, status = os.waitpid(pid, os.WNOHANG)
         passed = time.monotonic() - started
         if done:
-            return os.waitstatus_to_exitcode(status), passed
-        if passed > (_LONGEST_S if kill_after_s is None else kill_after_s):
+            said = (folder / "said.txt").read_text(errors="replace").strip()
+            code = os.waitstatus_to_exitcode(status)
+            return _Ended(code, passed, "hang" if killed and kill_after_s is None else said)
+        if not killed and passed > (_LONGEST_S if kill_after_s is None else kill_after_s):
             os.kill(pid, signal.SIGKILL)
+            killed = True
         time.sleep(0.002)
 
 
+def _work(command: Command, folder: Path, trap: Callable[[], None]) -> None:
+    """Be the process of a command: never returns."""
+    code = _TRACEBACK
+    try:
+        os.chdir(folder)
+        silence = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(silence, 1)
+        os.dup2(silence, 2)
+        said = os.open("said.txt", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        trap()
+        try:
+            run_command(command.words.split())
+            code = _DONE
+        except InsoleError as error:
+            code = _REFUSED
+            _tell(said, str(error))
+        except BaseException as error:  # noqa: BLE001 - whatever it is, it is what is looked for
+            _tell(said, repr(error))
+        if _taken:
+            Path("steps.txt").write_text(str(_taken[0]))
+    finally:
+        os._exit(code)
+
+
+def _tell(said: int, sentence: str) -> None:
+    resource.setrlimit(resource.RLIMIT_FSIZE, (resource.getrlimit(resource.RLIMIT_FSIZE)[1],) * 2)
+    os.write(said, sentence.encode(errors="replace"))
+
+
 _taken: list[int] = []
+"""How many steps this process has taken; empty where they are not counted."""
 
 
 def _nothing() -> None:
@@ -267,6 +351,8 @@ def _before_and_after(act: Callable[[], None], late: bool = False) -> None:
         def step(
             *given: object, original: Callable[..., object] = original, **named: object
         ) -> object:
+            if "dir_fd" in named and original.__name__ == "unlink":
+                return original(*given, **named)  # one of many files of a folder on its way out
             _taken[0] += 1
             if not late:
                 act()
@@ -283,15 +369,32 @@ def _full_disk(most: int) -> Callable[[], None]:
 
     def arm() -> None:
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
 
     return arm
 
 
+def _outcome(
+    command: Command, before: Path, trap: Callable[[], None], after_s: float | None
+) -> tuple[str, str]:
+    """Disturb the command, start the product anew, and judge what is there."""
+    with _copy(before) as folder:
+        ended = _run(command, folder, trap, after_s)
+        if ended.code == _TRACEBACK:
+            return "traceback", ended.said
+        if ended.said == "hang":
+            return "hang", ""
+        _next_start(folder)
+        outcome = _verdict(command, before, folder)
+        if outcome == "old" and ended.code == _DONE:
+            return "wrongly accepted", "it said that it was done"
+        if outcome not in FAULTS and not _swept(folder):
+            return "not swept", str(sorted(set(fingerprint(folder)) - set(fingerprint(before))))
+        return outcome, str(sorted(set(fingerprint(folder)) ^ set(fingerprint(before)))[:9])
+
+
 def _verdict(command: Command, before: Path, folder: Path) -> str:
-    _next_start(folder)
-    own = {"said.txt", "steps.txt"}
-    old, now = fingerprint(before), fingerprint(folder)
+    old, now = (_visible(fingerprint(place)) for place in (before, folder))
     states = set()
     for output in command.outputs:
         then = {path: content for path, content in old.items() if _is_of(path, output)}
@@ -300,46 +403,75 @@ def _verdict(command: Command, before: Path, folder: Path) -> str:
             return "lost"
         if here == then:
             states.add("old")
-        elif _is_whole(folder / output, then, here):
+        elif then.keys() == here.keys() and all(_is_whole(before / p, folder / p) for p in here):
             states.add("new")
         else:
             return "half-written"
-    outputs = command.outputs
-    rest = [
-        {p: c for p, c in found.items() if p not in own and not any(_is_of(p, o) for o in outputs)}
+    rest, rest_now = (
+        {p: c for p, c in found.items() if not any(_is_of(p, o) for o in command.outputs)}
         for found in (old, now)
-    ]
-    if {p: c for p, c in rest[1].items() if p in rest[0]} != rest[0]:
+    )
+    if {path: content for path, content in rest_now.items() if path in rest} != rest:
         return "others changed"
-    if set(rest[1]) - set(rest[0]):
+    if set(rest_now) - set(rest):
         return "left over"
     return states.pop() if len(states) == 1 else "mixed"
+
+
+def _visible(found: dict[str, str]) -> dict[str, str]:
+    """Leave out what is unfinished by its name, which may stay for a while, and notes of ours."""
+    return {
+        path: content
+        for path, content in found.items()
+        if path not in _OWN and not any(_is_unfinished(part) for part in Path(path).parts)
+    }
+
+
+def _is_unfinished(name: str) -> bool:
+    """Tell whether a name is one that the product gives to what may stay for the grace time."""
+    return is_temporary(name) or name.startswith(".insole-studio-capture-")
 
 
 def _is_of(path: str, output: str) -> bool:
     return path == output or path.startswith(f"{output}/")
 
 
-def _is_whole(path: Path, then: dict[str, str], here: dict[str, str]) -> bool:
+_ENDS = {".pdf": b"%%EOF", ".html": b"</html>", ".png": b"IEND"}
+
+
+def _is_whole(before: Path, path: Path) -> bool:
+    """Tell whether a later result is complete: readable, and about as long as the earlier one."""
     if path.is_dir():
-        return here.keys() == then.keys()
+        return True
     content = path.read_bytes()
     if path.suffix == ".json":
         return isinstance(json.loads(content), dict)
-    if path.suffix == ".zip":
+    if path.suffix in (".zip", ".npz"):
         with zipfile.ZipFile(path) as archive:
             return archive.testzip() is None
-    ends = {".pdf": b"%%EOF", ".html": b"</html>", ".png": b"IEND"}
-    return ends[path.suffix] in content[-32:] if path.suffix in ends else len(content) > 0
+    if path.suffix in _ENDS:
+        return _ENDS[path.suffix] in content[-32:]
+    return len(content) > 0.95 * before.stat().st_size
 
 
 def _next_start(folder: Path) -> None:
     """Start the product once more, as it would be to look at what was written."""
-    environment = {**os.environ, "XDG_DATA_HOME": str(folder.parent / "data")}
-    subprocess.run(
-        [sys.executable, "-m", "insole_studio", "calibrate", "reference"],
-        check=True,
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-    )
+    ended = _run(Command("calibrate reference", ()), folder, _nothing)
+    if ended.code != _DONE:
+        raise RuntimeError(f"The next start failed: {ended.said}")
+
+
+def _swept(folder: Path) -> bool:
+    """Let the grace time of what is unfinished pass, write beside it, and look for it again."""
+    passed = time.time() - GRACE_S - 60
+
+    def unfinished() -> list[Path]:
+        return [path for path in folder.rglob("*") if _is_unfinished(path.name)]
+
+    for place in {path.parent for path in unfinished()}:
+        for path in unfinished():
+            os.utime(path, (passed, passed))
+        with holding_target(place / "later.txt"):
+            write_text("", place / "later.txt")
+        (place / "later.txt").unlink()
+    return not unfinished()

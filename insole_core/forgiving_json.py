@@ -76,7 +76,12 @@ def remembered(
 
 
 def set_aside(path: Path) -> Path:
-    """Rename a file that cannot be used, and return its new path; the old where that fails."""
+    """Rename a file that cannot be used, and return its new path; the old where that fails.
+
+    A device stays: an administrator may name one, and others use it.
+    """
+    if path.is_char_device() or path.is_block_device():
+        return path
     for number in range(1, 1000):
         kept = path.with_name(f"{path.name}.broken-{number}")
         if kept.exists():

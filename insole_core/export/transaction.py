@@ -57,7 +57,9 @@ class _Output:
 
     def prepare(self) -> None:
         """Check the place once more, as hours may have passed, and complete what takes it."""
-        if self.find_foreign is not None:
+        if self.find_foreign is None:
+            check_file(self.named)
+        else:
             check_folder(self.named, self.find_foreign)
         take_mode(self.beside, self.path)
         sync_tree(self.beside)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -69,6 +70,14 @@ def test_what_is_no_file_is_refused(
 
 def test_remembered_settings_are_forgotten(trap: Callable[[str], Path]) -> None:
     assert remembered(trap("settings.json"), {"theme": str}) == {}
+
+
+@pytest.mark.skipif(getattr(os, "geteuid", int)() != 0, reason="only root makes devices")
+def test_a_device_in_the_place_of_settings_stays(tmp_path: Path) -> None:
+    device = tmp_path / "full"
+    os.mknod(device, 0o600 | stat.S_IFCHR, os.makedev(1, 7))
+    assert remembered(device, {"theme": str}) == {}
+    assert device.is_char_device()
 
 
 @pytest.mark.parametrize("name", ["foot.ply", "session.zip", "session/manifest.json"])

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import shutil
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import chain, count
 from pathlib import Path
@@ -12,6 +13,7 @@ from pathlib import Path
 from insole_core.errors import InputError, OutputError
 from insole_core.export.atomic import describe, make_private_folder
 from insole_core.export.file_lock import FileLock
+from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_status import ViewStatus
@@ -19,6 +21,7 @@ from insole_studio.acquisition.draft import is_abandoned
 from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 _GONE = "{folder} holds no unfinished capture; it was used or discarded, or never was one."
+_TARGET_LOCK = ".insole-studio-capture-"
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,7 +170,8 @@ def holding_target(path: Path) -> Iterator[None]:
         When the place cannot be written.
     """
     place = path.resolve()
-    with FileLock(place.with_name(f".{place.name}.lock")) as lock:
+    _sweep_locks(place.parent)
+    with FileLock(place.with_name(f"{_TARGET_LOCK}{place.name}.lock")) as lock:
         if not lock.acquire():
             raise InputError(
                 "Another capture is to be written to {path}; wait until it has ended, or choose "
@@ -175,6 +179,15 @@ def holding_target(path: Path) -> Iterator[None]:
                 path=path,
             )
         yield
+
+
+def _sweep_locks(folder: Path) -> None:
+    """Remove the locks of destinations that killed captures left some time ago."""
+    with suppress(OSError):  # another capture sweeps as well
+        for left in folder.glob(f"{_TARGET_LOCK}*.lock"):
+            if time.time() - left.lstat().st_mtime > GRACE_S:
+                with FileLock(left) as lock:
+                    lock.acquire()
 
 
 def read_unfinished(folder: Path) -> UnfinishedCapture | None:

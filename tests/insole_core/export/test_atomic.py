@@ -248,6 +248,12 @@ def test_a_pipe_is_not_replaced(tmp_path: Path) -> None:
     assert (tmp_path / "pipe").is_fifo()
 
 
+def test_a_pipe_that_was_made_meanwhile_is_not_replaced(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="a device or a pipe"), replacing_file(tmp_path / "pipe"):
+        os.mkfifo(tmp_path / "pipe")
+    assert [path.is_fifo() for path in tmp_path.iterdir()] == [True]
+
+
 def write_to_full_disk(target: Path) -> None:
     with replacing_file(target), Path("/dev/full").open("wb") as full:
         full.write(b"x" * 100_000)

@@ -14,8 +14,14 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import InputError
+from insole_core.export.temporary import GRACE_S
 from insole_core.recording.reader import read_session
-from insole_studio.acquisition.unfinished_captures import Drafts, hold_draft, hold_unfinished
+from insole_studio.acquisition.unfinished_captures import (
+    Drafts,
+    hold_draft,
+    hold_unfinished,
+    holding_target,
+)
 
 PATIENCE_S = 60.0
 
@@ -125,7 +131,7 @@ def test_of_two_captures_to_one_place_the_second_is_refused(
     (tmp_path / "folder").mkdir()
     same = tmp_path / "folder" / ".." / name
     with commands.started(out, "--notes", "the first") as first:
-        wait_for((tmp_path / f".{name}.lock").exists)
+        wait_for((tmp_path / f".insole-studio-capture-{name}.lock").exists)
         with stopped(first), commands.started(same, "--notes", "the second") as second:
             assert ended(second) == (
                 1,
@@ -137,6 +143,29 @@ def test_of_two_captures_to_one_place_the_second_is_refused(
     assert condition is not None
     assert condition.notes == "the first"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["data", "folder", name]
+
+
+def test_the_lock_of_a_killed_capture_is_swept_after_the_grace_time(tmp_path: Path) -> None:
+    old, young = (tmp_path / f".insole-studio-capture-{name}.lock" for name in ("old", "young"))
+    somebodys = tmp_path / ".insole-studio-capture.txt"
+    for path in (old, young, somebodys):
+        path.touch()
+    passed = time.time() - GRACE_S - 1
+    for path in (old, somebodys):
+        os.utime(path, (passed, passed))
+    with holding_target(tmp_path / "session"):
+        pass
+    assert sorted(tmp_path.iterdir()) == [young, somebodys]
+
+
+def test_a_lock_that_is_held_is_never_swept(tmp_path: Path) -> None:
+    with holding_target(tmp_path / "session"):
+        (lock,) = tmp_path.iterdir()
+        os.utime(lock, (0, 0))
+        with holding_target(tmp_path / "other"):
+            assert lock.exists()
+        with pytest.raises(InputError), holding_target(tmp_path / "session"):
+            pytest.fail("another capture is writing there")
 
 
 def test_what_a_killed_capture_held_is_free(commands: Commands, tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.file_kinds import case_kinds, scan_kinds
+from insole_studio.services.last_folders import Kept
 from insole_studio.services.questions import InUse, SameSide
 from insole_studio.services.scan_dialog import ScanAnswer
 from insole_studio.services.user_messages import LONG_MS
@@ -80,15 +81,16 @@ class OpenActions:
 
     def ask_open_case(self) -> None:
         """Let the user choose a case and open it."""
-        self._open_chosen(self._messages.questions.file_to_open(case_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(case_kinds(), Kept.CASES))
 
     def ask_open_session(self) -> None:
         """Let the user choose the folder of a session and open it."""
-        self._open_chosen(self._messages.questions.folder_to_open())
+        questions = self._messages.questions
+        self._open_chosen(questions.folder_to_open(tr("Open session"), Kept.SCANS))
 
     def ask_open_mesh(self) -> None:
         """Let the user choose an archive or a mesh and open it."""
-        self._open_chosen(self._messages.questions.file_to_open(scan_kinds()))
+        self._open_chosen(self._messages.questions.file_to_open(scan_kinds(), Kept.SCANS))
 
     def new_case(self) -> None:
         """Start an empty case."""
