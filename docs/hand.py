@@ -184,15 +184,20 @@ class Keys(Hand):
         self.settle()
 
     def type(self, field: QWidget, text: str) -> None:
-        """Go to a field, type, and Enter."""
+        """Go to a field, type, Enter, and with Escape back to the view."""
         field.setFocus(Qt.FocusReason.TabFocusReason)
         QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
         QTest.keyClicks(field, text)
         QTest.keyClick(field, Qt.Key.Key_Return)
+        QTest.keyClick(field, Qt.Key.Key_Escape)
         self.settle()
 
     def _strike(self, key: Qt.Key, modifiers: Qt.KeyboardModifier) -> None:
-        active = QApplication.activeWindow() or self.window
+        active = QApplication.activeWindow()
+        if active is None:  # no window manager gives it back after a menu
+            active = self.window
+            active.activateWindow()
+            QTest.qWaitForWindowActive(active)
         QTest.keyClick(active.windowHandle(), key, modifiers)
         QApplication.processEvents()
 

@@ -294,6 +294,13 @@ def walk_two_feet(walk: Walk, session: Path) -> None:
     walk.see("variants-beside")
     hand.choose("beside_nothing")
     hand.choose("map_none")
+    see_export(walk)
+    see_comparison(walk)
+
+
+def see_export(walk: Walk) -> None:
+    """Check & export: a pair, in one block, and the dialogs of the stage."""
+    hand, app = walk.hand, walk.app
     hand.choose("export")
     walk.stage("export")
     walk.see("export-pair")
@@ -318,8 +325,12 @@ def walk_two_feet(walk: Walk, session: Path) -> None:
         hand.click(form.responsible)
     export.close()
     app.window.activateWindow()
-    hand.choose("compare")
-    compare = app.features.compare.stage
+
+
+def see_comparison(walk: Walk) -> None:
+    """Compare an insole with its foot, then the other two."""
+    walk.hand.choose("compare")
+    compare = walk.app.features.compare.stage
     assert compare is not None
     walk.stage("compare")
     walk.see("compare")

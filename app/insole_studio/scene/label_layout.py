@@ -14,7 +14,7 @@ _ROWS = 9
 _ASIDE_PX = (0.0, 26.0, 60.0)
 _CLEAR_PX = 4.0
 _END_ON = 0.8
-"""Cosine of the angle to the line of sight from which on a direction cannot be told in the image."""
+"""Cosine of the angle to the line of sight above which a direction is not seen as one."""
 
 
 def name_boxes(

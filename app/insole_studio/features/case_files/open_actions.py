@@ -101,7 +101,7 @@ class OpenActions:
         self._services.jobs.cancel(CHANNEL)
 
     def open_example(self) -> None:
-        """Open a copy of the example that ships with the product, which no window locks or saves."""
+        """Open a copy of the example of the product, which no window locks or saves over."""
 
         def read(progress: Progress) -> CaseRecord:
             progress.step(0.0, tr("Opening the case"))
